@@ -511,7 +511,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>above the scanner [m]</source><translation>sobre el escáner [m]</translation></message>
 <message><source>The section could not be computed (%1).</source><translation>No se pudo calcular la sección (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cción</translation></message>
-<message><source>A section goes through the two ends of a measurement: measure a distance between two cells first.</source><translation>Una sección pasa por los dos extremos de una medición: mida primero una distancia entre dos celdas.</translation></message>
+<message><source>Measure a distance first: a section goes through its two ends.</source><translation>Mida primero una distancia: la sección pasa por sus dos extremos.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Seleccione primero una roca: pulse K y haga clic en su cara.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>El plano de la sección no corta ninguna superficie: elija otras dos celdas.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
@@ -559,6 +559,12 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Distance of the views</source><translation>Distancia de las vistas</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul más cerca, rojo más lejos que la vista tardía, color pleno a 50 mm)</translation></message>
 <message><source>After: %1 mm apart</source><translation>Después: a %1 mm</translation></message>
+<message><source>a section</source><translation>una sección</translation></message>
+<message><source>a section of %1 rocks</source><translation>una sección de %1 rocas</translation></message>
+<message><source>%1 edge points</source><translation>%1 puntos de borde</translation></message>
+<message><source>%1 points</source><translation>%1 puntos</translation></message>
+<message><source>%1 cells</source><translation>%1 celdas</translation></message>
+<message><source>%1 rocks</source><translation>%1 rocas</translation></message>
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Todavía no hay nada seleccionado: primero trace un recuadro (B) o un lazo (L) sobre una vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
@@ -1136,6 +1142,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque los mismos tres lugares en ambos escaneos como objetivos con los mismos números: llevan la capa a su sitio</translation></message>
 <message><source>ANOTHER PICTURE</source><translation>OTRA IMAGEN</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
+<message><source>now sweep %1: %2</source><translation>ahora barrido %1: %2</translation></message>
 <message><source>sweep %1: %2</source><translation>barrido %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Líneas cuyos telegramas no llegaron: guiones en las imágenes</translation></message>
 <message><source>Port</source><translation>Puerto</translation></message>
@@ -1222,6 +1229,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada a mano como no roca</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>demasiado incierto para mostrarse como roca</translation></message>
 <message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
+<message><source>Name…</source><translation>Nombre…</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
 <message><source>Cut</source><translation>Cortar</translation></message>
 <message><source>Merge</source><translation>Fusionar</translation></message>
@@ -1230,6 +1238,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Hidden parts are not counted.</source><translation>Las partes ocultas no se cuentan.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Luego haga clic en la parte de la roca que es una roca aparte; la rueda toma una parte más pequeña o más grande (S)</translation></message>
 <message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Después trace una línea a través de la roca, de un lado al otro (X)</translation></message>
+<message><source>A target on this rock holds its name (F2)</source><translation>Un objetivo en esta roca lleva su nombre (F2)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, y %2 más seleccionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incierto: rayado</translation></message>
@@ -1256,7 +1265,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
 <message><source>1 rock</source><translation>1 roca</translation></message>
-<message><source>%1 rocks</source><translation>%1 rocas</translation></message>
 <message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
@@ -1280,7 +1288,14 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
-<message><source>▲ %1 points are outside: Fit shows them.</source><translation>▲ %1 puntos quedan fuera: Encuadrar los muestra.</translation></message>
+<message><source>Zoom to what the section is about</source><translation>Encuadrar aquello de lo que trata la sección</translation></message>
+<message><source>All</source><translation>Todo</translation></message>
+<message><source>Zoom to all points of the section</source><translation>Encuadrar todos los puntos de la sección</translation></message>
+<message><source>▲ This click is not on a line: click nearer to one.</source><translation>▲ Este clic no está en una línea: haga clic más cerca de una.</translation></message>
+<message><source>Click on the other end of the length.</source><translation>Haga clic en el otro extremo de la longitud.</translation></message>
+<message><source>This length is stored with the measurements. Two more clicks measure another.</source><translation>Esta longitud está guardada con las mediciones. Dos clics más miden otra.</translation></message>
+<message><source>Two clicks on the lines measure a length.</source><translation>Dos clics en las líneas miden una longitud.</translation></message>
+<message><source>▲ %1 points are outside: All shows them.</source><translation>▲ %1 puntos quedan fuera: Todo los muestra.</translation></message>
 <message><source>Edge points, green: %1.</source><translation>Puntos de borde, en verde: %1.</translation></message>
 <message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
@@ -1480,7 +1495,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>A click opens the pose, to change or remove it.</source><translation>Un clic abre la pose, para cambiarla o quitarla.</translation></message>
 <message><source>first line %1</source><translation>primera línea %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
-<message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
 <message><source> · %1 filled</source><translation> · %1 rellenadas</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Bordes encontrados en %1 ms</translation></message>
@@ -1641,7 +1655,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Grabar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar el último minuto</translation></message>
 <message><source>S&amp;weep…</source><translation>&amp;Barrido…</translation></message>
-<message><source>&amp;Hold Picture at End of First Sweep</source><translation>Co&amp;ngelar la imagen al final del primer barrido</translation></message>
+<message><source>&amp;Hold First Sweep of a Connection at Its End</source><translation>Co&amp;ngelar el primer barrido de una conexión al final</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Car&amp;peta de grabaciones…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproducir o pausar</translation></message>
 <message><source>Next Line</source><translation>Línea siguiente</translation></message>

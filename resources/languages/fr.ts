@@ -511,7 +511,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>above the scanner [m]</source><translation>au-dessus du scanner [m]</translation></message>
 <message><source>The section could not be computed (%1).</source><translation>La coupe n'a pas pu être calculée (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>&amp;Coupe</translation></message>
-<message><source>A section goes through the two ends of a measurement: measure a distance between two cells first.</source><translation>Une coupe passe par les deux extrémités d'une mesure : mesurez d'abord une distance entre deux cellules.</translation></message>
+<message><source>Measure a distance first: a section goes through its two ends.</source><translation>Mesurez d'abord une distance : la coupe passe par ses deux extrémités.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Sélectionnez d'abord un bloc : appuyez sur K et cliquez sur sa face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>Le plan de la coupe ne rencontre aucune surface : choisissez deux autres cellules.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plan vertical, échelle vraie.</translation></message>
@@ -559,6 +559,12 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Distance of the views</source><translation>Écart des vues</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Avant : %1 mm d'écart (médiane ; bleu plus près, rouge plus loin que la vue tardive, pleine couleur à 50 mm)</translation></message>
 <message><source>After: %1 mm apart</source><translation>Après : %1 mm d'écart</translation></message>
+<message><source>a section</source><translation>une coupe</translation></message>
+<message><source>a section of %1 rocks</source><translation>une coupe de %1 blocs</translation></message>
+<message><source>%1 edge points</source><translation>%1 points d'arête</translation></message>
+<message><source>%1 points</source><translation>%1 points</translation></message>
+<message><source>%1 cells</source><translation>%1 cellules</translation></message>
+<message><source>%1 rocks</source><translation>%1 blocs</translation></message>
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Rien n'est encore sélectionné : tracez d'abord une boîte (B) ou un lasso (L) sur une vue.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
@@ -1136,6 +1142,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marquez les trois mêmes endroits dans les deux scans comme cibles de mêmes numéros : elles mettent la couche à sa place</translation></message>
 <message><source>ANOTHER PICTURE</source><translation>AUTRE IMAGE</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
+<message><source>now sweep %1: %2</source><translation>maintenant balayage %1 : %2</translation></message>
 <message><source>sweep %1: %2</source><translation>balayage %1 : %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Lignes dont les télégrammes ne sont pas arrivés : des tirets dans les images</translation></message>
 <message><source>Port</source><translation>Port</translation></message>
@@ -1222,6 +1229,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marqué à la main comme non-bloc</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>trop incertain pour être montré comme un bloc</translation></message>
 <message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
+<message><source>Name…</source><translation>Nom…</translation></message>
 <message><source>Split</source><translation>Scinder</translation></message>
 <message><source>Cut</source><translation>Couper</translation></message>
 <message><source>Merge</source><translation>Fusionner</translation></message>
@@ -1230,6 +1238,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Hidden parts are not counted.</source><translation>Les parties cachées ne sont pas comptées.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Cliquez ensuite sur la partie du bloc qui est un bloc à part ; la molette prend une partie plus petite ou plus grande (S)</translation></message>
 <message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Puis tracez une ligne à travers le bloc, d'un côté à l'autre (X)</translation></message>
+<message><source>A target on this rock holds its name (F2)</source><translation>Une cible sur ce bloc porte son nom (F2)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, et %2 de plus sélectionnés</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contour incertain : hachuré</translation></message>
@@ -1256,7 +1265,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible : %2 × %3 m ± %4 m · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
 <message><source>1 rock</source><translation>1 bloc</translation></message>
-<message><source>%1 rocks</source><translation>%1 blocs</translation></message>
 <message><source>hide uncertain</source><translation>masquer incertains</translation></message>
 <message><source>Export…</source><translation>Exporter…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
@@ -1280,7 +1288,14 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
-<message><source>▲ %1 points are outside: Fit shows them.</source><translation>▲ %1 points sont en dehors : Ajuster les montre.</translation></message>
+<message><source>Zoom to what the section is about</source><translation>Cadrer ce que la coupe doit montrer</translation></message>
+<message><source>All</source><translation>Tout</translation></message>
+<message><source>Zoom to all points of the section</source><translation>Cadrer tous les points de la coupe</translation></message>
+<message><source>▲ This click is not on a line: click nearer to one.</source><translation>▲ Ce clic n'est pas sur une ligne : cliquez plus près d'une ligne.</translation></message>
+<message><source>Click on the other end of the length.</source><translation>Cliquez sur l'autre extrémité de la longueur.</translation></message>
+<message><source>This length is stored with the measurements. Two more clicks measure another.</source><translation>Cette longueur est enregistrée avec les mesures. Deux autres clics en mesurent une autre.</translation></message>
+<message><source>Two clicks on the lines measure a length.</source><translation>Deux clics sur les lignes mesurent une longueur.</translation></message>
+<message><source>▲ %1 points are outside: All shows them.</source><translation>▲ %1 points sont en dehors : Tout les montre.</translation></message>
 <message><source>Edge points, green: %1.</source><translation>Points d'arête, en vert : %1.</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
@@ -1480,7 +1495,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>A click opens the pose, to change or remove it.</source><translation>Un clic ouvre la pose, pour la changer ou la retirer.</translation></message>
 <message><source>first line %1</source><translation>première ligne %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sans retour</translation></message>
-<message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
 <message><source> · %1 filled</source><translation> · %1 comblées</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Arêtes trouvées en %1 ms</translation></message>
@@ -1641,7 +1655,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Enregistrer</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conserver la dernière minute</translation></message>
 <message><source>S&amp;weep…</source><translation>&amp;Balayage…</translation></message>
-<message><source>&amp;Hold Picture at End of First Sweep</source><translation>&amp;Figer l'image à la fin du premier balayage</translation></message>
+<message><source>&amp;Hold First Sweep of a Connection at Its End</source><translation>&amp;Figer le premier balayage d'une connexion à sa fin</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>&amp;Dossier des enregistrements…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Lire ou mettre en pause</translation></message>
 <message><source>Next Line</source><translation>Ligne suivante</translation></message>

@@ -511,7 +511,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>above the scanner [m]</source><translation>acima do scanner [m]</translation></message>
 <message><source>The section could not be computed (%1).</source><translation>Não foi possível calcular a secção (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cção</translation></message>
-<message><source>A section goes through the two ends of a measurement: measure a distance between two cells first.</source><translation>Uma secção passa pelas duas extremidades de uma medição: meça primeiro uma distância entre duas células.</translation></message>
+<message><source>Measure a distance first: a section goes through its two ends.</source><translation>Meça primeiro uma distância: a secção passa pelas suas duas extremidades.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Selecione primeiro uma rocha: prima K e clique na sua face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>O plano da secção não encontra nenhuma superfície: escolha outras duas células.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
@@ -559,6 +559,12 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Distance of the views</source><translation>Distância das vistas</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul mais perto, vermelho mais longe que a vista tardia, cor plena a 50 mm)</translation></message>
 <message><source>After: %1 mm apart</source><translation>Depois: a %1 mm</translation></message>
+<message><source>a section</source><translation>uma secção</translation></message>
+<message><source>a section of %1 rocks</source><translation>uma secção de %1 rochas</translation></message>
+<message><source>%1 edge points</source><translation>%1 pontos de borda</translation></message>
+<message><source>%1 points</source><translation>%1 pontos</translation></message>
+<message><source>%1 cells</source><translation>%1 células</translation></message>
+<message><source>%1 rocks</source><translation>%1 rochas</translation></message>
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Ainda não há nada selecionado: primeiro trace uma caixa (B) ou um laço (L) sobre uma vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
@@ -1136,6 +1142,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque os mesmos três lugares nas duas varreduras como alvos com os mesmos números: eles põem a camada no lugar</translation></message>
 <message><source>ANOTHER PICTURE</source><translation>OUTRA IMAGEM</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
+<message><source>now sweep %1: %2</source><translation>agora varredura %1: %2</translation></message>
 <message><source>sweep %1: %2</source><translation>varredura %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Linhas cujos telegramas não chegaram: traços nas imagens</translation></message>
 <message><source>Port</source><translation>Porta</translation></message>
@@ -1222,6 +1229,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada à mão como não rocha</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>incerto demais para ser mostrado como rocha</translation></message>
 <message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
+<message><source>Name…</source><translation>Nome…</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
 <message><source>Cut</source><translation>Cortar</translation></message>
 <message><source>Merge</source><translation>Mesclar</translation></message>
@@ -1230,6 +1238,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Hidden parts are not counted.</source><translation>As partes ocultas não são contadas.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Depois clique na parte da rocha que é uma rocha à parte; a roda toma uma parte menor ou maior (S)</translation></message>
 <message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Depois trace uma linha através da rocha, de um lado ao outro (X)</translation></message>
+<message><source>A target on this rock holds its name (F2)</source><translation>Um alvo nesta rocha leva o seu nome (F2)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, e mais %2 selecionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incerto: hachurado</translation></message>
@@ -1256,7 +1265,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visível: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
 <message><source>1 rock</source><translation>1 rocha</translation></message>
-<message><source>%1 rocks</source><translation>%1 rochas</translation></message>
 <message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
@@ -1280,7 +1288,14 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
-<message><source>▲ %1 points are outside: Fit shows them.</source><translation>▲ %1 pontos estão fora: Enquadrar os mostra.</translation></message>
+<message><source>Zoom to what the section is about</source><translation>Enquadrar aquilo de que trata a secção</translation></message>
+<message><source>All</source><translation>Tudo</translation></message>
+<message><source>Zoom to all points of the section</source><translation>Enquadrar todos os pontos da secção</translation></message>
+<message><source>▲ This click is not on a line: click nearer to one.</source><translation>▲ Este clique não está numa linha: clique mais perto de uma.</translation></message>
+<message><source>Click on the other end of the length.</source><translation>Clique na outra extremidade do comprimento.</translation></message>
+<message><source>This length is stored with the measurements. Two more clicks measure another.</source><translation>Este comprimento está guardado com as medições. Mais dois cliques medem outro.</translation></message>
+<message><source>Two clicks on the lines measure a length.</source><translation>Dois cliques nas linhas medem um comprimento.</translation></message>
+<message><source>▲ %1 points are outside: All shows them.</source><translation>▲ %1 pontos estão fora: Tudo os mostra.</translation></message>
 <message><source>Edge points, green: %1.</source><translation>Pontos de borda, em verde: %1.</translation></message>
 <message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
@@ -1480,7 +1495,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>A click opens the pose, to change or remove it.</source><translation>Um clique abre a pose, para mudá-la ou removê-la.</translation></message>
 <message><source>first line %1</source><translation>primeira linha %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
-<message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
 <message><source> · %1 filled</source><translation> · %1 preenchidas</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Bordas encontradas em %1 ms</translation></message>
@@ -1641,7 +1655,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Gravar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar o último minuto</translation></message>
 <message><source>S&amp;weep…</source><translation>V&amp;arredura…</translation></message>
-<message><source>&amp;Hold Picture at End of First Sweep</source><translation>Co&amp;ngelar a imagem no fim da primeira varredura</translation></message>
+<message><source>&amp;Hold First Sweep of a Connection at Its End</source><translation>Co&amp;ngelar a primeira varredura de uma conexão no fim</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Pasta das gra&amp;vações…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproduzir ou pausar</translation></message>
 <message><source>Next Line</source><translation>Próxima linha</translation></message>

@@ -550,6 +550,34 @@ private slots:
                                   8000);
     }
 
+    // The part of the targets came back to its usual height when the mouse was released.
+    void theHeightOfThePanelsFollowsTheOperator() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_) && on.activate());
+        auto* edges = on.window.findChild<QDockWidget*>("dock-edges");
+        auto* targets = on.window.findChild<QDockWidget*>("dock-targets");
+        for (const QSize size : {QSize(1280, 800), QSize(1900, 1040)}) {
+            resizeTo(on.window, size);
+            on.viewer.views.pin(std::nullopt);
+            on.viewer.views.pin(on.picture().detection->edges->front());
+            QTRY_VERIFY(targets->isVisible() && targets->height() > 0.4 * size.height()); // it has its usual part
+            for (const int by : {-100, 60}) {
+                const QPoint edge((edges->geometry().left() + edges->geometry().right()) / 2,
+                                  (edges->geometry().bottom() + targets->geometry().top()) / 2);
+                const int before = targets->geometry().top();
+                const auto mouse = [&](QEvent::Type type, int moved, Qt::MouseButtons buttons) {
+                    sendMouse(on.window, type, edge + QPoint(0, moved), buttons);
+                };
+                mouse(QEvent::MouseButtonPress, 0, Qt::LeftButton);
+                mouse(QEvent::MouseMove, by, Qt::LeftButton);
+                QTRY_VERIFY(std::abs(targets->geometry().top() - before - by) <= 3);
+                mouse(QEvent::MouseButtonRelease, by, Qt::NoButton);
+                for (int n = 0; n < 5; ++n) QApplication::processEvents();
+                QVERIFY2(std::abs(targets->geometry().top() - before - by) <= 3, qPrintable(QString::number(targets->geometry().top())));
+            }
+        }
+    }
+
     // Below the views it shows rows in a window of any height, and a height that the operator dragged stays.
     void theRockTableShowsRowsAtEverySize() {
         WindowFixture on;

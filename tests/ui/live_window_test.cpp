@@ -235,7 +235,7 @@ private slots:
         QVERIFY2(window.viewer().live.panel().scannerShown().contains("SN 18110550"),
                  qPrintable(window.viewer().live.panel().scannerShown()));
         const QString soFar = window.viewer().live.panel().findChild<QLabel*>("live-lines")->text();
-        QVERIFY2(QRegularExpression("^[0-9]+/160 lines$").match(soFar).hasMatch(), qPrintable(soFar));
+        QVERIFY2(QRegularExpression("^sweep 1: [0-9]+/160 lines$").match(soFar).hasMatch(), qPrintable(soFar));
         QVERIFY2(window.viewer().warnings.warnings().filter("INCOMPLETE").isEmpty(), "a sweep that grows is not incomplete");
         QVERIFY(!window.viewer().statusLine.findChild<QLabel*>("incomplete")->isVisible());
 
@@ -393,7 +393,7 @@ private slots:
         QCOMPARE(strip.badge().text(), QString("HELD"));
         QStringList texts;
         for (const auto* label : strip.findChildren<QLabel*>()) texts << label->text();
-        QVERIFY2(!texts.filter(QRegularExpression("^sweep 2: .*/160 lines")).isEmpty(), qPrintable(texts.join('\n')));
+        QVERIFY2(!texts.filter(QRegularExpression("^now sweep 2: .*/160 lines")).isEmpty(), qPrintable(texts.join('\n')));
         QVERIFY2(!texts.filter("Sweep 1 is held").isEmpty(), qPrintable(texts.join('\n')));
         QVERIFY(window.viewer().views.gray().pictureFrame().colour.isValid());
         QVERIFY(on.settled());

@@ -956,7 +956,15 @@ private slots:
                 name.isEmpty() ? dialog->reject() : dialog->accept();
                 return true;
             });
-            on.viewer.targets.askName(inspect::exactly(picture(on).rock(label)->cell));
+            // By the menu of the cell, the button of the card, and F2.
+            const std::size_t cell = picture(on).rock(label)->cell;
+            if (label == 1) {
+                on.viewer.targets.askName(inspect::exactly(cell));
+            } else {
+                on.viewer.views.pin(std::nullopt);
+                on.viewer.rocks.select({cell});
+                label == 4 ? on.window.findChild<QPushButton*>("rock-name")->click() : on.viewer.targets.editName();
+            }
             return question;
         };
         QVERIFY(named(1, "").contains("A new target on it, number 1,"));
@@ -1023,16 +1031,15 @@ private slots:
         on.viewer.sections.throughRock();
         QTRY_VERIFY(on.viewer.sections.card() != nullptr && on.viewer.sections.card()->isVisible());
         const SectionPlot& plot = on.viewer.sections.card()->plot();
-        const inspect::SectionPlane& plane = plot.section()->plane;
-        const CartesianTables points(*on.picture().detection->scan);
         Eigen::AlignedBox2d rock;
-        for (std::size_t k = 0; k < picture(on).labels.size(); ++k) {
-            const Eigen::Vector3d way = points.point(k) - plane.originM;
-            if (picture(on).labelAt(k) == 3) rock.extend(Eigen::Vector2d(way.dot(plane.across), way.dot(plane.up)));
+        for (const inspect::SectionLine& line : plot.section()->lines) {
+            for (const inspect::SectionVertex& vertex : line) {
+                if (vertex.rock == 3) rock.extend(vertex.atM);
+            }
         }
         const QRectF shown(plot.placeOf({rock.min().x(), rock.max().y()}), plot.placeOf({rock.max().x(), rock.min().y()}));
         QVERIFY(QRectF(plot.rect()).contains(shown));
-        QVERIFY2(shown.width() > 0.5 * plot.width() || shown.height() > 0.5 * plot.height(),
+        QVERIFY2(shown.width() > 0.35 * plot.width() || shown.height() > 0.35 * plot.height(),
                  qPrintable(QString("%1 x %2 px").arg(shown.width()).arg(shown.height())));
         QVERIFY2(shown.bottom() <= plot.height() - 2 * plot.fontMetrics().height() - 10, "the name of the axis covers the end of the line");
         QCOMPARE(plot.heights().name, QString("above the scanner [m]"));
@@ -1063,7 +1070,8 @@ private slots:
         QVERIFY(std::abs(plot.heights().ofOriginM + vertex.atM.y() - vertex.pointM.z()) < 1e-9);
         QVERIFY(cut.size() < picture(on).study.rocks.size());
         on.viewer.sections.exportTo(QString::fromStdString((folder_ / "section.dxf").string()));
-        QTRY_VERIFY2(on.viewer.notice.text().contains(QString(": %1 rocks,").arg(cut.size())), qPrintable(on.viewer.notice.text()));
+        QTRY_VERIFY2(on.viewer.notice.text().contains(QString(": a section of %1 rocks,").arg(cut.size())),
+                     qPrintable(on.viewer.notice.text()));
     }
 
     void theLargestRockIsOneCommandAwayAndSoAreTheNext() {
@@ -1084,6 +1092,15 @@ private slots:
         largest->trigger();
         QCOMPARE(selectedWidth(), widths.front());
         QVERIFY(on.viewer.targets.notebook().empty());
+        // From behind the pile its back would be seen.
+        CloudView& behind = on.viewer.views.cloud();
+        for (const bool back : {true, false}) {
+            back ? behind.viewBack() : behind.viewTop();
+            largest->trigger();
+            const CloudGeometry& geometry = *behind.geometryOfCloud();
+            const Eigen::Vector3d at = geometry.point(on.viewer.rocks.selected().back()).cast<double>();
+            QVERIFY((at - behind.camera().position).dot(at - geometry.sensor.cast<double>()) > 0.0);
+        }
         // Nothing covers it: with the table, the least room for the cloud.
         for (const QSize size : {QSize(1280, 800), QSize(1600, 900)}) {
             resizeTo(on.window, size);

@@ -37,6 +37,24 @@ SectionHeights heightsOf(const Scan& scan, const inspect::SectionPlane& plane) {
     return {(plane.originM - CartesianTables(scan).sensor()).dot(plane.up), Sections::tr("above the scanner [m]")};
 }
 
+/// Where the section meets the rock. Its other cells, such as single points far in front of it, are not in the plot.
+Eigen::AlignedBox2d boxOf(const inspect::Section& section, std::uint32_t rock) {
+    Eigen::AlignedBox2d box;
+    for (const inspect::SectionLine& line : section.lines) {
+        for (const inspect::SectionVertex& vertex : line) {
+            if (vertex.rock == rock) box.extend(vertex.atM);
+        }
+    }
+    return box;
+}
+
+/// In the lower part of the window: notes are at its top, such as that of an export.
+void placeBelowNotes(SectionCard& card, const QWidget& window) {
+    const QRect room(window.mapToGlobal(QPoint()), window.size());
+    const QSize size = card.frameGeometry().size();
+    card.move(room.center().x() - size.width() / 2, std::max(room.top(), room.bottom() - size.height()));
+}
+
 } // namespace
 
 Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& targets, NoticeBar& notice, Preferences& preferences)
@@ -79,7 +97,7 @@ std::shared_ptr<const rocks::Study> Sections::study() const {
 void Sections::throughMeasurement() {
     const auto& measures = targets_.notebook().measures;
     if (!engine_.picture() || measures.empty()) {
-        notice_.showHint(tr("A section goes through the two ends of a measurement: measure a distance between two cells first."));
+        notice_.showHint(tr("Measure a distance first: a section goes through its two ends."));
         return;
     }
     const std::size_t place = targets_.chosenMeasure().value_or(measures.size() - 1);
@@ -136,7 +154,9 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
         connect(&card_->plot(), &SectionPlot::hovered, this, [this](std::size_t cell) { views_.pointAt(cell); });
     }
     picture_ = question.picture;
-    card_->plot().show(section, question.aboutM, heightsOf(*question.picture->detection->scan, section->plane), question.drawn);
+    const Eigen::AlignedBox2d ofRock = boxOf(*section, question.drawn.chosen);
+    card_->plot().show(section, question.drawn.chosen == 0 || ofRock.isEmpty() ? question.aboutM : ofRock,
+                       heightsOf(*question.picture->detection->scan, section->plane), question.drawn);
     if (question.endsM.size() == 2) {
         card_->plot().setEnds(question.endsM[0], question.endsM[1]);
         card_->plot().setLength(question.length);
@@ -145,7 +165,9 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     if (question.rocks) words << tr("Rocks have their colours.");
     if (section->plane.upAssumed) words << tr("▲ no pose: up is the scanner's z");
     card_->setWords(words.join(' '));
+    const bool opens = !card_->isVisible();
     card_->show();
+    if (opens) placeBelowNotes(*card_, *notice_.window());
     card_->raise();
 }
 

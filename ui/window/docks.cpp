@@ -42,6 +42,8 @@ constexpr const char* kByHand = "byHand";          // of a dock: "open" or "fold
 constexpr const char *kEdges = "dock-edges", *kRocks = "dock-rocks", *kTargets = "dock-targets", *kTable = "dock-rock-table",
                      *kLayers = "dock-layers";
 
+constexpr const char* kTogether = "together"; // of a dock: whether it was put at the place of the rocks last
+
 QString byHand(const QDockWidget& dock) { return dock.property(kByHand).toString(); }
 
 } // namespace
@@ -280,6 +282,7 @@ void Docks::setHeld(bool on) {
 
 void Docks::place() {
     for (const Dock& dock : docks_) {
+        dock.widget->setProperty(kTogether, {});
         dock.widget->setFloating(false);
         window_.addDockWidget(dock.side == Side::Right ? Qt::RightDockWidgetArea : Qt::BottomDockWidgetArea, dock.widget);
     }
@@ -295,7 +298,10 @@ void Docks::stack() {
 
 void Docks::stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea otherwise) {
     QDockWidget& rocks = *named(kRocks).widget;
-    if (rocks.isFloating() || dock.isFloating() || window_.tabifiedDockWidgets(&rocks).contains(&dock) == together) return;
+    if (rocks.isFloating() || dock.isFloating()) return;
+    const bool seen = !rocks.isHidden() && !dock.isHidden(); // Qt lists docks at one place only while both are open
+    if (seen ? window_.tabifiedDockWidgets(&rocks).contains(&dock) == together : dock.property(kTogether) == QVariant(together)) return;
+    dock.setProperty(kTogether, together);
     const bool open = !dock.isHidden();
     restacked_ = true;
     if (together)
@@ -324,8 +330,10 @@ void Docks::wantOpen() {
 void Docks::setLocked(DockLock by, bool on) {
     QDockWidget* table = named(kTable).widget;
     const bool changes = on != locks_.contains(by);
-    if (changes && by == DockLock::Cab) // see cover()
+    if (changes && by == DockLock::Cab) { // see cover()
         on ? window_.removeDockWidget(table) : window_.addDockWidget(Qt::BottomDockWidgetArea, table);
+        table->setProperty(kTogether, {});
+    }
     if (on)
         locks_.insert(by);
     else

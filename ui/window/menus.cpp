@@ -234,7 +234,7 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
                                 linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
                                 linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),
                                 linked(command("S&weep…", "", [&live] { live.panel().askSweep(); }), connected),
-                                habit(toggle("&Hold Picture at End of First Sweep", "", "live/hold", true,
+                                habit(toggle("&Hold First Sweep of a Connection at Its End", "", "live/hold", true,
                                              [&live](bool on) { live.scanner().setHoldAtEnd(on); })),
                                 command("Recordings &Folder…", "", [&live] { live.askRecordingFolder(); }),
                                 kLine,

@@ -67,9 +67,11 @@ std::string targetRow(const edges::Detection& detection, const RangeNoise& noise
     const Scan& scan = *detection.scan;
     const Rows now = target.cell < scan.cells() ? placeRows(inspect::targetAt(detection, noise, target.cell)) : Rows{};
     Rows then = target.asPinned;
-    // What is the same now, and what only a pose was missing for, if the scan has one now.
+    // What is the same now, and what only a pose was missing for, if the scan has one now. The size of a rock is in the table of the rocks:
+    // here it could be that of before an edit.
     std::erase_if(then, [&](const auto& row) {
-        return std::ranges::find(now, row) != now.end() || (scan.placement && std::string_view(row.second).starts_with("▲"));
+        return row.first == inspect::kRockRow || std::ranges::find(now, row) != now.end() ||
+               (scan.placement && std::string_view(row.second).starts_with("▲"));
     });
     return "<tr><td>" + std::to_string(target.number) + "</td><td>" + htmlText(target.name) +
            (target.note.empty() ? "" : "<br>" + htmlText(target.note)) + "</td><td>" + cellText(scan, target.cell) + "</td><td>" +

@@ -18,6 +18,9 @@ inline constexpr std::size_t kMostMeasures = 200;
 inline constexpr std::size_t kLongestTargetName = 60;  ///< bytes
 inline constexpr std::size_t kLongestTargetNote = 400; ///< bytes
 
+/// Row of a card with the size of the rock at the cell: an edit of the rocks changes it.
+inline constexpr const char* kRockRow = "Rock, visible";
+
 /// A picked cell, and the rows of its card at that time.
 struct PinnedTarget {
     int number = 1;   ///< unique within a scan

@@ -20,11 +20,12 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
     Scan scan = test::boxesScan(60, 90, 4, 0.0);
     const std::uint32_t cell = 25 * 90 + 40;
     inspect::Notebook notebook;
-    notebook.targets.push_back({.number = 1,
-                                .name = {},
-                                .cell = cell,
-                                .pinnedUtc = "2026-11-21T08:00:00Z",
-                                .asPinned = {{"E, N, RL", "▲ no pose"}, {"Resolves", "31 mm"}}});
+    notebook.targets.push_back(
+        {.number = 1,
+         .name = {},
+         .cell = cell,
+         .pinnedUtc = "2026-11-21T08:00:00Z",
+         .asPinned = {{"E, N, RL", "▲ no pose"}, {inspect::kRockRow, "2.78 × 2.09 ± 0.02 m"}, {"Resolves", "31 mm"}}});
     const auto section = [&notebook](const Scan& of) {
         return notebookSection(*edges::detectEdges(std::make_shared<const Scan>(of), edges::Settings{}), notebook, 900);
     };

@@ -45,6 +45,27 @@ QString exportName(const edges::Detection& detection, exports::ExportContent con
     return parts.join('_') + (exports::exportKind(content).holds == exports::ExportKind::Holds::Picture ? "" : frameTail(frame));
 }
 
+/// What a file holds, in the language of the window.
+QString contentText(exports::ExportContent what, qint64 count) {
+    using Counts = exports::ExportKind::Counts;
+    const QString many = countText(count);
+    if (what == exports::ExportContent::Section)
+        return count == 0 ? Exports::tr("a section") : Exports::tr("a section of %1 rocks").arg(many);
+    switch (exports::exportKind(what).counts) {
+    case Counts::EdgePoints:
+        return Exports::tr("%1 edge points").arg(many);
+    case Counts::Points:
+        return Exports::tr("%1 points").arg(many);
+    case Counts::Cells:
+        return Exports::tr("%1 cells").arg(many);
+    case Counts::Rocks:
+        return Exports::tr("%1 rocks").arg(many);
+    case Counts::Targets:
+        break;
+    }
+    return targetCount(static_cast<std::size_t>(count));
+}
+
 } // namespace
 
 Result<Done> savePng(const QImage& image, const QString& path) {
@@ -105,7 +126,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly, const QStr
 void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates) {
     preferences_.keepFolder("exports", path);
     if (exports::isCloud(what)) preferences_.keep("export/extension", "." + QFileInfo(path).suffix());
-    notice_.showSaved(path, QString("%1 %2").arg(countText(count)).arg(exports::countedThings(exports::exportKind(what))), coordinates);
+    notice_.showSaved(path, contentText(what, count), coordinates);
 }
 
 void Exports::askScreenshot(const QImage& image) {

@@ -127,6 +127,8 @@ signals:
     void rocksShown();
     void toolChanged(edgescan::ui::RockTool tool);
     void selectionChanged();
+    /// Of the selected rock.
+    void nameRequested();
 
 private:
     void connectViews();

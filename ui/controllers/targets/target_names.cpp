@@ -102,6 +102,7 @@ void Targets::askNameOf(int number) {
 }
 
 void Targets::editName() {
+    if (!rocks_.selected().empty() && active() == nullptr) return askName(inspect::exactly(rocks_.selected().back()));
     const inspect::PinnedTarget* target = active();
     if (target == nullptr) return notice_.showHint(tr("Nothing to name yet: pin a cell, or choose a target."));
     if (panel_.card().name()->visibleRegion().isEmpty()) return askNameOf(target->number);

@@ -47,6 +47,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
     connect(&rocks_, &Rocks::selectionChanged, this, [this] {
         if (!rocks_.selected().empty()) chooseMeasure(std::nullopt);
     });
+    connect(&rocks_, &Rocks::nameRequested, this, &Targets::editName);
     connect(&store_, &TargetStore::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
     connectPanel();
 }

@@ -204,13 +204,14 @@ void Targets::show() {
         words += note;
         const QString first = words; // shortened in the list
         const QString locked = target.locked ? "   " + tr("locked") : QString();
-        const QString place = (now != nullptr ? briefPositionText(*now) : QString()) + locked;
+        const QString place = now != nullptr ? briefPositionText(*now) : QString();
         words += "\n" + (place.isEmpty() ? QString(" ") : place); // two rows before it is known: the card below the list stays where it is
         QStringList shortened;                                    // the class of its edge and the second row last
         if (!note.isEmpty()) shortened << note;
         if (const rocks::Rock* rock = around(target.cell).rock) shortened << "   " + tr("rock %1").arg(rock->label);
         if (!target.name.empty()) shortened << "  " + shownName(exactText(target.name));
-        lines.push_back({words, first + locked + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown, shortened});
+        lines.push_back(
+            {words, first + locked + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown, shortened, target.locked});
     }
     rocks_.setTargets(all, notebook_.targets);
     panel_.showTargets(lines);

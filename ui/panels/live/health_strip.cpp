@@ -89,11 +89,13 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
                                      : tr("ANOTHER PICTURE"),
           !brief_ || !inHead);
     if (other) badge_->setToolTip(tr("CONNECTED, another picture is shown"));
-    // Another picture counts the lines of its own sweep.
+    // Always with its sweep: a held picture counts the lines of another one.
     const bool heldNarrow = narrow && notFollowing && picture == Picture::Held;
     QString lines = coreWords(health.lines);
     if (heldNarrow && lines.section(' ', 0, 0).contains('/')) lines = lines.section(' ', 0, 0); // "93/120", which is in one row
-    lines_->setText(picture == Picture::Follows || lines.isEmpty() ? lines : tr("sweep %1: %2").arg(health.sweep).arg(lines));
+    const bool isOther = present && picture != Picture::Follows;
+    if (!lines.isEmpty() && health.sweep > 0) lines = (isOther ? tr("now sweep %1: %2") : tr("sweep %1: %2")).arg(health.sweep).arg(lines);
+    lines_->setText(lines);
     lines_->setVisible(!lines.isEmpty() && (!narrow || heldNarrow)); // the head has those of the picture
     bar_->showRows(health.row, heldNarrow || (narrow && inHead && !present) ? 0 : health.rows, health.lostRows);
     showText(lost_, health.lost, narrow); // the bar shows where

@@ -66,8 +66,8 @@ QString whyNoRock(const rocks::Region* region) {
 
 RockCard::RockCard(QWidget* parent)
     : QFrame(parent), swatch_(new QLabel), title_(new QLabel), spans_(new QLabel), state_(new QLabel), caveat_(new QLabel),
-      close_(new QToolButton), split_(new QPushButton(tr("Split"))), cut_(new QPushButton(tr("Cut"))), merge_(new QPushButton(tr("Merge"))),
-      rockOrNot_(new QPushButton(tr("Not a Rock"))) {
+      close_(new QToolButton), name_(new QPushButton(tr("Name…"))), split_(new QPushButton(tr("Split"))), cut_(new QPushButton(tr("Cut"))),
+      merge_(new QPushButton(tr("Merge"))), rockOrNot_(new QPushButton(tr("Not a Rock"))) {
     setObjectName("rock-card");
     setFrameShape(QFrame::StyledPanel);
     QFont bold = font();
@@ -103,10 +103,12 @@ RockCard::RockCard(QWidget* parent)
     split_->setToolTip(tr("Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)"));
     cut_->setCheckable(true);
     cut_->setToolTip(tr("Then draw a line through the rock, from one side to the other (X)"));
+    name_->setObjectName("rock-name");
+    name_->setToolTip(tr("A target on this rock holds its name (F2)"));
     merge_->setToolTip(tr("The selected rocks are one; Ctrl+click selects several (M)"));
     auto* buttons = new FlowLayout;
     buttons->setSpacing(4);
-    for (QPushButton* button : {split_, cut_, merge_, rockOrNot_}) {
+    for (QPushButton* button : {split_, cut_, merge_, rockOrNot_, name_}) {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + kAroundText);
         buttons->addWidget(button);
@@ -122,6 +124,7 @@ RockCard::RockCard(QWidget* parent)
     column->addWidget(caveat_);
 
     connect(close_, &QToolButton::clicked, this, &RockCard::closeRequested);
+    connect(name_, &QPushButton::clicked, this, &RockCard::nameRequested);
     connect(split_, &QPushButton::clicked, this, &RockCard::splitRequested);
     connect(cut_, &QPushButton::clicked, this, &RockCard::cutRequested);
     connect(merge_, &QPushButton::clicked, this, &RockCard::mergeRequested);
@@ -149,7 +152,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("marked by hand as a rock");
     state_->setText(state);
     state_->setVisible(!state.isEmpty());
-    for (QPushButton* button : {split_, cut_}) button->setEnabled(isRock_);
+    for (QPushButton* button : {split_, cut_, name_}) button->setEnabled(isRock_);
     merge_->setEnabled(cells.size() > 1);
     const rocks::Region* region = picture.regionAt(cells.back());
     rockOrNot_->setEnabled(region != nullptr);

@@ -42,6 +42,7 @@ signals:
     /// On: the next line through the rock cuts it; off: cancelled.
     void cutRequested(bool on);
     void mergeRequested();
+    void nameRequested();
     /// The operator marks it as a rock, or as not a rock.
     void markRequested(bool rock);
 
@@ -58,6 +59,7 @@ private:
     std::array<std::pair<QLabel*, QLabel*>, kRows> rows_{};
     QLabel* caveat_;
     QToolButton* close_;
+    QPushButton* name_;
     QPushButton* split_;
     QPushButton* cut_;
     QPushButton* merge_;

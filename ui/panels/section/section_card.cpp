@@ -19,25 +19,31 @@ constexpr double kZoomStep = 1.25;
 } // namespace
 
 SectionCard::SectionCard(QWidget* parent)
-    : QDialog(parent), plot_(new SectionPlot), words_(new QLabel), export_(new QPushButton(tr("Export Section…"))) {
+    : QDialog(parent), asked_(new QLabel), plot_(new SectionPlot), words_(new QLabel), export_(new QPushButton(tr("Export Section…"))) {
     setObjectName("section-card");
     setWindowTitle(tr("Section"));
     words_->setWordWrap(true);
     export_->setAutoDefault(false);
     plot_->setToolTip(tr("Wheel: zoom; drag: move; two clicks: a length"));
+    asked_->setObjectName("section-asked");
+    asked_->setWordWrap(true);
     auto* foot = new QHBoxLayout;
     const auto zoomBy = [this](double factor) { plot_->zoom(factor, QRectF(plot_->rect()).center()); };
     addButton(*foot, "section-zoom-in", "+", tr("Zoom in"), [zoomBy] { zoomBy(kZoomStep); })->setAutoRepeat(true);
     addButton(*foot, "section-zoom-out", QString::fromUtf8("−"), tr("Zoom out"), [zoomBy] {
         zoomBy(1.0 / kZoomStep);
     })->setAutoRepeat(true);
-    addButton(*foot, "section-fit", tr("Fit"), {}, [this] { plot_->zoomToFit(); });
+    addButton(*foot, "section-fit", tr("Fit"), tr("Zoom to what the section is about"),
+              [this] { plot_->zoomTo(SectionPlot::Part::About); });
+    addButton(*foot, "section-all", tr("All"), tr("Zoom to all points of the section"), [this] { plot_->zoomTo(SectionPlot::Part::All); });
     foot->addStretch(1);
     foot->addWidget(export_);
     addButton(*foot, "section-close", tr("Close"), {}, [this] { hide(); }); // a cab has no frame to close it by
     connect(plot_, &SectionPlot::viewChanged, this, &SectionCard::showView);
+    connect(plot_, &SectionPlot::clicked, this, &SectionCard::showAsked);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
+    column->addWidget(asked_);
     column->addWidget(plot_, 1);
     column->addWidget(words_);
     column->addLayout(foot);
@@ -61,13 +67,23 @@ void SectionCard::setWords(const QString& words) {
     about_ = words;
     words_->setMinimumHeight(0);
     showView();
+    showAsked(true);
+}
+
+/// What the next click does, above the plot: the words become no lower, or the plot would move under the second click.
+void SectionCard::showAsked(bool found) {
+    asked_->setText(!found                      ? tr("▲ This click is not on a line: click nearer to one.")
+                    : plot_->ends().size() == 1 ? tr("Click on the other end of the length.")
+                    : plot_->ends().size() == 2 ? tr("This length is stored with the measurements. Two more clicks measure another.")
+                                                : tr("Two clicks on the lines measure a length."));
+    asked_->setMinimumHeight(std::max(asked_->minimumHeight(), asked_->heightForWidth(asked_->width())));
 }
 
 /// What the plot shows now. The words become no lower, and have room for all sentences: the plot would move.
 void SectionCard::showView() {
     const auto say = [this](std::size_t edges, std::size_t outside) {
         QStringList sentences;
-        if (outside > 0) sentences << tr("▲ %1 points are outside: Fit shows them.").arg(countText(outside));
+        if (outside > 0) sentences << tr("▲ %1 points are outside: All shows them.").arg(countText(outside));
         if (edges > 0) sentences << tr("Edge points, green: %1.").arg(countText(edges));
         words_->setText((sentences << about_).join(' '));
         words_->setMinimumHeight(std::max(words_->minimumHeight(), words_->heightForWidth(words_->width())));

@@ -29,7 +29,9 @@ private:
                            const std::function<void()>& press);
 
     void showView();
+    void showAsked(bool found);
 
+    QLabel* asked_;
     SectionPlot* plot_;
     QLabel* words_;
     QString about_; // the words, without what depends on the view

@@ -23,7 +23,7 @@ constexpr double kMargin = 28.0;       // px
 constexpr double kReach = 24.0;        // px: a click or the mouse means a vertex within this
 constexpr double kTravel = 4.0;        // px: a press that moves farther is a drag
 constexpr double kLeastBetween = 60.0; // px between lines of the grid
-constexpr double kAround = 0.15;       // of what the section is about, shown on each side of it
+constexpr double kAround = 0.4;        // of what the section is about, shown on each side of it
 constexpr double kLeastAroundM = 0.1;
 constexpr int kNamesLeft = 76;      // px: right of the numbers of heights
 constexpr double kNearPlane = 0.05; // share of the distance of two vertices and more: a point beyond is not in the section
@@ -341,8 +341,8 @@ void SectionPlot::zoom(double factor, QPointF about) {
     emit viewChanged();
 }
 
-void SectionPlot::zoomToFit() {
-    all_ = true;
+void SectionPlot::zoomTo(Part part) {
+    all_ = part == Part::All;
     moved_ = false;
     fit();
     update();
@@ -369,11 +369,13 @@ void SectionPlot::mouseReleaseEvent(QMouseEvent* event) {
     const bool click = press_ && !travelled_ && event->button() == Qt::LeftButton;
     press_.reset();
     const inspect::SectionVertex* vertex = click ? nearest(place(*event)) : nullptr;
+    if (click && section_ && vertex == nullptr) emit clicked(false);
     if (vertex == nullptr) return;
     if (ends_.size() == 2) ends_.clear();
     length_.clear();
     ends_.push_back(vertex);
     update();
+    emit clicked(true);
     if (ends_.size() == 2) emit measured(*ends_[0], *ends_[1]);
 }
 

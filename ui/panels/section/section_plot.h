@@ -34,9 +34,11 @@ struct SectionRocks {
 class SectionPlot : public QWidget {
     Q_OBJECT
 public:
+    enum class Part { About, All }; ///< what the section is about, or all its points
+
     explicit SectionPlot(QWidget* parent = nullptr);
 
-    /// Null: no section. Shows `aboutM`, across and up, with a margin; all of it if that box is empty. Wheel and Fit show the rest.
+    /// Null: no section. Shows `aboutM`, across and up, with a margin; all of it if that box is empty. Wheel and zoomTo() show the rest.
     void show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM = {}, const SectionHeights& heights = {},
               SectionRocks rocks = {});
     [[nodiscard]] const SectionHeights& heights() const { return heights_; }
@@ -55,8 +57,7 @@ public:
     void setLength(const QString& words);
     /// About this place, pixels.
     void zoom(double factor, QPointF about);
-    /// Shows all of it.
-    void zoomToFit();
+    void zoomTo(Part part);
     [[nodiscard]] const QString& lengthShown() const { return length_; }
     /// The label of the length, where it was drawn last.
     [[nodiscard]] const std::vector<MarkTag>& tags() const { return tags_; }
@@ -68,6 +69,8 @@ public:
 signals:
     /// Other vertices are in the plot, perhaps.
     void viewChanged();
+    /// A click; true if a vertex is near enough to it to be an end of the length.
+    void clicked(bool found);
     /// The vertex under the mouse.
     void hovered(std::size_t cell);
     /// Two vertices were clicked.

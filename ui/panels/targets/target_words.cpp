@@ -38,7 +38,9 @@ TargetRow mineRow(const inspect::CellTarget& target) {
 }
 
 TargetRow rockRow(const TargetSurroundings& around) {
-    const QString name = QObject::tr("Rock, visible");
+    constexpr const char* kName = QT_TRANSLATE_NOOP("QObject", "Rock, visible");
+    static_assert(std::string_view(kName) == inspect::kRockRow);
+    const QString name = QObject::tr(kName);
     if (!around.rocksKnown) return {name, QObject::tr("being computed …"), {}, true, false};
     if (around.rock == nullptr) return {name, QObject::tr("none here"), QString()};
     const rocks::Rock& rock = *around.rock;

@@ -1,6 +1,7 @@
 // The panel of targets.
 #include "ui/panels/targets/targets_panel.h"
 
+#include "ui/base/icons.h"
 #include "ui/panels/targets/target_card.h"
 
 #include <QHBoxLayout>
@@ -19,7 +20,8 @@ namespace edgescan::ui {
 namespace {
 
 // Of a list before it scrolls: a target has two lines, and its card stays in sight at 1280 x 768.
-constexpr int kMostTargets = 4, kMostWithMeasures = 3, kMostMeasures = 2;
+constexpr int kMostTargets = 4, kMostWithMeasures = 2, kMostMeasures = 2, kMostNextToCard = 1;
+constexpr double kShareOfTargets = 0.27; // of the panel's height, for more of them
 
 /// So that the panel has one scroll bar instead of three: whole lines, `most` of them, and more where `free` px of the panel are empty.
 /// `constant`: at least as high as `most` lines, so that one more line moves nothing below the list. Its own bar makes its lines no lower,
@@ -48,6 +50,7 @@ constexpr int kAroundText = 16;          // px of a button
 constexpr int kLettersOfName = 10;       // with the two blanks before it
 constexpr int kLettersOfPart = 6;        // with three blanks; a part with fewer would be an unexplained "…"
 constexpr int kShortened = Qt::UserRole; // TargetLine::shortened
+constexpr int kLockPx = 16;
 
 /// Without the ends of those parts that it can do without. Of the last one, a name, the beginning stays.
 QString fittedRow(QString row, const QStringList& shortened, const QFontMetrics& metrics, int room) {
@@ -70,13 +73,24 @@ public:
     enum class Shortened { First, Last };
     TargetRows(QObject* parent, Shortened row) : QStyledItemDelegate(parent), row_(row) {}
 
+    /// The sign of a lock makes its row no higher.
+    QSize sizeHint(const QStyleOptionViewItem& asked, const QModelIndex& index) const override {
+        QStyleOptionViewItem option = asked;
+        initStyleOption(&option, index);
+        option.features &= ~QStyleOptionViewItem::HasDecoration;
+        return option.widget->style()->sizeFromContents(QStyle::CT_ItemViewItem, &option, {}, option.widget);
+    }
+
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
         QStyledItemDelegate::initStyleOption(option, index);
         const auto* list = qobject_cast<const QListWidget*>(option->widget);
         if (list == nullptr) return;
         const int margin = list->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, list) + 1;
-        const int room = list->viewport()->width() - 2 * margin - 2;
+        const int sign = option->icon.isNull() ? 0 : kLockPx + 2 * margin;
+        const int room = list->viewport()->width() - 2 * margin - 2 - sign;
+        option->decorationPosition = QStyleOptionViewItem::Right; // numbers and positions stay below each other
+        option->decorationSize = QSize(kLockPx, kLockPx);
         QStringList rows = option->text.split(QChar::LineSeparator); // Qt writes \n so
         if (row_ == Shortened::First)
             rows.front() = fittedRow(rows.front(), index.data(kShortened).toStringList(), option->fontMetrics, room);
@@ -176,6 +190,7 @@ void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const
         list.item(n)->setText(line.words);
         list.item(n)->setToolTip(line.tip);
         list.item(n)->setData(kShortened, line.shortened);
+        list.item(n)->setIcon(line.locked ? toolIcon("lock") : QIcon());
         if (line.chosen) chosen = n;
     }
     list.setCurrentRow(chosen);
@@ -195,9 +210,11 @@ void TargetsPanel::fitLists() {
     }
 }
 
+/// The card needs the room of the measurements. The buttons below the targets do not move when it comes or goes.
 void TargetsPanel::fit(QListWidget& list) {
-    const bool ofTargets = &list == targets_;
-    fitHeight(list, !ofTargets ? kMostMeasures : shownMeasures_.empty() ? kMostTargets : kMostWithMeasures, ofTargets, freeHeight());
+    if (&list == measures_) return fitHeight(list, card_->isHidden() ? kMostMeasures : kMostNextToCard, false, freeHeight());
+    const int room = parentWidget() == nullptr ? 0 : static_cast<int>(kShareOfTargets * parentWidget()->height());
+    fitHeight(list, shownMeasures_.empty() ? kMostTargets : kMostWithMeasures, true, room - list.minimumHeight());
 }
 
 void TargetsPanel::fitSoon() {

@@ -22,6 +22,7 @@ struct TargetLine {
     QString tip;
     bool chosen = false;
     QStringList shortened{}; ///< parts of the first row that lose letters, in this order, where it has no room
+    bool locked = false;     ///< has the sign of a lock
     bool operator==(const TargetLine&) const = default;
 };
 

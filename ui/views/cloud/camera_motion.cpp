@@ -44,8 +44,13 @@ std::vector<Vector3d> samplePoints(const CloudGeometry& cloud) {
     return points;
 }
 
-/// Share of the picture in which the nearest surface shows the side that the scanner saw; 1 without a point in it.
-double shareFromFront(const CloudGeometry& cloud, const CameraPose& pose, double widthByHeight) {
+/// Shares of a picture, 0 .. 1.
+struct Fill {
+    double surfaces = 0.0; ///< of the picture: there is a point
+    double fronts = 1.0;   ///< of those: the nearest surface shows the side that the scanner saw
+};
+
+Fill fillOf(const CloudGeometry& cloud, const CameraPose& pose, double widthByHeight) {
     constexpr int kAcross = 20;
     constexpr std::size_t kEnough = 20000; // points
     struct Seen {
@@ -73,7 +78,8 @@ double shareFromFront(const CloudGeometry& cloud, const CameraPose& pose, double
     }
     const auto some = std::ranges::count_if(picture, [](const Seen& seen) { return seen.depth > 0.0; });
     const auto fronts = std::ranges::count_if(picture, [](const Seen& seen) { return seen.front; });
-    return some == 0 ? 1.0 : static_cast<double>(fronts) / static_cast<double>(some);
+    if (some == 0) return {};
+    return {static_cast<double>(some) / static_cast<double>(picture.size()), static_cast<double>(fronts) / static_cast<double>(some)};
 }
 
 /// Share of the points that are in the picture; 1 without points.
@@ -211,16 +217,18 @@ CameraPose lookingAt(const Box3f& box, const Vector3d& forward, const Vector3d& 
 }
 
 CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose& pose, double widthByHeight) {
-    constexpr double kMostly = 0.7, kHalf = 0.5, kNearer = 0.85, kNearest = 0.1; // shares
+    constexpr double kMostly = 0.7, kHalf = 0.5, kFilled = 0.95, kNearer = 0.85, kNearest = 0.1; // shares
     const CameraPose whole = lookingAt(box, pose.forward(), pose.up, pose, widthByHeight);
     if (pose.parallel || cloud.normals.size() < 3 * cloud.cells()) return whole;
     const std::vector<Vector3d> points = samplePoints(cloud);
     const Vector3d sensor = cloud.sensor.cast<double>();
     CameraPose best = fromSensor(sensor, points, cloud.scannerView, pose, widthByHeight);
     double most = kHalf * shareInPicture(points, best, widthByHeight);
+    const double filled = kFilled * fillOf(cloud, best, widthByHeight).surfaces;
     const auto take = [&](const CameraPose& each) {
         const double seen = shareInPicture(points, each, widthByHeight);
-        if (seen <= most || shareFromFront(cloud, each, widthByHeight) < kMostly) return;
+        if (seen <= most) return;
+        if (const Fill fill = fillOf(cloud, each, widthByHeight); fill.fronts < kMostly || fill.surfaces < filled) return;
         most = seen;
         best = each;
     };

@@ -11,6 +11,12 @@ namespace {
 constexpr std::size_t kAsked = 500;  // cells
 constexpr double kMostOutside = 0.1; // of them
 
+/// From behind the surfaces that the scanner measured, their backs would be seen.
+bool seesItsFace(const CloudView& cloud, std::uint32_t cell) {
+    const Eigen::Vector3d at = cloud.geometryOfCloud()->point(cell).cast<double>();
+    return (at - cloud.camera().position).dot(at - cloud.geometryOfCloud()->sensor.cast<double>()) > 0.0;
+}
+
 bool isInSight(const CloudView& cloud, const CloudView::CellIndices& cells) {
     std::size_t asked = 0, outside = 0;
     const auto isFree = cloud.freePixels();
@@ -18,7 +24,7 @@ bool isInSight(const CloudView& cloud, const CloudView::CellIndices& cells) {
         if (!cloud.geometryOfCloud()->drawable(cells[n])) continue;
         const auto at = cloud.pixelOf(cells[n]);
         ++asked;
-        outside += at && isFree(*at) ? 0 : 1;
+        outside += at && isFree(*at) && seesItsFace(cloud, cells[n]) ? 0 : 1;
     }
     return static_cast<double>(outside) <= kMostOutside * static_cast<double>(asked);
 }
