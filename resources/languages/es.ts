@@ -1716,6 +1716,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;No es roca, o sí lo es</translation></message>
+<message><source>Na&amp;me This Rock…</source><translation>&amp;Nombre de esta roca…</translation></message>
 <message><source>&amp;Finer</source><translation>Más &amp;fino</translation></message>
 <message><source>&amp;Coarser</source><translation>Más &amp;grueso</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>

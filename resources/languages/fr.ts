@@ -1716,6 +1716,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
+<message><source>Na&amp;me This Rock…</source><translation>No&amp;mmer ce bloc…</translation></message>
 <message><source>&amp;Finer</source><translation>Plus &amp;fin</translation></message>
 <message><source>&amp;Coarser</source><translation>Plus &amp;grossier</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>

@@ -1716,6 +1716,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Não é rocha, ou é sim</translation></message>
+<message><source>Na&amp;me This Rock…</source><translation>No&amp;me desta rocha…</translation></message>
 <message><source>&amp;Finer</source><translation>Mais &amp;fino</translation></message>
 <message><source>&amp;Coarser</source><translation>Mais &amp;grosso</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>

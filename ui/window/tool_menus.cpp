@@ -69,6 +69,7 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
                                  tool("&Join along a Line", "J", RockTool::Join),
                                  tool("C&ut along a Line", "X", RockTool::Cut),
                                  command("&Not a Rock, or a Rock Again", "N", [&rocks] { rocks.toggleChosen(); }),
+                                 command("Na&me This Rock…", "", [&v] { v.targets.editName(); }),
                                  kLine,
                                  changing(command("&Finer", ",", [step] { step(-0.5); })),
                                  changing(command("&Coarser", ".", [step] { step(0.5); })),
