@@ -901,11 +901,11 @@ Las cifras grises son anteriores.</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada con qué comparar todavía:
 cambie un ajuste o abra otro escaneo</translation></message>
-<message><source>median difference %1 mm
-a change is more than %2 mm at 5 m</source><translation>diferencia mediana %1 mm
+<message><source>median difference along the beams %1 mm
+a change is more than %2 mm at 5 m</source><translation>diferencia mediana a lo largo de los haces %1 mm
 un cambio supera %2 mm a 5 m</translation></message>
-<message><source>median distance %1
-%2 are farther than %3</source><translation>distancia mediana %1
+<message><source>median distance to the points of A %1
+%2 are farther than %3</source><translation>distancia mediana a los puntos de A %1
 %2 están a más de %3</translation></message>
 <message><source>Next</source><translation>Siguiente</translation></message>
 <message><source>Folds the legend</source><translation>Pliega la leyenda</translation></message>
@@ -1242,13 +1242,13 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, y %2 más seleccionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incierto: rayado</translation></message>
-<message><source>marked by hand as a rock</source><translation>marcada a mano como roca</translation></message>
+<message><source>a rock by hand: marked or cut</source><translation>una roca a mano: marcada o cortada</translation></message>
 <message><source>A Rock</source><translation>Es roca</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>Sí es una roca (N)</translation></message>
 <message><source>Rock %1</source><translation>Roca %1</translation></message>
 <message><source>visible spans a × b</source><translation>extensiones visibles a × b</translation></message>
-<message><source>distance</source><translation>distancia</translation></message>
+<message><source>distance, median</source><translation>distancia, mediana</translation></message>
 <message><source>visible area</source><translation>área visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>delante</translation></message>
@@ -2087,6 +2087,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ más largo que los %1 m entre los clics: los lados de la garganta están hasta a %2 m de ellos</translation></message>
+<message><source>▲ its ends are up to %1 m from the clicks: check that it is the opening that was meant</source><translation>▲ sus extremos están como máximo a %1 m de los clics: compruebe que es la abertura deseada</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>sus extremos están como máximo a %1 m de los clics</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic pasó por esta garganta, %1 m detrás de ella: se tomó el borde de delante</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ ningún haz volvió entre sus extremos: puede ser una abertura, o roca oscura o mojada</translation></message>

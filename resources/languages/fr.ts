@@ -901,11 +901,11 @@ Les nombres gris sont anciens.</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>rien encore à comparer :
 changez un réglage, ou ouvrez un autre scan</translation></message>
-<message><source>median difference %1 mm
-a change is more than %2 mm at 5 m</source><translation>différence médiane %1 mm
+<message><source>median difference along the beams %1 mm
+a change is more than %2 mm at 5 m</source><translation>différence médiane le long des faisceaux %1 mm
 un changement dépasse %2 mm à 5 m</translation></message>
-<message><source>median distance %1
-%2 are farther than %3</source><translation>distance médiane %1
+<message><source>median distance to the points of A %1
+%2 are farther than %3</source><translation>distance médiane aux points de A %1
 %2 sont à plus de %3</translation></message>
 <message><source>Next</source><translation>Suivant</translation></message>
 <message><source>Folds the legend</source><translation>Replie la légende</translation></message>
@@ -1242,13 +1242,13 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, et %2 de plus sélectionnés</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contour incertain : hachuré</translation></message>
-<message><source>marked by hand as a rock</source><translation>marqué à la main comme bloc</translation></message>
+<message><source>a rock by hand: marked or cut</source><translation>un bloc à la main : marqué ou coupé</translation></message>
 <message><source>A Rock</source><translation>Un bloc</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
 <message><source>Rock %1</source><translation>Bloc %1</translation></message>
 <message><source>visible spans a × b</source><translation>étendues visibles a × b</translation></message>
-<message><source>distance</source><translation>distance</translation></message>
+<message><source>distance, median</source><translation>distance, médiane</translation></message>
 <message><source>visible area</source><translation>surface visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>devant</translation></message>
@@ -2087,6 +2087,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ plus long que les %1 m entre les clics : les côtés du goulot en sont jusqu'à %2 m</translation></message>
+<message><source>▲ its ends are up to %1 m from the clicks: check that it is the opening that was meant</source><translation>▲ ses extrémités sont à %1 m des clics au plus : vérifiez que c'est bien l'ouverture voulue</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>ses extrémités sont à %1 m des clics au plus</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic est passé par cette gorge, %1 m derrière elle : le bord devant a été pris</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ aucun faisceau n'est revenu entre ses extrémités : ce peut être une ouverture, ou de la roche sombre ou mouillée</translation></message>

@@ -901,11 +901,11 @@ Os números cinza são anteriores.</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada ainda para comparar:
 mude um ajuste ou abra outra varredura</translation></message>
-<message><source>median difference %1 mm
-a change is more than %2 mm at 5 m</source><translation>diferença mediana %1 mm
+<message><source>median difference along the beams %1 mm
+a change is more than %2 mm at 5 m</source><translation>diferença mediana ao longo dos feixes %1 mm
 uma mudança passa de %2 mm a 5 m</translation></message>
-<message><source>median distance %1
-%2 are farther than %3</source><translation>distância mediana %1
+<message><source>median distance to the points of A %1
+%2 are farther than %3</source><translation>distância mediana aos pontos de A %1
 %2 estão a mais de %3</translation></message>
 <message><source>Next</source><translation>Seguinte</translation></message>
 <message><source>Folds the legend</source><translation>Recolhe a legenda</translation></message>
@@ -1242,13 +1242,13 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, e mais %2 selecionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incerto: hachurado</translation></message>
-<message><source>marked by hand as a rock</source><translation>marcada à mão como rocha</translation></message>
+<message><source>a rock by hand: marked or cut</source><translation>uma rocha à mão: marcada ou cortada</translation></message>
 <message><source>A Rock</source><translation>É rocha</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>É uma rocha, sim (N)</translation></message>
 <message><source>Rock %1</source><translation>Rocha %1</translation></message>
 <message><source>visible spans a × b</source><translation>extensões visíveis a × b</translation></message>
-<message><source>distance</source><translation>distância</translation></message>
+<message><source>distance, median</source><translation>distância, mediana</translation></message>
 <message><source>visible area</source><translation>área visível</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>na frente</translation></message>
@@ -2087,6 +2087,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ mais longo que os %1 m entre os cliques: os lados da garganta estão a até %2 m deles</translation></message>
+<message><source>▲ its ends are up to %1 m from the clicks: check that it is the opening that was meant</source><translation>▲ suas pontas estão a até %1 m dos cliques: confira se é a abertura desejada</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>suas pontas estão a até %1 m dos cliques</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ um clique passou por esta garganta, %1 m atrás dela: foi tomada a borda da frente</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ nenhum feixe voltou entre as suas pontas: pode ser uma abertura, ou rocha escura ou molhada</translation></message>

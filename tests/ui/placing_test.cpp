@@ -251,7 +251,9 @@ private slots:
         on.button("place-remove").click();
         QVERIFY(on.reopened());
         QVERIFY(on.place() == nullptr);
-        on.viewer.undo.undo();
+        auto* undo = notice.findChild<QAbstractButton*>("notice-action");
+        QVERIFY2(undo->isVisible() && undo->text() == "Undo", qPrintable(notice.text()));
+        undo->click();
         QVERIFY(on.reopened());
         QCOMPARE(on.place()->originEnhM.x(), 498900.0);
     }

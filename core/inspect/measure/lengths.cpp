@@ -167,6 +167,9 @@ std::string clicksPart(const MeasuredCells& measured, Translated translated) {
     if (measured.isLongerThanClicks())
         return say("▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them",
                    {fixedText(measured.clicksM, 3), fixedText(measured.fromClicksM, 2)});
+    if (measured.isFarFromClicks())
+        return say("▲ its ends are up to %1 m from the clicks: check that it is the opening that was meant",
+                   {fixedText(measured.fromClicksM, 2)});
     return measured.fromClicks > kFewCells ? say("its ends are up to %1 m from the clicks", {fixedText(measured.fromClicksM, 2)}) : "";
 }
 
@@ -338,7 +341,12 @@ bool MeasuredCells::isLongerThanClicks() const {
 }
 
 bool MeasuredCells::isWarned() const {
-    return behindM > 0.0 || clickBehindM > 0.0 || endsApartM() > 0.0 || isLongerThanClicks() || dependsMuch() || isDark;
+    return behindM > 0.0 || clickBehindM > 0.0 || endsApartM() > 0.0 || isLongerThanClicks() || isFarFromClicks() || dependsMuch() ||
+           isDark;
+}
+
+bool MeasuredCells::isFarFromClicks() const {
+    return kind == MeasureKind::Throat && fromClicks > kFewCells && !lengths.empty() && fromClicksM > lengths.front().valueM;
 }
 
 bool MeasuredCells::dependsMuch() const {

@@ -77,6 +77,8 @@ struct MeasuredCells {
     [[nodiscard]] bool dependsMuch() const;
     /// Only for Throat: true if the way between the clicks is shorter, because its sides are not where they are.
     [[nodiscard]] bool isLongerThanClicks() const;
+    /// Only for Throat: true if an end is farther from its click than the throat is wide: it may be another opening.
+    [[nodiscard]] bool isFarFromClicks() const;
     /// True if measureRemarks() has a warning (▲).
     [[nodiscard]] bool isWarned() const;
 };

@@ -325,6 +325,27 @@ bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_
     return k < scan.cells() && sidesAround(scan, tables, k).has_value();
 }
 
+std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTables& tables, const MeantCell& click) {
+    for (const std::uint32_t k : {click.cell, click.clicked}) {
+        if (isIntoOpening(scan, tables, k)) return k;
+    }
+    if (click.clicked >= scan.cells()) return std::nullopt;
+    const int line = static_cast<int>(click.clicked) / scan.beams(), beam = static_cast<int>(click.clicked) % scan.beams();
+    std::optional<std::uint32_t> nearest;
+    int leastSquare = kSnapReach * kSnapReach + 1;
+    for (int di = -kSnapReach; di <= kSnapReach; ++di) {
+        for (int dj = -kSnapReach; dj <= kSnapReach; ++dj) {
+            const bool isVoid = scan.rangeMm.contains(line + di, beam + dj) && scan.state.at(line + di, beam + dj) == CellState::NoReturn;
+            if (!isVoid || di * di + dj * dj >= leastSquare) continue;
+            const auto k = static_cast<std::uint32_t>(scan.rangeMm.index(line + di, beam + dj));
+            if (!isIntoOpening(scan, tables, k)) continue;
+            nearest = k;
+            leastSquare = di * di + dj * dj;
+        }
+    }
+    return nearest;
+}
+
 std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
     if (clicked >= scan.cells()) return std::nullopt;
     std::optional<Throat> throat;

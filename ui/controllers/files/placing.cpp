@@ -147,6 +147,7 @@ bool Placing::load(const Scan& scan) {
 void Placing::follow() {
     if (!message_.isEmpty()) {
         notice_.showNotice(NoticeBar::Kind::Done, message_); // the scan's warnings are one of the earlier notes
+        if (newest_ != nullptr && undo_.index() > 0 && undo_.command(undo_.index() - 1) == newest_) notice_.offerUndo(undo_);
         message_.clear();
     }
     if (!scan_ || engine_.picture()->source.stream == source_.stream) return;
@@ -282,6 +283,7 @@ void Placing::store(const std::optional<std::string>& file, const QString& what)
     dialog_->accept();
     auto* step = new UndoStep<Stored>(what, before, after, [this, path](const Stored& value) { return use(path, value); });
     step->giveWayIn(undo_);
+    newest_ = step;
     undo_.push(step);
 }
 

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 
+class QUndoCommand;
 class QUndoStack;
 
 namespace edgescan::ui {
@@ -86,9 +87,10 @@ private:
     TypedPlace typed_;
     bool previewed_ = false;
     bool storing_ = false;
-    std::optional<Stored> next_;        ///< to be stored after that
-    QString message_;                   ///< shown as soon as the scan is opened again
-    Derived<Question, Answer> preview_; // last
+    std::optional<Stored> next_;           ///< to be stored after that
+    const QUndoCommand* newest_ = nullptr; ///< the step of the last change, to see whether it is the newest of all
+    QString message_;                      ///< shown as soon as the scan is opened again
+    Derived<Question, Answer> preview_;    // last
 };
 
 } // namespace edgescan::ui

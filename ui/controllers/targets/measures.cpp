@@ -91,7 +91,7 @@ bool Measures::removeLastPick() {
 
 void Measures::pick(const inspect::MeantCell& click) {
     if (throats_.behind()) return; // the prompt says so
-    if (kind_ == inspect::MeasureKind::Throat && askThrough(click.cell)) return show();
+    if (kind_ == inspect::MeasureKind::Throat && askThrough(click)) return show();
     if (!views_.shown() || views_.shown()->detection->scan->state[click.cell] != CellState::Valid) {
         notice_.showHint(tr("Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.")
                              .arg(inspect::kSnapReach));
@@ -103,13 +103,13 @@ void Measures::pick(const inspect::MeantCell& click) {
 }
 
 /// One click into an opening measures it. False: it is not into one.
-bool Measures::askThrough(std::uint32_t cell) {
+bool Measures::askThrough(const inspect::MeantCell& click) {
     if (!views_.shown()) return false;
     const Scan& scan = *views_.shown()->detection->scan;
-    const bool isInto = inspect::isIntoOpening(scan, CartesianTables(scan), cell);
-    if (!isInto) return false;
+    const auto cell = inspect::openingOfClick(scan, CartesianTables(scan), click);
+    if (!cell) return false;
     picked_.clear(); // a side was clicked before: the opening has it
-    throats_.ask({views_.shown(), {cell, cell}});
+    throats_.ask({views_.shown(), {*cell, *cell}});
     return true;
 }
 

@@ -52,7 +52,7 @@ private:
     };
     void pick(const inspect::MeantCell& click);
     [[nodiscard]] QString lastClickWords() const;
-    [[nodiscard]] bool askThrough(std::uint32_t cell);
+    [[nodiscard]] bool askThrough(const inspect::MeantCell& click);
     void keepPicked();
     void takeThroat(const ThroatAsked& asked, const Throat& found);
     [[nodiscard]] bool isOnScreen(const Picture& of) const;

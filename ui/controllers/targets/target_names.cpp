@@ -102,8 +102,10 @@ void Targets::askNameOf(int number) {
 }
 
 void Targets::editName() {
-    if (!rocks_.selected().empty() && active() == nullptr) return askName(inspect::exactly(rocks_.selected().back()));
     const inspect::PinnedTarget* target = active();
+    const auto& rocks = rocks_.selected();
+    if (target == nullptr && !rocks.empty() && rocks_.picture() && rocks_.picture()->labelAt(rocks.back()) != 0)
+        return askName(inspect::exactly(rocks.back()));
     if (target == nullptr) return notice_.showHint(tr("Nothing to name yet: pin a cell, or choose a target."));
     if (panel_.card().name()->visibleRegion().isEmpty()) return askNameOf(target->number);
     panel_.card().editName();

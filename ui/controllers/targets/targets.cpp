@@ -146,6 +146,8 @@ void Targets::followPicture() {
         if (!notebook_.empty()) emit pinned();
     }
     scan_ = engine_.picture()->detection->scan;
+    // Coordinates of another pose are not shown as those of now.
+    if (known_.picture && known_.picture->detection->scan->placement != scan_->placement) known_ = {};
     stream_ = engine_.picture()->source.stream;
     findSweep();
     ask();

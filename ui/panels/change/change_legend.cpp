@@ -145,6 +145,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     // At the foot, which stays where it is while the plate grows upwards.
     auto* foot = new QVBoxLayout;
     auto* buttons = new QHBoxLayout;
+    foot->addWidget(byDistance_);
     foot->addLayout(switchOfTwo());
     foot->addLayout(buttons);
     for (QToolButton* button : {end_, fold_, previous_, next_}) { // what ends it is never where another button was
@@ -156,10 +157,9 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     summary_->setTextFormat(Qt::RichText);
     connect(fold_, &QToolButton::toggled, this, &ChangeLegend::showRows);
     connect(end_, &QToolButton::clicked, this, &ChangeLegend::endRequested);
-    grid->addWidget(byDistance_, kChangeRows + 5, 0, 1, 2);
-    grid->addWidget(histogram_, kChangeRows + 6, 0, 1, 2);
-    grid->addWidget(distances_, kChangeRows + 7, 0, 1, 2);
-    grid->addWidget(region_, kChangeRows + 8, 0, 1, 2);
+    grid->addWidget(histogram_, kChangeRows + 5, 0, 1, 2);
+    grid->addWidget(distances_, kChangeRows + 6, 0, 1, 2);
+    grid->addWidget(region_, kChangeRows + 7, 0, 1, 2);
     setContent(*content, foot);
     connect(previous_, &QToolButton::clicked, this, &ChangeLegend::previousRegionRequested);
     connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionRequested);
@@ -216,7 +216,7 @@ void ChangeLegend::showKept(const QString& before, const QString& now, const Com
                   .replace("; ", "\n");
         if (comparison->change.earlier.how.outOfSpec) how = outOfSpecWords() + '\n' + how;
         if (comparison->isOfTwoScans())
-            how += '\n' + tr("median difference %1 mm\na change is more than %2 mm at 5 m")
+            how += '\n' + tr("median difference along the beams %1 mm\na change is more than %2 mm at 5 m")
                               .arg(comparison->change.differMm, 0, 'f', 0)
                               .arg(inspect::kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
@@ -226,7 +226,7 @@ void ChangeLegend::showKept(const QString& before, const QString& now, const Com
     histogram_->showDistances(distances);
     hasDistances_ = distances != nullptr;
     if (distances)
-        setWords(*distances_, tr("median distance %1\n%2 are farther than %3")
+        setWords(*distances_, tr("median distance to the points of A %1\n%2 are farther than %3")
                                   .arg(shortLength(distances->histogram.medianM))
                                   .arg(countText(distances->histogram.beyond))
                                   .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));

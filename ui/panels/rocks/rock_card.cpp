@@ -149,7 +149,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     QString state = stale ? tr("▲ of the picture before; being computed again") : QString();
     if (isRock_ && isDoubtful(*rock)) state += (state.isEmpty() ? QString() : "\n") + tr("▲ uncertain outline: hatched");
     if (isRock_ && !rock->apart.empty()) state += (state.isEmpty() ? QString() : "\n") + partsText(*rock);
-    if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("marked by hand as a rock");
+    if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("a rock by hand: marked or cut");
     state_->setText(state);
     state_->setVisible(!state.isEmpty());
     for (QPushButton* button : {split_, cut_, name_}) button->setEnabled(isRock_);
@@ -166,7 +166,7 @@ void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock, con
     spans_->setText(tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
     spans_->show();
     setRow(0, tr("visible spans a × b"), tr("± %1").arg(metres(shownTolerance(rock.toleranceM, 2))));
-    setRow(1, tr("distance"), metres(rock.distanceM));
+    setRow(1, tr("distance, median"), metres(rock.distanceM));
     setRow(2, tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2));
     setRow(3, tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0));
     setRow(4, tr("behind rocks"), listed(rock.rocksInFront));

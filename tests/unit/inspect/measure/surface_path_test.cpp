@@ -377,6 +377,26 @@ TEST(Throat, OneClickIntoTheOpeningMeasuresItThere) {
     EXPECT_FALSE(throatThrough(dropouts, CartesianTables(dropouts), static_cast<std::uint32_t>(dropouts.cells())));
 }
 
+// A view of points has no cell in a void: a click on it finds the rim.
+TEST(Throat, AClickAtTheRimOfAVoidMeansTheVoid) {
+    const Scan scan =
+        fineScan(121, 121, [](const Eigen::Vector3d& d) { return std::hypot(d.x(), d.y()) < 0.06 * d.z() ? 0.0 : 5.0 / d.z(); });
+    const CartesianTables tables(scan);
+    const auto at = [&](int beam) { return openingOfClick(scan, tables, exactly(cellOf(scan, 60, beam))); };
+    int rim = 60;
+    while (scan.state.at(60, rim) != CellState::Valid) ++rim;
+    ASSERT_GT(rim, 65);
+    EXPECT_EQ(at(60), cellOf(scan, 60, 60));
+    for (const int beam : {rim, rim + kSnapReach - 1}) {
+        const auto into = at(beam);
+        ASSERT_TRUE(into) << beam;
+        const auto throat = throatThrough(scan, tables, *into);
+        ASSERT_TRUE(throat) << beam;
+        EXPECT_NEAR((tables.point(throat->ends[0]) - tables.point(throat->ends[1])).norm(), 0.6, 0.06) << beam;
+    }
+    EXPECT_FALSE(at(rim + kSnapReach)) << "the rock at the side";
+}
+
 TEST(Throat, ItsToleranceIncludesWhatClicksNextToItFind) {
     // Narrower and narrower along the sides, so that each click finds another length.
     const Scan scan = fineScan(101, 101, [](const Eigen::Vector3d& d) {
