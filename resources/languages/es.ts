@@ -512,7 +512,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The section could not be computed (%1).</source><translation>No se pudo calcular la sección (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cción</translation></message>
 <message><source>Measure a distance first: a section goes through its two ends.</source><translation>Mida primero una distancia: la sección pasa por sus dos extremos.</translation></message>
-<message><source>Select a rock first: press K and click on its face.</source><translation>Seleccione primero una roca: pulse K y haga clic en su cara.</translation></message>
+<message><source>Select a rock first: show the rocks and click on the face of one.</source><translation>Seleccione primero una roca: muestre las rocas y haga clic en la cara de una.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>El plano de la sección no corta ninguna superficie: elija otras dos celdas.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
 <message><source>Rocks have their colours.</source><translation>Las rocas tienen sus colores.</translation></message>
@@ -752,7 +752,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Select</source><translation>Seleccionar</translation></message>
 <message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
 <message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: primero pulse K.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: show them first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: muéstrelas primero.</translation></message>
 <message><source>Hide</source><translation>Ocultar</translation></message>
 <message><source>Isolate</source><translation>Aislar</translation></message>
 <message><source>Show All</source><translation>Mostrar todo</translation></message>

@@ -512,7 +512,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The section could not be computed (%1).</source><translation>La coupe n'a pas pu être calculée (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>&amp;Coupe</translation></message>
 <message><source>Measure a distance first: a section goes through its two ends.</source><translation>Mesurez d'abord une distance : la coupe passe par ses deux extrémités.</translation></message>
-<message><source>Select a rock first: press K and click on its face.</source><translation>Sélectionnez d'abord un bloc : appuyez sur K et cliquez sur sa face.</translation></message>
+<message><source>Select a rock first: show the rocks and click on the face of one.</source><translation>Sélectionnez d'abord un bloc : affichez les blocs et cliquez sur la face de l'un d'eux.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>Le plan de la coupe ne rencontre aucune surface : choisissez deux autres cellules.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plan vertical, échelle vraie.</translation></message>
 <message><source>Rocks have their colours.</source><translation>Les blocs ont leurs couleurs.</translation></message>
@@ -752,7 +752,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Select</source><translation>Sélectionner</translation></message>
 <message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
 <message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Les blocs ne sont pas affichés, aucun ne peut donc être sélectionné : appuyez d'abord sur K.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: show them first.</source><translation>Les blocs ne sont pas affichés : affichez-les d'abord pour en sélectionner un.</translation></message>
 <message><source>Hide</source><translation>Masquer</translation></message>
 <message><source>Isolate</source><translation>Isoler</translation></message>
 <message><source>Show All</source><translation>Tout afficher</translation></message>

@@ -512,7 +512,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The section could not be computed (%1).</source><translation>Não foi possível calcular a secção (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cção</translation></message>
 <message><source>Measure a distance first: a section goes through its two ends.</source><translation>Meça primeiro uma distância: a secção passa pelas suas duas extremidades.</translation></message>
-<message><source>Select a rock first: press K and click on its face.</source><translation>Selecione primeiro uma rocha: prima K e clique na sua face.</translation></message>
+<message><source>Select a rock first: show the rocks and click on the face of one.</source><translation>Selecione primeiro uma rocha: mostre as rochas e clique na face de uma.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>O plano da secção não encontra nenhuma superfície: escolha outras duas células.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
 <message><source>Rocks have their colours.</source><translation>As rochas têm suas cores.</translation></message>
@@ -752,7 +752,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Select</source><translation>Selecionar</translation></message>
 <message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
 <message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>As rochas não estão à mostra, por isso nenhuma pode ser selecionada: primeiro pressione K.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: show them first.</source><translation>As rochas não são mostradas, portanto nenhuma pode ser selecionada: mostre-as primeiro.</translation></message>
 <message><source>Hide</source><translation>Ocultar</translation></message>
 <message><source>Isolate</source><translation>Isolar</translation></message>
 <message><source>Show All</source><translation>Mostrar tudo</translation></message>

@@ -111,6 +111,7 @@ private slots:
             const auto* text = notice.findChild<QLabel*>("notice-text");
             QTRY_VERIFY(text->isVisible());
             QCOMPARE(notice.text(), words);
+            QCOMPARE(QString(text->text()).remove(QChar(0x200B)), words);
             static const QRegularExpression places(QString("[ %1]").arg(QChar(0x200B)));
             for (const QString& part : text->text().split(places))
                 QTRY_VERIFY2(text->fontMetrics().horizontalAdvance(part) <= text->width(), qPrintable(part));

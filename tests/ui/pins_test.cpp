@@ -580,6 +580,30 @@ private slots:
         QVERIFY(scale->isVisible());
     }
 
+    // In a small view a pin hides the scale: when it came back, it was that of an earlier camera.
+    void theScaleThatComesBackIsThatOfTheView() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_) && on.activate());
+        on.window.cab().set(true);
+        on.window.resize(853, 533);
+        CloudView& cloud = on.viewer.views.cloud();
+        const auto* scale = cloud.findChild<ScalePlate*>();
+        QTRY_VERIFY(on.window.width() == 853 && cloud.atRest() && scale->isVisible() && !scale->barText().isEmpty());
+        const QString before = scale->barText();
+        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 1)));
+        QTRY_VERIFY(cloud.atRest() && !scale->isVisible());
+        cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, 0.2));
+        QTRY_VERIFY(cloud.atRest());
+        on.viewer.views.clearPin();
+        QTRY_VERIFY(scale->isVisible());
+        const QString shown = scale->barText();
+        QVERIFY2(shown != before, qPrintable(shown));
+        cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, 1.01)); // drawn again: the same but for the rounding
+        QTRY_VERIFY(cloud.atRest());
+        QCOMPARE(scale->barText().section(' ', 0, 1), shown.section(' ', 0, 1));
+        on.window.cab().set(false);
+    }
+
     // Legends and scale move off the chosen target when the view is at rest, and stay there when it is elsewhere or gone.
     void platesDoNotGoBackAndForth() {
         WindowFixture on;

@@ -1058,7 +1058,7 @@ private slots:
         while ((*detection.mask)[none] != 0) ++none;
         emit on.viewer.views.gray().clicked(static_cast<int>(none / 160), static_cast<int>(none % 160));
         QVERIFY(on.viewer.selection.cells() == chain);
-        QVERIFY2(on.viewer.notice.text().contains("press K first"), qPrintable(on.viewer.notice.text()));
+        QVERIFY2(on.viewer.notice.text().contains("show them first"), qPrintable(on.viewer.notice.text()));
     }
 
     void aRockIsSelectedAndStandsOnTheCard() {

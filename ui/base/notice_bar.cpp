@@ -395,13 +395,13 @@ QString NoticeBar::text() const { return words_; }
 
 /// A cab breaks long names of files after their signs; elsewhere text is copied from here by the mouse.
 void NoticeBar::setWords(const QString& words) {
-    static const QRegularExpression longWord("\\S{24,}"), sign("[_/.-]");
+    static const QRegularExpression longWord("\\S{24,}"), sign("([_/.-])");
     words_ = words;
     QString shown;
     int done = 0;
     for (auto each = longWord.globalMatch(words); large_ && each.hasNext();) {
         const auto found = each.next();
-        shown += words.mid(done, found.capturedStart() - done) + found.captured().replace(sign, QStringLiteral("\\0") + QChar(0x200B));
+        shown += words.mid(done, found.capturedStart() - done) + found.captured().replace(sign, QStringLiteral("\\1") + QChar(0x200B));
         done = found.capturedEnd();
     }
     text_->setText(shown + words.mid(done));

@@ -114,7 +114,7 @@ void Sections::throughRock() {
     const std::shared_ptr<const rocks::Study> rocks = study();
     const std::uint32_t label = rocks && rocks_.chosen() ? rocks_.picture()->labelAt(*rocks_.chosen()) : 0;
     if (label == 0) {
-        notice_.showHint(tr("Select a rock first: press K and click on its face."));
+        notice_.showHint(tr("Select a rock first: show the rocks and click on the face of one."));
         return;
     }
     std::vector<std::uint32_t> cells;

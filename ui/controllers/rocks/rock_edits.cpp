@@ -147,7 +147,7 @@ void Rocks::callChosen(bool rock) {
 }
 
 void Rocks::toggleChosen() {
-    if (!picture_ || !chosen()) return notice_.showHint(tr("Select a rock first: press K and click on its face."));
+    if (!picture_ || !chosen()) return notice_.showHint(tr("Select a rock first: show the rocks and click on the face of one."));
     callChosen(picture_->labelAt(*chosen()) == 0);
 }
 

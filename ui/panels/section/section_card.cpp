@@ -70,13 +70,23 @@ void SectionCard::setWords(const QString& words) {
     showAsked(true);
 }
 
-/// What the next click does, above the plot: the words become no lower, or the plot would move under the second click.
+/// What the next click does, above the plot. With room for the longest of its words: the plot must not move under the second click.
 void SectionCard::showAsked(bool found) {
-    asked_->setText(!found                      ? tr("▲ This click is not on a line: click nearer to one.")
-                    : plot_->ends().size() == 1 ? tr("Click on the other end of the length.")
-                    : plot_->ends().size() == 2 ? tr("This length is stored with the measurements. Two more clicks measure another.")
-                                                : tr("Two clicks on the lines measure a length."));
-    asked_->setMinimumHeight(std::max(asked_->minimumHeight(), asked_->heightForWidth(asked_->width())));
+    const QString missed = tr("▲ This click is not on a line: click nearer to one."), other = tr("Click on the other end of the length."),
+                  stored = tr("This length is stored with the measurements. Two more clicks measure another."),
+                  two = tr("Two clicks on the lines measure a length.");
+    int high = 0;
+    for (const QString& each : {missed, other, stored, two}) {
+        asked_->setText(each);
+        high = std::max(high, asked_->heightForWidth(asked_->width()));
+    }
+    asked_->setFixedHeight(high);
+    asked_->setText(!found ? missed : plot_->ends().size() == 1 ? other : plot_->ends().size() == 2 ? stored : two);
+}
+
+void SectionCard::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    showAsked(true);
 }
 
 /// What the plot shows now. The words become no lower, and have room for all sentences: the plot would move.

@@ -24,6 +24,9 @@ public:
     [[nodiscard]] QString words() const;
     [[nodiscard]] QPushButton* exportButton() const { return export_; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QPushButton* addButton(QHBoxLayout& row, const char* name, const QString& text, const QString& words,
                            const std::function<void()>& press);

@@ -126,7 +126,8 @@ std::optional<QPoint> ScalePlate::freePlace(const std::vector<QRect>& rings) con
 void ScalePlate::follow() {
     coloured_ = coloured();
     place();
-    if (!isVisible()) return;
+    if (!cloud_->geometryOfCloud()) return;
+    // Hidden too: place() may show it before the next frame.
     const double step = cloud_->groundStepM();
     const QString ground = step > 0.0 ? tr("grid %1").arg(shortLength(step)) : QString();
     if (ground != groundText_) update();
