@@ -460,7 +460,7 @@ private slots:
         for (const QAction* each : menu->actions()) all << each->text().remove('&');
         QCOMPARE(all.mid(all.size() - 2), QStringList({"Section through the Measurement", "Section through the Rock"}));
         choose(menu, static_cast<int>(all.size()) - 2);
-        QTRY_VERIFY2(on.viewer.notice.text().contains("measure a distance"), qPrintable(on.viewer.notice.text()));
+        QTRY_VERIFY2(on.viewer.notice.text().contains("Measure a distance first"), qPrintable(on.viewer.notice.text()));
     }
 
     void rocksEndMeasuring() {

@@ -326,9 +326,7 @@ bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_
 }
 
 std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTables& tables, const MeantCell& click) {
-    for (const std::uint32_t k : {click.cell, click.clicked}) {
-        if (isIntoOpening(scan, tables, k)) return k;
-    }
+    if (isIntoOpening(scan, tables, click.cell)) return click.cell;
     if (click.clicked >= scan.cells()) return std::nullopt;
     const int line = static_cast<int>(click.clicked) / scan.beams(), beam = static_cast<int>(click.clicked) % scan.beams();
     std::optional<std::uint32_t> nearest;

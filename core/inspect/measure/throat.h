@@ -42,8 +42,8 @@ struct Throat {
 /// True if throatThrough() finds a way.
 [[nodiscard]] bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_t k);
 
-/// The cell of the opening that a click means: the meant cell, the clicked one, or at the rim of a void the nearest cell of that void
-/// within kSnapReach, for a view of points has none in the void. Empty: the click is on the rock at a side.
+/// The cell of the opening that a click means: the meant cell, or in a void and at its rim the nearest cell of that void within kSnapReach,
+/// for a view of points has none in the void. Empty: the click is on the rock at a side.
 [[nodiscard]] std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTables& tables, const MeantCell& click);
 
 /// The shortest way across the middle of the opening around a click, on a void or on what is seen through it. The middle is the cell that
