@@ -751,7 +751,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
 <message><source>Select</source><translation>Seleccionar</translation></message>
 <message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
-<message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
+<message><source>This cell is not on a rock: choose a cell on a coloured face.</source><translation>Esta celda no está en una roca: elija una celda sobre una cara coloreada.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: show them first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: muéstrelas primero.</translation></message>
 <message><source>Hide</source><translation>Ocultar</translation></message>
 <message><source>Isolate</source><translation>Aislar</translation></message>

@@ -751,7 +751,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Select Nothing</source><translation>Ne rien sélectionner</translation></message>
 <message><source>Select</source><translation>Sélectionner</translation></message>
 <message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
-<message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
+<message><source>This cell is not on a rock: choose a cell on a coloured face.</source><translation>Cette cellule n'est pas sur un bloc : choisissez une cellule sur une face colorée.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: show them first.</source><translation>Les blocs ne sont pas affichés : affichez-les d'abord pour en sélectionner un.</translation></message>
 <message><source>Hide</source><translation>Masquer</translation></message>
 <message><source>Isolate</source><translation>Isoler</translation></message>

@@ -751,7 +751,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Select Nothing</source><translation>Não selecionar nada</translation></message>
 <message><source>Select</source><translation>Selecionar</translation></message>
 <message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
-<message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
+<message><source>This cell is not on a rock: choose a cell on a coloured face.</source><translation>Esta célula não está numa rocha: escolha uma célula sobre uma face colorida.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: show them first.</source><translation>As rochas não são mostradas, portanto nenhuma pode ser selecionada: mostre-as primeiro.</translation></message>
 <message><source>Hide</source><translation>Ocultar</translation></message>
 <message><source>Isolate</source><translation>Isolar</translation></message>

@@ -67,6 +67,11 @@ inline void dropStepsOfOtherScans(QUndoStack& stack) {
     stack.setProperty(kDrops, false);
 }
 
+/// True if Undo would undo this step.
+[[nodiscard]] inline bool isNewest(const QUndoStack& stack, const QUndoCommand* step) {
+    return stack.index() > 0 && stack.command(stack.index() - 1) == step;
+}
+
 /// Two values of one part of the state.
 template <class Value>
 class UndoStep : public QUndoCommand, public ScanStep {

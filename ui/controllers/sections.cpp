@@ -37,9 +37,10 @@ SectionHeights heightsOf(const Scan& scan, const inspect::SectionPlane& plane) {
     return {(plane.originM - CartesianTables(scan).sensor()).dot(plane.up), Sections::tr("above the scanner [m]")};
 }
 
-/// Where the section meets the rock. Its other cells, such as single points far in front of it, are not in the plot.
+/// Where the section meets the rock: its other cells, such as single points far in front of it, are not in the plot. Empty for rock 0.
 Eigen::AlignedBox2d boxOf(const inspect::Section& section, std::uint32_t rock) {
     Eigen::AlignedBox2d box;
+    if (rock == 0) return box;
     for (const inspect::SectionLine& line : section.lines) {
         for (const inspect::SectionVertex& vertex : line) {
             if (vertex.rock == rock) box.extend(vertex.atM);
@@ -157,8 +158,8 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     }
     picture_ = question.picture;
     const Eigen::AlignedBox2d ofRock = boxOf(*section, question.drawn.chosen);
-    card_->plot().show(section, question.drawn.chosen == 0 || ofRock.isEmpty() ? question.aboutM : ofRock,
-                       heightsOf(*question.picture->detection->scan, section->plane), question.drawn);
+    card_->plot().show(section, ofRock.isEmpty() ? question.aboutM : ofRock, heightsOf(*question.picture->detection->scan, section->plane),
+                       question.drawn);
     if (question.endsM.size() == 2) {
         card_->plot().setEnds(question.endsM[0], question.endsM[1]);
         card_->plot().setLength(question.length);

@@ -329,19 +329,18 @@ std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTab
     if (isIntoOpening(scan, tables, click.cell)) return click.cell;
     if (click.clicked >= scan.cells()) return std::nullopt;
     const int line = static_cast<int>(click.clicked) / scan.beams(), beam = static_cast<int>(click.clicked) % scan.beams();
-    std::optional<std::uint32_t> nearest;
-    int leastSquare = kSnapReach * kSnapReach + 1;
+    std::vector<std::pair<int, std::uint32_t>> voids; // square of the cells between, and the cell
     for (int di = -kSnapReach; di <= kSnapReach; ++di) {
         for (int dj = -kSnapReach; dj <= kSnapReach; ++dj) {
             const bool isVoid = scan.rangeMm.contains(line + di, beam + dj) && scan.state.at(line + di, beam + dj) == CellState::NoReturn;
-            if (!isVoid || di * di + dj * dj >= leastSquare) continue;
-            const auto k = static_cast<std::uint32_t>(scan.rangeMm.index(line + di, beam + dj));
-            if (!isIntoOpening(scan, tables, k)) continue;
-            nearest = k;
-            leastSquare = di * di + dj * dj;
+            const int square = di * di + dj * dj;
+            if (isVoid && square <= kSnapReach * kSnapReach)
+                voids.emplace_back(square, static_cast<std::uint32_t>(scan.rangeMm.index(line + di, beam + dj)));
         }
     }
-    return nearest;
+    std::ranges::sort(voids);
+    const auto into = std::ranges::find_if(voids, [&](const auto& each) { return isIntoOpening(scan, tables, each.second); });
+    return into == voids.end() ? std::nullopt : std::optional(into->second);
 }
 
 std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {

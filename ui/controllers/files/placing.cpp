@@ -147,7 +147,7 @@ bool Placing::load(const Scan& scan) {
 void Placing::follow() {
     if (!message_.isEmpty()) {
         notice_.showNotice(NoticeBar::Kind::Done, message_); // the scan's warnings are one of the earlier notes
-        if (newest_ != nullptr && undo_.index() > 0 && undo_.command(undo_.index() - 1) == newest_) notice_.offerUndo(undo_);
+        if (isNewest(undo_, newest_)) notice_.offerUndo(undo_);
         message_.clear();
     }
     if (!scan_ || engine_.picture()->source.stream == source_.stream) return;

@@ -94,8 +94,6 @@ void Rocks::pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks
 }
 
 /// Undo takes back the newest edit.
-bool Rocks::isNewestStep() const { return undo_.index() > 0 && undo_.command(undo_.index() - 1) == newestEdit_; }
-
 /// A step that changed no rock is taken back. Else it is said which rocks have another number now, and which part is not a rock.
 void Rocks::judgeEdit() {
     if (!judgedFrom_ || picture_->study.edits != edits_ || picture_->study.edits == judgedFrom_->study.edits) return;
@@ -104,7 +102,7 @@ void Rocks::judgeEdit() {
     const rocks::RegionChanges changes =
         rocks::regionChanges(*before->study.segmentation, before->study.map, *picture_->study.segmentation, picture_->study.map);
     if (!changes.any) {
-        if (!isNewestStep()) return;
+        if (!isNewest(undo_, newestEdit_)) return;
         newestEdit_->undo();            // the stack calls undo() of no obsolete step,
         newestEdit_->setObsolete(true); // which it only removes
         undo_.undo();
@@ -121,7 +119,7 @@ void Rocks::judgeEdit() {
         notice_.showHint(words); // until the next step, which may be its undo
     else
         notice_.showNotice(apart.isEmpty() ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, words);
-    if (isNewestStep()) notice_.offerUndo(undo_);
+    if (isNewest(undo_, newestEdit_)) notice_.offerUndo(undo_);
 }
 
 void Rocks::mergeSelected() {

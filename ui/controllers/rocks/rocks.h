@@ -149,7 +149,6 @@ private:
     void pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks::EditKind kind); ///< `kind`: what the operator did
     void pushOperatorEdits(const QString& name, OperatorEdits after);
     void judgeEdit();
-    [[nodiscard]] bool isNewestStep() const;
     void takePreset(const rocks::Preset& preset);
     struct CutAsked {
         std::shared_ptr<const RockPicture> of;

@@ -125,7 +125,7 @@ void Selection::selectRockAt(std::size_t cell) {
     const std::uint32_t label = rocks_.picture() ? rocks_.picture()->labelAt(cell) : 0;
     if (label == 0) {
         notice_.showNotice(NoticeBar::Kind::Warning, rocks_.picture()
-                                                         ? tr("There is no rock at this cell: choose one on a coloured face.")
+                                                         ? tr("This cell is not on a rock: choose a cell on a coloured face.")
                                                          : tr("Rocks are not shown, so none can be selected: show them first."));
         return;
     }

@@ -92,11 +92,9 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     // Always with its sweep: a held picture counts the lines of another one.
     const bool heldNarrow = narrow && notFollowing && picture == Picture::Held;
     QString lines = coreWords(health.lines);
-    const bool isOther = present && picture != Picture::Follows;
-    if ((heldNarrow || isOther) && lines.section(' ', 0, 0).contains('/'))
-        lines = lines.section(' ', 0, 0); // "93/120", which is in one row
+    if (notFollowing && lines.section(' ', 0, 0).contains('/')) lines = lines.section(' ', 0, 0); // "93/120", which is in one row
     if (!lines.isEmpty() && health.sweep > 0)
-        lines = (isOther && !narrow ? tr("now sweep %1: %2") : tr("sweep %1: %2")).arg(health.sweep).arg(lines);
+        lines = (notFollowing && !narrow ? tr("now sweep %1: %2") : tr("sweep %1: %2")).arg(health.sweep).arg(lines);
     lines_->setText(lines);
     lines_->setVisible(!lines.isEmpty() && (!narrow || heldNarrow)); // the head has those of the picture
     bar_->showRows(health.row, heldNarrow || (narrow && inHead && !present) ? 0 : health.rows, health.lostRows);

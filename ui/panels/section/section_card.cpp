@@ -70,23 +70,27 @@ void SectionCard::setWords(const QString& words) {
     showAsked(true);
 }
 
-/// What the next click does, above the plot. With room for the longest of its words: the plot must not move under the second click.
-void SectionCard::showAsked(bool found) {
-    const QString missed = tr("▲ This click is not on a line: click nearer to one."), other = tr("Click on the other end of the length."),
-                  stored = tr("This length is stored with the measurements. Two more clicks measure another."),
-                  two = tr("Two clicks on the lines measure a length.");
+/// What the next click does, above the plot.
+QString SectionCard::askedWords(bool found, std::size_t ends) {
+    return !found      ? tr("▲ This click is not on a line: click nearer to one.")
+           : ends == 1 ? tr("Click on the other end of the length.")
+           : ends == 2 ? tr("This length is stored with the measurements. Two more clicks measure another.")
+                       : tr("Two clicks on the lines measure a length.");
+}
+
+void SectionCard::showAsked(bool found) { asked_->setText(askedWords(found, plot_->ends().size())); }
+
+/// With room for the longest of the words: the plot must not move under the second click.
+void SectionCard::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    const QString shown = asked_->text();
     int high = 0;
-    for (const QString& each : {missed, other, stored, two}) {
+    for (const QString& each : {askedWords(false, 0), askedWords(true, 0), askedWords(true, 1), askedWords(true, 2)}) {
         asked_->setText(each);
         high = std::max(high, asked_->heightForWidth(asked_->width()));
     }
     asked_->setFixedHeight(high);
-    asked_->setText(!found ? missed : plot_->ends().size() == 1 ? other : plot_->ends().size() == 2 ? stored : two);
-}
-
-void SectionCard::resizeEvent(QResizeEvent* event) {
-    QDialog::resizeEvent(event);
-    showAsked(true);
+    asked_->setText(shown);
 }
 
 /// What the plot shows now. The words become no lower, and have room for all sentences: the plot would move.

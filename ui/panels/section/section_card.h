@@ -33,6 +33,7 @@ private:
 
     void showView();
     void showAsked(bool found);
+    [[nodiscard]] static QString askedWords(bool found, std::size_t ends);
 
     QLabel* asked_;
     SectionPlot* plot_;
