@@ -67,7 +67,7 @@ bool ZoomButtons::eventFilter(QObject* watched, QEvent* event) {
 /// In the middle of the right edge, or lower where the picture in the corner reaches that far. It stays there while the picture is off. A
 /// low view has them in a row, until it is much higher: a row more or less of the live strip does not turn them.
 void ZoomButtons::place() {
-    constexpr int kLow = 370, kMuchHigher = 60; // px
+    constexpr int kLow = 370, kMuchHigher = 30; // px
     const int low = buttons_->direction() == QBoxLayout::LeftToRight ? kLow + kMuchHigher : kLow;
     buttons_->setDirection(parentWidget()->height() < low ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     buttons_->activate(); // else it has the least height of a column, from before it had a view
