@@ -24,7 +24,7 @@
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAJE SEGÚN DISTANCIAS</translation></message>
 <message><source>FIRST ANGLE ASSUMED</source><translation>PRIMER ÁNGULO SUPUESTO</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASO SUPUESTO %1°</translation></message>
-<message><source>START ASSUMED</source><translation>INICIO SUPUESTO</translation></message>
+<message><source>START UNSEEN</source><translation>INICIO NO VISTO</translation></message>
 <message><source>1 remark</source><translation>1 observación</translation></message>
 <message><source>%1 remarks</source><translation>%1 observaciones</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes en este barrido</translation></message>
@@ -232,7 +232,7 @@
 <message><source>choose another topic, or give the joint that turns it</source><translation>elija otro topic o indique la articulación que lo gira</translation></message>
 <message><source>no line of the topic %1 could be placed</source><translation>no se pudo colocar ninguna línea del topic %1</translation></message>
 <message><source>no message of the topic %1 is a line of ranges</source><translation>ningún mensaje del topic %1 es una línea de distancias</translation></message>
-<message><source>The recording holds %1 sweeps; sweep %2, the one with most lines, was opened.</source><translation>La grabación contiene %1 barridos; se abrió el barrido %2, el que tiene más líneas.</translation></message>
+<message><source>The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.</source><translation>La grabación contiene %1 barridos; se abrió el barrido %2; ningún otro tiene más líneas.</translation></message>
 <message><source>no transform turns the laser's frame %1 while it measures</source><translation>ninguna transformación gira el sistema %1 del láser mientras mide</translation></message>
 <message><source>no joint turned while the laser measured</source><translation>ninguna articulación giró mientras el láser medía</translation></message>
 <message><source>there is no joint called </source><translation>no hay ninguna articulación llamada </translation></message>
@@ -665,8 +665,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>no se pudo cortar la roca (%1); cierre otros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
-<message><source>▲ up to line %1 of %2</source><translation>▲ hasta la línea %1 de %2</translation></message>
-<message><source>▲ up to line %1</source><translation>▲ hasta la línea %1</translation></message>
+<message><source>▲ of the first %1 lines</source><translation>▲ de las primeras %1 líneas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
 <message><source>No rock was found here: choose Pin to set a target.</source><translation>Aquí no hay ninguna roca: elija Fijar para poner un objetivo.</translation></message>

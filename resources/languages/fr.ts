@@ -24,7 +24,7 @@
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAGE D'APRÈS DISTANCES</translation></message>
 <message><source>FIRST ANGLE ASSUMED</source><translation>PREMIER ANGLE SUPPOSÉ</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PAS SUPPOSÉ %1°</translation></message>
-<message><source>START ASSUMED</source><translation>DÉBUT SUPPOSÉ</translation></message>
+<message><source>START UNSEEN</source><translation>DÉBUT NON VU</translation></message>
 <message><source>1 remark</source><translation>1 remarque</translation></message>
 <message><source>%1 remarks</source><translation>%1 remarques</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 plus tôt dans ce balayage</translation></message>
@@ -232,7 +232,7 @@
 <message><source>choose another topic, or give the joint that turns it</source><translation>choisissez un autre topic, ou donnez l'articulation qui le tourne</translation></message>
 <message><source>no line of the topic %1 could be placed</source><translation>aucune ligne du topic %1 n'a pu être placée</translation></message>
 <message><source>no message of the topic %1 is a line of ranges</source><translation>aucun message du topic %1 n'est une ligne de distances</translation></message>
-<message><source>The recording holds %1 sweeps; sweep %2, the one with most lines, was opened.</source><translation>L'enregistrement contient %1 balayages ; le balayage %2, celui qui a le plus de lignes, a été ouvert.</translation></message>
+<message><source>The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.</source><translation>L'enregistrement contient %1 balayages ; le balayage %2 a été ouvert ; aucun autre n'a plus de lignes.</translation></message>
 <message><source>no transform turns the laser's frame %1 while it measures</source><translation>aucune transformation ne tourne le repère %1 du laser pendant la mesure</translation></message>
 <message><source>no joint turned while the laser measured</source><translation>aucune articulation n'a tourné pendant la mesure du laser</translation></message>
 <message><source>there is no joint called </source><translation>il n'y a pas d'articulation nommée </translation></message>
@@ -665,8 +665,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>le bloc n'a pas pu être coupé (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
-<message><source>▲ up to line %1 of %2</source><translation>▲ jusqu'à la ligne %1 sur %2</translation></message>
-<message><source>▲ up to line %1</source><translation>▲ jusqu'à la ligne %1</translation></message>
+<message><source>▲ of the first %1 lines</source><translation>▲ des %1 premières lignes</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
 <message><source>No rock was found here: choose Pin to set a target.</source><translation>Il n'y a pas de bloc ici : choisissez Épingler pour poser une cible.</translation></message>

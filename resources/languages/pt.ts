@@ -24,7 +24,7 @@
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAGEM PELAS DISTÂNCIAS</translation></message>
 <message><source>FIRST ANGLE ASSUMED</source><translation>PRIMEIRO ÂNGULO SUPOSTO</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASSO SUPOSTO %1°</translation></message>
-<message><source>START ASSUMED</source><translation>INÍCIO SUPOSTO</translation></message>
+<message><source>START UNSEEN</source><translation>INÍCIO NÃO VISTO</translation></message>
 <message><source>1 remark</source><translation>1 observação</translation></message>
 <message><source>%1 remarks</source><translation>%1 observações</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes nesta varredura</translation></message>
@@ -232,7 +232,7 @@
 <message><source>choose another topic, or give the joint that turns it</source><translation>escolha outro tópico ou indique a junta que o gira</translation></message>
 <message><source>no line of the topic %1 could be placed</source><translation>não foi possível posicionar nenhuma linha do tópico %1</translation></message>
 <message><source>no message of the topic %1 is a line of ranges</source><translation>nenhuma mensagem do tópico %1 é uma linha de distâncias</translation></message>
-<message><source>The recording holds %1 sweeps; sweep %2, the one with most lines, was opened.</source><translation>A gravação contém %1 varreduras; foi aberta a varredura %2, a que tem mais linhas.</translation></message>
+<message><source>The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.</source><translation>A gravação contém %1 varreduras; foi aberta a varredura %2; nenhuma outra tem mais linhas.</translation></message>
 <message><source>no transform turns the laser's frame %1 while it measures</source><translation>nenhuma transformação gira o referencial %1 do laser enquanto mede</translation></message>
 <message><source>no joint turned while the laser measured</source><translation>nenhuma junta girou enquanto o laser media</translation></message>
 <message><source>there is no joint called </source><translation>não há nenhuma junta chamada </translation></message>
@@ -665,8 +665,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>não foi possível cortar a rocha (%1); feche outros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
-<message><source>▲ up to line %1 of %2</source><translation>▲ até a linha %1 de %2</translation></message>
-<message><source>▲ up to line %1</source><translation>▲ até a linha %1</translation></message>
+<message><source>▲ of the first %1 lines</source><translation>▲ das primeiras %1 linhas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
 <message><source>No rock was found here: choose Pin to set a target.</source><translation>Nenhuma rocha aqui: escolha Fixar para marcar um alvo.</translation></message>

@@ -97,7 +97,7 @@ private slots:
         narrow.narrowEvery = 2;
         clock.clockRate = -1;
         for (const Case& each : {Case{counters, "COUNTERS IN DOUBT", "", "COUNTERS IN DOUBT"},
-                                 Case{narrow, "lines", " lost: lines ", "START ASSUMED"}, Case{clock, "lines", "", "START ASSUMED", 2}}) {
+                                 Case{narrow, "lines", " lost: lines ", "START UNSEEN"}, Case{clock, "lines", "", "START UNSEEN", 2}}) {
             scanner::EmulatedScannerSettings settings;
             settings.linesPerSecond = 100;
             settings.faults = each.faults;
@@ -506,6 +506,10 @@ private slots:
         QVERIFY(eventually([&] { return timeline.active() && !window.viewer().engine.behind(); }));
         QCOMPARE(static_cast<int>(timeline.contents().sweeps.size()), 3);
         QVERIFY2(timeline.labelShown().contains(" of 3"), qPrintable(timeline.labelShown()));
+        const QRegularExpressionMatch place = QRegularExpression("line (\\d+)/(\\d+) at").match(timeline.labelShown());
+        QVERIFY2(place.captured(1).toInt() > 0 && place.captured(1).toInt() <= place.captured(2).toInt() &&
+                     place.captured(2).toInt() <= 160,
+                 qPrintable(timeline.labelShown())); // of the sweep, not of the recording
         const std::string opened = shownMask(window);
         const auto recording = files::Recording::open(path);
         QVERIFY(recording);

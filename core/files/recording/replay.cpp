@@ -167,7 +167,7 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     scan.warnings.insert(scan.warnings.begin(), replay.warnings().begin(), replay.warnings().end());
     if (sweeps > 1) {
         scan.warnings.push_back("The recording holds " + std::to_string(sweeps) + " sweeps; sweep " +
-                                std::to_string(best.progress.number + 1) + ", the one with most lines, was opened.");
+                                std::to_string(best.progress.number + 1) + " was opened; no other has more lines.");
     }
     if (undecodable > 0)
         scan.warnings.push_back(std::to_string(undecodable) + " scan telegrams could not be decoded: " + replay.feed().whyUndecodable() +

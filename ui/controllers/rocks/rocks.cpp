@@ -197,10 +197,7 @@ QString Rocks::remark() const {
     if (engine_.picture() && picture_) {
         const Growth& growth = engine_.picture()->source.growth;
         const int lines = picture_->labels.lines;
-        if (growth.expectedLines > lines)
-            words << tr("▲ up to line %1 of %2").arg(lines).arg(growth.expectedLines);
-        else if (growth.growing)
-            words << tr("▲ up to line %1").arg(lines);
+        if (growth.growing || growth.expectedLines > lines) words << tr("▲ of the first %1 lines").arg(lines);
         if (!growth.growing && ofAnotherPicture()) // of a sweep that grows the number of lines says it
             words << tr("▲ of the picture before; being computed again");
     }

@@ -179,8 +179,11 @@ QString Timeline::labelShown() const { return label_->text(); }
 
 void Timeline::showPlace() {
     const std::size_t line = static_cast<std::size_t>(std::clamp(position_ - 1, 0, lines() - 1));
-    QString text = tr("RECORDED · line %2/%3 at %1").arg(utcText(contents_.lineNs[line])).arg(position_).arg(lines());
-    if (contents_.sweeps.size() > 1) text += tr(" · sweep %1 of %2").arg(sweepAt(position_) + 1).arg(contents_.sweeps.size());
+    const auto sweep = static_cast<std::size_t>(sweepAt(position_));
+    const bool several = contents_.sweeps.size() > 1; // lines are counted in their sweep, as in the picture's own count
+    const int before = several ? contents_.sweeps[sweep].firstLine : 0, end = several ? endOf(sweep) : lines();
+    QString text = tr("RECORDED · line %2/%3 at %1").arg(utcText(contents_.lineNs[line])).arg(position_ - before).arg(end - before);
+    if (several) text += tr(" · sweep %1 of %2").arg(sweep + 1).arg(contents_.sweeps.size());
     label_->setText(text);
 }
 
