@@ -1115,7 +1115,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 • changed</source><translation>%1 • cambiada</translation></message>
 <message><source>along the line</source><translation>a lo largo de la línea</translation></message>
 <message><source>across the lines</source><translation>a través de las líneas</translation></message>
-<message><source>%1: %2 m wide, %3 m deep, near is below</source><translation>%1: %2 m de ancho, %3 m de fondo, lo cercano está abajo</translation></message>
+<message><source>%1: %2 m wide, %3 m deep (drawn × %4), near is below</source><translation>%1: %2 m de ancho, %3 m de fondo (dibujado × %4), lo cercano está abajo</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: puntos más allá</translation></message>
 <message><source>Numbers</source><translation>Números</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>

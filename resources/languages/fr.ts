@@ -1115,7 +1115,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 • changed</source><translation>%1 • changée</translation></message>
 <message><source>along the line</source><translation>le long de la ligne</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
-<message><source>%1: %2 m wide, %3 m deep, near is below</source><translation>%1 : %2 m de large, %3 m de profondeur, le proche est en bas</translation></message>
+<message><source>%1: %2 m wide, %3 m deep (drawn × %4), near is below</source><translation>%1 : %2 m de large, %3 m de profondeur (dessinée × %4), le proche est en bas</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation> ; ▲ ▼ : points au-delà</translation></message>
 <message><source>Numbers</source><translation>Nombres</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>

@@ -1115,7 +1115,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 • changed</source><translation>%1 • alterada</translation></message>
 <message><source>along the line</source><translation>ao longo da linha</translation></message>
 <message><source>across the lines</source><translation>através das linhas</translation></message>
-<message><source>%1: %2 m wide, %3 m deep, near is below</source><translation>%1: %2 m de largura, %3 m de profundidade, o próximo está embaixo</translation></message>
+<message><source>%1: %2 m wide, %3 m deep (drawn × %4), near is below</source><translation>%1: %2 m de largura, %3 m de profundidade (desenhada × %4), o próximo está embaixo</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: pontos além dele</translation></message>
 <message><source>Numbers</source><translation>Números</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>

@@ -53,8 +53,8 @@ Eigen::AlignedBox2d boxOf(const inspect::Section& section, std::uint32_t rock) {
 void placeBelowNotes(SectionCard& card, const QWidget& window) {
     const QRect room(window.mapToGlobal(QPoint()), window.size());
     const QSize size = card.frameGeometry().size();
-    constexpr double kWide = 1.8; // of its width: a window that has room for what is cut, next to it
-    const bool isNarrow = room.width() < kWide * size.width();
+    constexpr double kWideWindow = 1.8; // of its width: a window that has room for what is cut, next to it
+    const bool isNarrow = room.width() < kWideWindow * size.width();
     card.move(isNarrow ? room.center().x() - size.width() / 2 : room.left(), std::max(room.top(), room.bottom() - size.height()));
 }
 

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace edgescan::rocks {
 namespace {
@@ -177,17 +179,19 @@ std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, c
     constexpr std::size_t kReach = 4; // past the outline, which other settings move by a cell or two
     const std::vector<std::uint32_t> cells = strokeCells(stroke, segments.segment.lines, segments.segment.beams);
     const std::vector<std::uint32_t> regions = regionsAlong(segments, map, cells);
-    std::vector<std::uint32_t> crossed = regions;
-    std::ranges::sort(crossed);
-    crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
-    std::erase(crossed, 0U);
+    std::map<std::uint32_t, std::size_t> crossed; // and how many cells of the line are in each
+    for (const std::uint32_t region : regions) ++crossed[region];
+    crossed.erase(0);
     if (crossed.empty()) return {};
-    if (crossed.front() > map.rocks) return {Edit{EditKind::Cut, stroke}};
+    if (crossed.begin()->first > map.rocks) return {Edit{EditKind::Cut, stroke}};
     const std::uint32_t first = chosen ? map.regionOfSegment[segments.segment[*chosen]] : 0;
-    std::ranges::stable_partition(crossed, [&](std::uint32_t region) { return region == first; });
+    std::vector<std::uint32_t> inOrder;
+    for (const auto& [region, count] : crossed) {
+        if (region <= map.rocks) inOrder.push_back(region);
+    }
+    std::ranges::stable_sort(inOrder, std::greater(), [&](std::uint32_t region) { return std::pair(region == first, crossed[region]); });
     std::vector<Edit> edits;
-    for (const std::uint32_t region : crossed) {
-        if (region > map.rocks) continue;
+    for (const std::uint32_t region : inOrder) {
         for (const std::size_t reach : {kReach, std::size_t{0}}) {
             const std::vector<CutLine> runs = runsIn(region, regions, cells, reach);
             DividedRegion divided(segments, map, region, runs);
@@ -198,7 +202,7 @@ std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, c
             for (std::vector<std::uint32_t>& side : sides) edits.push_back({EditKind::Whole, std::move(side)});
             break;
         }
-        if (region == first && !edits.empty()) break;
+        if (!edits.empty()) break;
     }
     return edits;
 }

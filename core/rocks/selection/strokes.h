@@ -14,9 +14,10 @@ namespace edgescan::rocks {
 /// Empty if the line crosses fewer than two regions.
 [[nodiscard]] std::optional<Edit> joinAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke);
 
-/// A line that divides each rock which it crosses from side to side: the edits make its parts rocks of their own, and no cell of another
-/// region changes. A part has kFewestSplit cells or more. A line that is in no rock cuts the other regions that it crosses. Empty if it
-/// divides nothing. `chosen`: a cell of a rock that is cut alone if the line divides it.
+/// A line that divides one rock from side to side: the edits make its parts rocks of their own, and no cell of another region changes. A
+/// part has kFewestSplit cells or more. Of the rocks that the line divides it is that of the cell `chosen`, else the one with most of the
+/// line's cells: a line drawn past an outline crosses small neighbours too. A line that is in no rock cuts the other regions that it
+/// crosses. Empty if it divides nothing.
 [[nodiscard]] std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke,
                                          std::optional<std::uint32_t> chosen = {});
 

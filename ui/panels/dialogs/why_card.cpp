@@ -27,9 +27,9 @@ constexpr double kShare = 0.42;                // of narrow views: a cell is fre
 constexpr int kRing = 16;                      // px around a cell
 constexpr int kRim = 12;                       // px
 constexpr double kLargerTitle = 1.15;
-constexpr int kLines = 12;              // of text, with a picture
-constexpr double kMargin = 0.05;        // of the depths that are shown, on each side
-constexpr double kMostStretched = 20.0; // limit of the exaggeration of depth against width
+constexpr int kLines = 12;             // of text, with a picture
+constexpr double kMargin = 0.05;       // of the depths that are shown, on each side
+constexpr double kMostStretched = 5.0; // limit of the exaggeration of depth against width: noise of a flat face is no step
 
 QLabel* words() {
     auto* label = new QLabel;
@@ -75,12 +75,16 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     const double wide = std::max(1e-3, rightM - leftM), deep = farM - nearM;
     const QString way = profile_.along == edges::Along::Beams ? tr("along the line") : tr("across the lines");
     const auto metres = [](double length) { return QString::number(length, 'f', 3); };
-    QString below = tr("%1: %2 m wide, %3 m deep, near is below").arg(way, metres(wide), metres(deep));
-    if (!all) below += tr("; ▲ ▼: points beyond it");
-    const QRect wrapped =
-        fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap, below); // two lines in some languages
+    const auto wordsBelow = [&](double stretched) {
+        const QString times = QString::number(stretched, 'f', stretched < 1.0 ? 2 : 1);
+        const QString words = tr("%1: %2 m wide, %3 m deep (drawn × %4), near is below").arg(way, metres(wide), metres(deep), times);
+        return all ? words : words + tr("; ▲ ▼: points beyond it");
+    };
+    const QRect wrapped = fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap,
+                                                     wordsBelow(kMostStretched)); // two lines in some languages
     const QRectF room = QRectF(rect()).adjusted(kRim, kRim, -kRim, -kRim - wrapped.height());
     const double perAcross = room.width() / wide, perAway = std::min(room.height() / deep, kMostStretched * perAcross);
+    const QString below = wordsBelow(perAway / perAcross);
     // Near is at the bottom, on the side of the scanner.
     const double top = room.center().y() - perAway * deep / 2;
     const auto at = [&](double across, double away) {

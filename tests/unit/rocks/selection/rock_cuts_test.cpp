@@ -119,8 +119,8 @@ TEST(RockCuts, PartsAreCutAgainAndStoredEditsGiveTheSameLabels) {
     EXPECT_EQ(rockLabels(*again.segmentation, again.map), rockLabels(*study.segmentation, study.map));
 }
 
-// A line over two rocks divides both, or the chosen one alone.
-TEST(RockCuts, TheChosenRockIsCutAlone) {
+// A line over two rocks divides the chosen one, or the one that has most of it; both can be divided by it.
+TEST(RockCuts, OneRockIsCut) {
     const Grid<std::uint32_t> labels = rockLabels(*whole().segmentation, whole().map);
     int lines = 0;
     for (std::uint32_t label = 1; label <= whole().map.rocks && lines < 3; ++label) {
@@ -130,14 +130,21 @@ TEST(RockCuts, TheChosenRockIsCutAlone) {
             CutLine both = line;
             const CutLine second = lineThrough(labels, other, 1.1 * other);
             both.insert(both.end(), second.begin(), second.end());
-            const Study after = studyRocks(cutInputs(), {}, cutAlong(*whole().segmentation, whole().map, both), &whole());
-            const auto divided = dividedRocks(labels, rockLabels(*after.segmentation, after.map));
-            if (!divided.contains(label) || divided.size() < 2) continue;
-            const auto alone = cutAlong(*whole().segmentation, whole().map, both, whole().rocks[label - 1].cell);
-            const Study one = studyRocks(cutInputs(), {}, alone, &whole());
-            const auto cut = dividedRocks(labels, rockLabels(*one.segmentation, one.map));
-            EXPECT_EQ(cut.size(), 1U);
-            EXPECT_TRUE(cut.contains(label));
+            const auto cutBy = [&](std::optional<std::uint32_t> chosen) {
+                const Study after = studyRocks(cutInputs(), {}, cutAlong(*whole().segmentation, whole().map, both, chosen), &whole());
+                return dividedRocks(labels, rockLabels(*after.segmentation, after.map));
+            };
+            const auto ofLabel = cutBy(whole().rocks[label - 1].cell), ofOther = cutBy(whole().rocks[other - 1].cell);
+            if (!ofLabel.contains(label) || !ofOther.contains(other)) continue;
+            EXPECT_EQ(ofLabel.size() + ofOther.size(), 2U);
+            const std::vector<std::uint32_t> drawn = strokeCells(both, labels.lines, labels.beams);
+            const auto cellsIn = [&](std::uint32_t rock) {
+                return std::ranges::count_if(drawn, [&](auto k) { return labels[k] == rock; });
+            };
+            const auto unchosen = cutBy(std::nullopt);
+            EXPECT_EQ(unchosen.size(), 1U);
+            if (cellsIn(label) == cellsIn(other)) continue;
+            EXPECT_TRUE(unchosen.contains(cellsIn(label) > cellsIn(other) ? label : other));
             ++lines;
         }
     }
