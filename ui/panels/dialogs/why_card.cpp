@@ -29,7 +29,7 @@ constexpr int kRim = 12;                       // px
 constexpr double kLargerTitle = 1.15;
 constexpr int kLines = 12;             // of text, with a picture
 constexpr double kMargin = 0.05;       // of the depths that are shown, on each side
-constexpr double kMostStretched = 5.0; // limit of the exaggeration of depth against width: noise of a flat face is no step
+constexpr double kMostStretched = 5.0; // limit of the exaggeration of depth against width: a flat face looks flat
 
 QLabel* words() {
     auto* label = new QLabel;
