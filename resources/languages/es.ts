@@ -276,6 +276,8 @@
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>1 target</source><translation>1 objetivo</translation></message>
 <message><source>%1 targets</source><translation>%1 objetivos</translation></message>
+<message><source>1 rock</source><translation>1 roca</translation></message>
+<message><source>%1 rocks</source><translation>%1 rocas</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Plegar este panel al costado de la ventana</translation></message>
 <message><source>Folded panels</source><translation>Paneles plegados</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
@@ -370,12 +372,12 @@
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
-<message><source>region %1 of %2, the largest: %3 by %4 m ± %5 m,
-visible %6 m², at %7 m</source><translation>región %1 de %2, la mayor: %3 por %4 m ± %5 m,
-visible %6 m², a %7 m</translation></message>
+<message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
+now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2, la mayor en área: %3 por %4 m ± %5 m,
+ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
-visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
-visible %6 m², a %7 m</translation></message>
+now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
+ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>farther</source><translation>más lejos</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
@@ -506,6 +508,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Making the report %1</source><translation>Creando el informe %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
+<message><source>Rocks were hidden, so it has no rocks.</source><translation>Las rocas estaban ocultas, por eso no tiene rocas.</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
 <message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>above the scanner [m]</source><translation>sobre el escáner [m]</translation></message>
@@ -560,11 +563,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul más cerca, rojo más lejos que la vista tardía, color pleno a 50 mm)</translation></message>
 <message><source>After: %1 mm apart</source><translation>Después: a %1 mm</translation></message>
 <message><source>a section</source><translation>una sección</translation></message>
-<message><source>a section of %1 rocks</source><translation>una sección de %1 rocas</translation></message>
+<message><source>a section of %1</source><translation>una sección de %1</translation></message>
 <message><source>%1 edge points</source><translation>%1 puntos de borde</translation></message>
 <message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source>%1 cells</source><translation>%1 celdas</translation></message>
-<message><source>%1 rocks</source><translation>%1 rocas</translation></message>
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Todavía no hay nada seleccionado: primero trace un recuadro (B) o un lazo (L) sobre una vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
@@ -786,7 +788,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
-<message><source>Not stored: this is a live sweep or a part of a recording. Open the recording before you quit: it has these targets then.</source><translation>No guardado: es un barrido en vivo o parte de una grabación. Abra la grabación antes de salir: entonces tiene estos objetivos.</translation></message>
+<message><source>Targets of a live sweep, or of a part of a recording, are stored with its recording. Open the recording before you quit.</source><translation>Los objetivos de un barrido en vivo, o de una parte de una grabación, se guardan con su grabación. Abra la grabación antes de salir.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>new target %1</source><translation>nuevo objetivo %1</translation></message>
@@ -1263,7 +1265,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que no se tocan, a %2 m</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
-<message><source>1 rock</source><translation>1 roca</translation></message>
 <message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>

@@ -276,6 +276,8 @@
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>1 target</source><translation>1 cible</translation></message>
 <message><source>%1 targets</source><translation>%1 cibles</translation></message>
+<message><source>1 rock</source><translation>1 bloc</translation></message>
+<message><source>%1 rocks</source><translation>%1 blocs</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Replier ce panneau au bord de la fenêtre</translation></message>
 <message><source>Folded panels</source><translation>Panneaux repliés</translation></message>
 <message><source>Open %1</source><translation>Ouvrir %1</translation></message>
@@ -370,12 +372,12 @@
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
-<message><source>region %1 of %2, the largest: %3 by %4 m ± %5 m,
-visible %6 m², at %7 m</source><translation>région %1 sur %2, la plus grande : %3 de %4 m ± %5 m,
-visible %6 m², à %7 m</translation></message>
+<message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
+now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2, la plus grande en surface : %3 de %4 m ± %5 m,
+maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
-visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
-visible %6 m², à %7 m</translation></message>
+now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
+maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
 <message><source>nearer</source><translation>plus près</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
@@ -506,6 +508,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Making the report %1</source><translation>Création du rapport %1</translation></message>
 <message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
+<message><source>Rocks were hidden, so it has no rocks.</source><translation>Les blocs étaient masqués, il n'en a donc pas.</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
 <message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>above the scanner [m]</source><translation>au-dessus du scanner [m]</translation></message>
@@ -560,11 +563,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Avant : %1 mm d'écart (médiane ; bleu plus près, rouge plus loin que la vue tardive, pleine couleur à 50 mm)</translation></message>
 <message><source>After: %1 mm apart</source><translation>Après : %1 mm d'écart</translation></message>
 <message><source>a section</source><translation>une coupe</translation></message>
-<message><source>a section of %1 rocks</source><translation>une coupe de %1 blocs</translation></message>
+<message><source>a section of %1</source><translation>une coupe de %1</translation></message>
 <message><source>%1 edge points</source><translation>%1 points d'arête</translation></message>
 <message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source>%1 cells</source><translation>%1 cellules</translation></message>
-<message><source>%1 rocks</source><translation>%1 blocs</translation></message>
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Rien n'est encore sélectionné : tracez d'abord une boîte (B) ou un lasso (L) sur une vue.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
@@ -786,7 +788,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
-<message><source>Not stored: this is a live sweep or a part of a recording. Open the recording before you quit: it has these targets then.</source><translation>Non enregistré : c'est un balayage en direct ou une partie d'un enregistrement. Ouvrez l'enregistrement avant de quitter : il a alors ces cibles.</translation></message>
+<message><source>Targets of a live sweep, or of a part of a recording, are stored with its recording. Open the recording before you quit.</source><translation>Les cibles d'un balayage en direct, ou d'une partie d'un enregistrement, sont enregistrées avec son enregistrement. Ouvrez l'enregistrement avant de quitter.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>new target %1</source><translation>nouvelle cible %1</translation></message>
@@ -1263,7 +1265,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 parties qui ne se touchent pas, à %2 m</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible : %2 × %3 m ± %4 m · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
-<message><source>1 rock</source><translation>1 bloc</translation></message>
 <message><source>hide uncertain</source><translation>masquer incertains</translation></message>
 <message><source>Export…</source><translation>Exporter…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>

@@ -276,6 +276,8 @@
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>1 target</source><translation>1 alvo</translation></message>
 <message><source>%1 targets</source><translation>%1 alvos</translation></message>
+<message><source>1 rock</source><translation>1 rocha</translation></message>
+<message><source>%1 rocks</source><translation>%1 rochas</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Recolher este painel para o lado da janela</translation></message>
 <message><source>Folded panels</source><translation>Painéis recolhidos</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
@@ -370,12 +372,12 @@
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
-<message><source>region %1 of %2, the largest: %3 by %4 m ± %5 m,
-visible %6 m², at %7 m</source><translation>região %1 de %2, a maior: %3 por %4 m ± %5 m,
-visível %6 m², a %7 m</translation></message>
+<message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
+now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2, a maior em área: %3 por %4 m ± %5 m,
+agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
-visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
-visível %6 m², a %7 m</translation></message>
+now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
+agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>farther</source><translation>mais longe</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
@@ -506,6 +508,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Making the report %1</source><translation>Criando o relatório %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
+<message><source>Rocks were hidden, so it has no rocks.</source><translation>As rochas estavam ocultas, por isso não tem rochas.</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
 <message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>above the scanner [m]</source><translation>acima do scanner [m]</translation></message>
@@ -560,11 +563,10 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul mais perto, vermelho mais longe que a vista tardia, cor plena a 50 mm)</translation></message>
 <message><source>After: %1 mm apart</source><translation>Depois: a %1 mm</translation></message>
 <message><source>a section</source><translation>uma secção</translation></message>
-<message><source>a section of %1 rocks</source><translation>uma secção de %1 rochas</translation></message>
+<message><source>a section of %1</source><translation>uma secção de %1</translation></message>
 <message><source>%1 edge points</source><translation>%1 pontos de borda</translation></message>
 <message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source>%1 cells</source><translation>%1 células</translation></message>
-<message><source>%1 rocks</source><translation>%1 rochas</translation></message>
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Ainda não há nada selecionado: primeiro trace uma caixa (B) ou um laço (L) sobre uma vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
@@ -786,7 +788,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
-<message><source>Not stored: this is a live sweep or a part of a recording. Open the recording before you quit: it has these targets then.</source><translation>Não guardado: é uma varredura ao vivo ou parte de uma gravação. Abra a gravação antes de sair: então ela tem estes alvos.</translation></message>
+<message><source>Targets of a live sweep, or of a part of a recording, are stored with its recording. Open the recording before you quit.</source><translation>Os alvos de uma varredura ao vivo, ou de uma parte de uma gravação, são guardados com a sua gravação. Abra a gravação antes de sair.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>new target %1</source><translation>novo alvo %1</translation></message>
@@ -1263,7 +1265,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que não se tocam, a %2 m</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visível: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
-<message><source>1 rock</source><translation>1 rocha</translation></message>
 <message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>

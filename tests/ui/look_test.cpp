@@ -190,6 +190,34 @@ private slots:
         }
     }
 
+    // Each line of an unfolded note is in sight, however long the note is and whichever buttons it has, also when they come later.
+    void anUnfoldedNoteIsWhole() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bell_));
+        NoticeBar& notice = on.viewer.notice;
+        const auto* text = notice.findChild<QLabel*>("notice-text");
+        auto* unfold = notice.findChild<QToolButton*>("notice-unfold");
+        const auto isWhole = [&] {
+            return text->isVisible() && text->height() >= text->heightForWidth(text->width()) &&
+                   text->geometry().bottom() <= notice.height() - 1;
+        };
+        QString words = "Split: rock 5 is now rocks 18 (1.95 × 1.17 m), 21 (1.89 × 1.11 m). Numbers follow the visible area:";
+        for (int n = 6; n < 40; ++n) {
+            words += QString(" %1 is now %2,").arg(n).arg(n - 1);
+            notice.showNotice(NoticeBar::Kind::Done, words + " and 177 more.");
+            notice.offerUndo(on.viewer.undo);
+            QTRY_VERIFY(notice.isVisible() && unfold->isVisible());
+            QTest::mouseClick(unfold, Qt::LeftButton);
+            QTRY_VERIFY2(isWhole(), qPrintable(QString("%1 words, %2 x %3 needs %4, bar %5")
+                                                   .arg(n)
+                                                   .arg(text->width())
+                                                   .arg(text->height())
+                                                   .arg(text->heightForWidth(text->width()))
+                                                   .arg(notice.height())));
+        }
+    }
+
     // Close ends one note, and the number of notes is in sight.
     void closeEndsOneNote() {
         WindowFixture on;
@@ -595,6 +623,32 @@ private slots:
         strip.findChild<QTimer*>("live-empty-row")->setInterval(1);
         strip.showHealth(health);
         QTRY_VERIFY2(strip.minimumHeight() < before, qPrintable(QString("%1 after %2").arg(strip.minimumHeight()).arg(before)));
+    }
+
+    // Hold gives the strip no other row, in any window of a desk: the pictures below it do not move.
+    void holdKeepsTheRowsOfTheStrip() {
+        files::LiveHealth health;
+        health.liveness = files::Liveness::Live;
+        health.badge = "LIVE";
+        health.sweep = 2;
+        health.lines = "216/600 lines";
+        health.rows = 600;
+        health.row = 216;
+        health.end = "20 s left";
+        health.noReturn = "no return 0.3 %";
+        health.remark = "FIRST ANGLE ASSUMED";
+        health.telegrams = files::Condition::OutOfSpec;
+        health.contamination = "window clean";
+        health.pose = "no pose";
+        HealthStrip strip;
+        strip.show();
+        for (int width = 600; width <= 1400; width += 20) {
+            strip.resize(width, 40);
+            strip.showHealth(health, HealthStrip::Picture::Follows);
+            const int following = strip.heightForWidth(width);
+            strip.showHealth(health, HealthStrip::Picture::Held);
+            QVERIFY2(strip.heightForWidth(width) <= following, qPrintable(QString::number(width)));
+        }
     }
 
     void aTargetOutOfViewHasNoTag() {

@@ -3,6 +3,7 @@
 #include "tests/support/simulated_bell.h"
 #include "tests/ui/sized_window.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/rocks/rock_card.h"
 #include "ui/panels/rocks/rock_colours.h"
@@ -1070,7 +1071,7 @@ private slots:
         QVERIFY(std::abs(plot.heights().ofOriginM + vertex.atM.y() - vertex.pointM.z()) < 1e-9);
         QVERIFY(cut.size() < picture(on).study.rocks.size());
         on.viewer.sections.exportTo(QString::fromStdString((folder_ / "section.dxf").string()));
-        QTRY_VERIFY2(on.viewer.notice.text().contains(QString(": a section of %1 rocks,").arg(cut.size())),
+        QTRY_VERIFY2(on.viewer.notice.text().contains(": a section of " + rockCount(cut.size()) + ","),
                      qPrintable(on.viewer.notice.text()));
     }
 

@@ -25,4 +25,9 @@ template <std::integral Number>
     return targets == 1 ? QObject::tr("1 target") : QObject::tr("%1 targets").arg(targets);
 }
 
+/// "1 rock", "12 rocks".
+[[nodiscard]] inline QString rockCount(std::size_t rocks) {
+    return rocks == 1 ? QObject::tr("1 rock") : QObject::tr("%1 rocks").arg(countText(rocks));
+}
+
 } // namespace edgescan::ui

@@ -67,8 +67,8 @@ void Comparing::goToRegion(int by) {
     const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
     regionPart_ = QRectF(box.adjusted(-around, -around, around, around));
     // First the words: the cloud turns the region to where the legend with them leaves room, and the legend stays where it is.
-    legend_.showRegion((n == 0 ? tr("region %1 of %2, the largest: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m")
-                               : tr("region %1 of %2: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m"))
+    legend_.showRegion((n == 0 ? tr("region %1 of %2, the largest by area: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface")
+                               : tr("region %1 of %2: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface"))
                            .arg(n + 1)
                            .arg(count)
                            .arg(region.farther ? tr("farther") : tr("nearer"))

@@ -146,9 +146,10 @@ void ScanReport::writeTo(const QString& path, const ReportWords& words) {
             const std::string page = exports::scanPage(*detection, said, notes);
             const auto written =
                 isPdf(path) ? writeWholeFile(exactBytes(path), bytesOf(pdfOfPage(page))) : writeWholeFile(exactBytes(path), page);
-            return [this, written, path] {
+            return [this, written, path, hasRocks = rocks != nullptr] {
                 if (!written) return notice_.showError(written.error());
-                notice_.showSaved(path, isPdf(path) ? tr("pages to print") : tr("a page for any browser"));
+                notice_.showSaved(path, isPdf(path) ? tr("pages to print") : tr("a page for any browser"),
+                                  hasRocks ? QString() : tr("Rocks were hidden, so it has no rocks."));
                 emit saved(path);
             };
         },

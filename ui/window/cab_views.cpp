@@ -94,7 +94,8 @@ void CabMode::showLarge(Large which) {
     window_.showAlone(isImage ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
     back_->setVisible(isImage);
     isImage ? zoom_->setOver(image, *back_) : zoom_->setOver(window_.viewer().views.cloud(), *corner_);
-    back_->setWords(back_->text()); // at the same place
+    back_->endAt(corner_->isHidden() ? 0 : corner_->geometry().bottom()); // a second tap at the same place swaps them back
+    back_->setWords(back_->text());
     if (isImage) image.setTaken(back_->reach());
     showCorner();
     emit viewsChanged();

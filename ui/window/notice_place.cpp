@@ -9,7 +9,6 @@
 #include "ui/views/image/image_view.h"
 
 #include <QEvent>
-#include <QLayout>
 
 #include <algorithm>
 
@@ -84,7 +83,7 @@ private:
     }
     [[nodiscard]] QRect rectAt(int left, int right, int top) const {
         const int width = right - left;
-        return {left, top, width, std::min(notice_.layout()->heightForWidth(width), views_.height() - top)};
+        return {left, top, width, std::min(notice_.heightForWidth(width), views_.height() - top)};
     }
 
     NoticeBar& notice_;

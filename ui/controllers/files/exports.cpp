@@ -50,7 +50,7 @@ QString contentText(exports::ExportContent what, qint64 count) {
     using Counts = exports::ExportKind::Counts;
     const QString many = countText(count);
     if (what == exports::ExportContent::Section)
-        return count == 0 ? Exports::tr("a section") : Exports::tr("a section of %1 rocks").arg(many);
+        return count == 0 ? Exports::tr("a section") : Exports::tr("a section of %1").arg(rockCount(static_cast<std::size_t>(count)));
     switch (exports::exportKind(what).counts) {
     case Counts::EdgePoints:
         return Exports::tr("%1 edge points").arg(many);
@@ -59,7 +59,7 @@ QString contentText(exports::ExportContent what, qint64 count) {
     case Counts::Cells:
         return Exports::tr("%1 cells").arg(many);
     case Counts::Rocks:
-        return Exports::tr("%1 rocks").arg(many);
+        return rockCount(static_cast<std::size_t>(count));
     case Counts::Targets:
         break;
     }

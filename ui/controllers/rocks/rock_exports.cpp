@@ -1,6 +1,7 @@
 // Exports of rocks: table, report, labels, outlines, hulls.
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/georef/placed_points.h"
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"

@@ -2,6 +2,7 @@
 #include "ui/controllers/rocks/rocks.h"
 
 #include "ui/base/core_words.h"
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/engine/linked_views/linked_views.h"

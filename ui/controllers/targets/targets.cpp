@@ -130,10 +130,11 @@ void Targets::followPicture() {
         const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
         stored_ = !path.isEmpty();
-        panel_.showNote(stored_          ? leftBehind(before)
-                        : store_.isOff() ? tr("Not stored: EdgeScan was started without its settings.")
-                                         : tr("Not stored: this is a live sweep or a part of a recording. Open the recording before you "
-                                              "quit: it has these targets then."));
+        panel_.showNote(stored_ ? leftBehind(before)
+                        : store_.isOff()
+                            ? tr("Not stored: EdgeScan was started without its settings.")
+                            : tr("Targets of a live sweep, or of a part of a recording, are stored with its recording. Open the "
+                                 "recording before you quit."));
         if (before > 0) notice_.showHint(leftBehind(before));
         if (const auto other = others_.find(key); other != others_.end()) {
             notebook_ = other->second;

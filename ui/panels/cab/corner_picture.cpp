@@ -42,6 +42,11 @@ void CornerPicture::setWords(const QString& words) {
     update();
 }
 
+void CornerPicture::endAt(int bottom) {
+    bottom_ = bottom;
+    place();
+}
+
 /// At most a quarter of the available space, in the aspect ratio of the image. A low view has no room for words below the picture: one line
 /// is over it.
 void CornerPicture::place() {
@@ -55,7 +60,8 @@ void CornerPicture::place() {
     const int least = std::max(0, kLeastForGloves - height);
     const bool enough = least > 0 || wordsHeight(width) <= room.height() * kMostWords;
     words_ = enough ? std::max(least, std::min(wordsHeight(width), room.height() - 2 * kFromEdge - height)) : 0;
-    const QRect at(room.width() - kFromEdge - width, kFromEdge, width, height + words_);
+    const int top = std::clamp(bottom_ + 1 - height - words_, kFromEdge, std::max(kFromEdge, room.height() - kFromEdge - height - words_));
+    const QRect at(room.width() - kFromEdge - width, top, width, height + words_);
     if (at.size() != size()) scaled_ = QPixmap();
     const int before = reach();
     const QRegion left = isVisible() ? QRegion(geometry()) - at : QRegion();

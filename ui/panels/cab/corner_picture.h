@@ -31,6 +31,8 @@ public:
     void show(std::shared_ptr<const QImage> image, const PictureMark& marked);
     [[nodiscard]] const PictureMark& marked() const { return marked_; }
     void setWords(const QString& words);
+    /// Its bottom is at this y in its parent, if that leaves it in the parent; at first it is at the top.
+    void endAt(int bottom);
     [[nodiscard]] const std::shared_ptr<const QImage>& image() const { return image_; }
 
     /// Distance of its left edge from the right edge of its parent, px.
@@ -55,7 +57,8 @@ private:
     std::shared_ptr<const QImage> image_;
     PictureMark marked_;
     QPixmap scaled_;
-    int words_ = 0; // px of its height
+    int words_ = 0;  // px of its height
+    int bottom_ = 0; // y in its parent
 };
 
 } // namespace edgescan::ui

@@ -88,7 +88,10 @@ PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidge
     auto* column = new QVBoxLayout(this);
     column->addWidget(tabs_, 1);
     column->addWidget(state_);
-    column->addWidget(buttons);
+    if (low_)
+        tabs_->setCornerWidget(buttons); // keys on the screen have no room below them
+    else
+        column->addWidget(buttons);
     resize(QSize(low_ ? room.width() : kDialogWide, kDialogHigh).boundedTo(room));
     showState({}, false);
 }

@@ -79,7 +79,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     };
     // A fault of the scanner has priority over the picture's relation to it.
     const bool notFollowing = health.liveness == files::Liveness::Live && picture != Picture::Follows;
-    const bool other = notFollowing && picture == Picture::Other; // its pose is in the status line
+    const bool other = notFollowing && picture == Picture::Other;
     // The badge at the head of a cab says the same.
     const bool inHead =
         notFollowing ? picture == Picture::Held : picture == Picture::Follows || health.liveness == files::Liveness::Stopped;
@@ -100,7 +100,8 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     bar_->showRows(health.row, heldNarrow || (narrow && inHead && !present) ? 0 : health.rows, health.lostRows);
     showText(lost_, health.lost, narrow); // the bar shows where
     lost_->setToolTip(tr("Lines whose telegrams did not arrive: dashes in the images"));
-    showText(noReturn_, brief_ ? std::string() : health.noReturn);
+    // Of a sweep that is not shown: Hold would give the strip another row.
+    showText(noReturn_, brief_ || notFollowing ? std::string() : health.noReturn);
     badge(remark_, signOf(health.telegrams), coreWords(health.remark));
     QStringList remarks;
     for (const std::string& sentence : health.remarks) remarks << coreSentence(sentence);
@@ -108,7 +109,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     badge(window_, signOf(health.window), coreWords(health.contamination), !brief_ || health.window != files::Condition::Good);
     // A device without faults has no badge.
     badge(device_, signOf(health.device), coreWords(health.deviceState), health.device != files::Condition::Good);
-    showText(pose_, health.lines.empty() || brief_ || other ? std::string() : health.pose);
+    showText(pose_, health.lines.empty() || brief_ || notFollowing ? std::string() : health.pose);
     showText(end_, narrow && notFollowing ? std::string() : health.end);
     // While nothing is wrong with it, the recording is shown next to its button; in a cab, which has no room there, here.
     const bool recordsWell = health.recorded == files::Condition::Good;

@@ -133,6 +133,4 @@ QString rockTip(const rocks::Rock& rock) {
 
 QString rockCaveat() { return QObject::tr(rocks::kRockCaveat); }
 
-QString rockCount(std::size_t rocks) { return rocks == 1 ? QObject::tr("1 rock") : QObject::tr("%1 rocks").arg(rocks); }
-
 } // namespace edgescan::ui

@@ -57,7 +57,5 @@ struct RockOutline {
 
 /// The caveat of every result about rocks: once on the screen, and in every text that leaves it.
 [[nodiscard]] QString rockCaveat();
-/// "1 rock", "12 rocks".
-[[nodiscard]] QString rockCount(std::size_t rocks);
 
 } // namespace edgescan::ui

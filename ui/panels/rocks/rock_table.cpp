@@ -1,6 +1,7 @@
 // The table of rocks.
 #include "ui/panels/rocks/rock_table.h"
 
+#include "ui/base/count_text.h"
 #include "ui/base/flow_layout.h"
 #include "ui/panels/rocks/size_curve_view.h"
 

@@ -1,6 +1,7 @@
 // The panel of rocks.
 #include "ui/panels/rocks/rocks_panel.h"
 
+#include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/rocks/rock_card.h"
 #include "ui/panels/rocks/size_curve_view.h"

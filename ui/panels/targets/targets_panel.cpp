@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyledItemDelegate>
@@ -73,12 +74,13 @@ public:
     enum class Shortened { First, Last };
     TargetRows(QObject* parent, Shortened row) : QStyledItemDelegate(parent), row_(row) {}
 
-    /// The sign of a lock makes its row no higher.
-    QSize sizeHint(const QStyleOptionViewItem& asked, const QModelIndex& index) const override {
-        QStyleOptionViewItem option = asked;
-        initStyleOption(&option, index);
-        option.features &= ~QStyleOptionViewItem::HasDecoration;
-        return option.widget->style()->sizeFromContents(QStyle::CT_ItemViewItem, &option, {}, option.widget);
+    /// The sign of a lock is at the end of the first row, which alone gives room for it: numbers and positions stay below each other.
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        const auto lock = index.data(Qt::DecorationRole).value<QIcon>();
+        if (lock.isNull()) return;
+        const int right = option.rect.right() - marginOf(*option.widget);
+        lock.paint(painter, QRect(right - kLockPx, option.rect.top(), kLockPx, option.fontMetrics.height()));
     }
 
 protected:
@@ -86,19 +88,21 @@ protected:
         QStyledItemDelegate::initStyleOption(option, index);
         const auto* list = qobject_cast<const QListWidget*>(option->widget);
         if (list == nullptr) return;
-        const int margin = list->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, list) + 1;
-        const int sign = option->icon.isNull() ? 0 : kLockPx + 2 * margin;
-        const int room = list->viewport()->width() - 2 * margin - 2 - sign;
-        option->decorationPosition = QStyleOptionViewItem::Right; // numbers and positions stay below each other
-        option->decorationSize = QSize(kLockPx, kLockPx);
+        const int margin = marginOf(*list), sign = option->icon.isNull() ? 0 : kLockPx + margin;
+        const int room = list->viewport()->width() - 2 * margin - 2;
+        option->icon = QIcon(); // paint() draws it
+        option->features &= ~QStyleOptionViewItem::HasDecoration;
         QStringList rows = option->text.split(QChar::LineSeparator); // Qt writes \n so
         if (row_ == Shortened::First)
-            rows.front() = fittedRow(rows.front(), index.data(kShortened).toStringList(), option->fontMetrics, room);
+            rows.front() = fittedRow(rows.front(), index.data(kShortened).toStringList(), option->fontMetrics, room - sign);
         if (row_ == Shortened::Last && rows.size() > 1) rows.back() = option->fontMetrics.elidedText(rows.back(), Qt::ElideRight, room);
         option->text = rows.join(QChar::LineSeparator);
     }
 
 private:
+    [[nodiscard]] static int marginOf(const QWidget& list) {
+        return list.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &list) + 1;
+    }
     Shortened row_;
 };
 
