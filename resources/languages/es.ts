@@ -289,7 +289,9 @@
 <message><source>Error</source><translation>Error</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Listo</translation></message>
-<message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
+<message><source>%1 MB</source><translation>%1 MB</translation></message>
+<message><source>%1 kB</source><translation>%1 kB</translation></message>
+<message><source>Saved %1%2, %3.</source><translation>Guardado %1%2, %3.</translation></message>
 <message><source>Open</source><translation>Abrir</translation></message>
 <message><source>No program of this computer opened %1.</source><translation>Ningún programa de este equipo abrió %1.</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
@@ -1211,6 +1213,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>it is behind “Farthest rock” (%1 m). Raise that number to see it.</source><translation>está más allá de «Roca más lejana» (%1 m). Suba ese número para verla.</translation></message>
 <message><source>it looks like a wall. Click it and choose “Not a Rock, or a Rock Again” to show it.</source><translation>parece una pared. Haga clic en ella y elija «No es roca, o sí lo es» para mostrarla.</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionadas: las rocas %1 son ahora la roca %2.</translation></message>
+<message><source>Cut: rock %1 is now rocks %2.</source><translation>Cortada: la roca %1 es ahora las rocas %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: la roca %1 es ahora las rocas %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 es ahora %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1 y %2 más.</translation></message>

@@ -289,7 +289,9 @@
 <message><source>Error</source><translation>Erreur</translation></message>
 <message><source>Note</source><translation>Remarque</translation></message>
 <message><source>Done</source><translation>Terminé</translation></message>
-<message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
+<message><source>%1 MB</source><translation>%1 Mo</translation></message>
+<message><source>%1 kB</source><translation>%1 ko</translation></message>
+<message><source>Saved %1%2, %3.</source><translation>Enregistré %1%2, %3.</translation></message>
 <message><source>Open</source><translation>Ouvrir</translation></message>
 <message><source>No program of this computer opened %1.</source><translation>Aucun programme de cet ordinateur n'a ouvert %1.</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
@@ -1211,6 +1213,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>it is behind “Farthest rock” (%1 m). Raise that number to see it.</source><translation>elle est au-delà de « Bloc le plus éloigné » (%1 m). Augmentez ce nombre pour la voir.</translation></message>
 <message><source>it looks like a wall. Click it and choose “Not a Rock, or a Rock Again” to show it.</source><translation>elle ressemble à une paroi. Cliquez-la et choisissez « Pas un bloc, ou un bloc tout de même » pour la montrer.</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionnés : les blocs %1 sont maintenant le bloc %2.</translation></message>
+<message><source>Cut: rock %1 is now rocks %2.</source><translation>Coupé : le bloc %1 est maintenant les blocs %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Divisé : le bloc %1 est maintenant les blocs %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>

@@ -289,7 +289,9 @@
 <message><source>Error</source><translation>Erro</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Concluído</translation></message>
-<message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
+<message><source>%1 MB</source><translation>%1 MB</translation></message>
+<message><source>%1 kB</source><translation>%1 kB</translation></message>
+<message><source>Saved %1%2, %3.</source><translation>Salvo %1%2, %3.</translation></message>
 <message><source>Open</source><translation>Abrir</translation></message>
 <message><source>No program of this computer opened %1.</source><translation>Nenhum programa deste computador abriu %1.</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
@@ -1211,6 +1213,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>it is behind “Farthest rock” (%1 m). Raise that number to see it.</source><translation>está além de “Rocha mais distante” (%1 m). Aumente esse número para vê-la.</translation></message>
 <message><source>it looks like a wall. Click it and choose “Not a Rock, or a Rock Again” to show it.</source><translation>parece uma parede. Clique nela e escolha “Não é rocha, ou é sim” para mostrá-la.</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Mescladas: as rochas %1 são agora a rocha %2.</translation></message>
+<message><source>Cut: rock %1 is now rocks %2.</source><translation>Cortada: a rocha %1 agora é as rochas %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: a rocha %1 agora é as rochas %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 agora é %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1 e mais %2.</translation></message>

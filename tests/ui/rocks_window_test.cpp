@@ -1235,7 +1235,7 @@ private slots:
         }
         QVERIFY(parts.size() > 1 && !parts.contains(0));
         const QString said = on.viewer.notice.text();
-        QVERIFY2(said.startsWith("Split: rock 1 is now rocks "), qPrintable(said));
+        QVERIFY2(said.startsWith("Cut: rock 1 is now rocks "), qPrintable(said));
         for (const std::uint32_t part : parts) {
             const rocks::Rock& one = *picture(on).rock(part);
             const QString named =

@@ -232,10 +232,10 @@ void NoticeBar::hideEvent(QHideEvent* event) {
 void NoticeBar::showSaved(const QString& path, const QString& content, const QString& more) {
     const QFileInfo file(path);
     const double kilobytes = std::max(0.1, static_cast<double>(file.size()) / 1000.0);
+    const QString size = kilobytes >= 1000.0 ? tr("%1 MB").arg(kilobytes / 1000.0, 0, 'f', 1)
+                                             : tr("%1 kB").arg(kilobytes, 0, 'f', kilobytes < kWholeFrom ? 1 : 0);
     const auto words = [&](const QString& shown) {
-        return shownText(tr("Saved %1%2, %3 kB.")
-                             .arg(shown, content.isEmpty() ? QString() : ": " + content)
-                             .arg(kilobytes, 0, 'f', kilobytes < kWholeFrom ? 1 : 0) +
+        return shownText(tr("Saved %1%2, %3.").arg(shown, content.isEmpty() ? QString() : ": " + content, size) +
                          (more.isEmpty() ? QString() : " " + more));
     };
     const QString end = file.absoluteDir().dirName() + '/' + file.fileName(); // the line has room for the end of a path

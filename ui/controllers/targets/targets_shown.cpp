@@ -138,8 +138,11 @@ QString Targets::clickOf(const inspect::PinnedTarget& target) const {
 CellMarks Targets::marks() const {
     CellMarks marks;
     const inspect::PinnedTarget* shown = active();
-    for (const inspect::PinnedTarget& target : notebook_.targets)
-        marks.targets.push_back({target.cell, tagOf(target), QString::number(target.number), &target == shown, target.clicked});
+    const bool measuring = draft_.active; // labels are short then: they would cover what is clicked
+    for (const inspect::PinnedTarget& target : notebook_.targets) {
+        const QString number = QString::number(target.number);
+        marks.targets.push_back({target.cell, measuring ? number : tagOf(target), number, &target == shown, target.clicked});
+    }
     for (std::size_t n = 0; n < notebook_.measures.size(); ++n) {
         const inspect::StoredMeasure& measure = notebook_.measures[n];
         const inspect::MeasuredCells* now = knownOf(measure);
@@ -150,7 +153,9 @@ CellMarks Targets::marks() const {
             {ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
                        : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),
              inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
-             (warned ? "▲ " : "") + briefOf(measure) + " " + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
+             measuring && n != chosen_
+                 ? briefOf(measure)
+                 : (warned ? "▲ " : "") + briefOf(measure) + " " + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
              measure.isByOneClick() ? std::vector<std::size_t>() : std::vector<std::size_t>(measure.clicked.begin(), measure.clicked.end()),
              n == chosen_, briefOf(measure)});
     }

@@ -273,6 +273,11 @@ void PlaceDialog::showState(const QString& words, bool ready) {
     state_->setText(words);
     state_->setVisible(!low_ || !words.isEmpty());
     keep_->setEnabled(ready);
+    if (!low_ || focusWidget() == nullptr) return;
+    layout()->activate(); // the fields have less room then: the one that is typed in stays in sight
+    for (auto* area : findChildren<QScrollArea*>()) {
+        if (area->isAncestorOf(focusWidget())) area->ensureWidgetVisible(focusWidget());
+    }
 }
 
 void PlaceDialog::showScanners(const QStringList& names, const QString& inUse) {

@@ -75,7 +75,9 @@ QString editWords(rocks::EditKind kind, const RockPicture& before, const RockPic
         }
     } else if (kind == rocks::EditKind::Cut || kind == rocks::EditKind::Part) {
         for (const auto& [rock, to] : parts) {
-            if (to.size() > 1) sentences << QObject::tr("Split: rock %1 is now rocks %2.").arg(rock).arg(numbersWithSizes(to, after));
+            const QString done = kind == rocks::EditKind::Cut ? QObject::tr("Cut: rock %1 is now rocks %2.")
+                                                              : QObject::tr("Split: rock %1 is now rocks %2.");
+            if (to.size() > 1) sentences << done.arg(rock).arg(numbersWithSizes(to, after));
         }
     }
     return sentences.join(' ');
