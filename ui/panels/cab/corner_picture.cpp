@@ -64,7 +64,8 @@ void CornerPicture::place() {
     const QRect at(room.width() - kFromEdge - width, top, width, height + words_);
     if (at.size() != size()) scaled_ = QPixmap();
     const int before = reach();
-    const QRegion left = isVisible() ? QRegion(geometry()) - at : QRegion();
+    const bool moves = at.top() != y(); // of a view that is not laid out yet: no finger is on its way to where it was
+    const QRegion left = isVisible() && !moves ? QRegion(geometry()) - at : QRegion();
     setGeometry(at);
     if (!left.isEmpty()) emit uncovered(left.translated(parentWidget()->mapToGlobal(QPoint())));
     if (reach() != before) emit reachChanged(reach());

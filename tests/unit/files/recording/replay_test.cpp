@@ -3,6 +3,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/files/recording/replay.h"
 #include "core/files/recording/save_recording.h"
+#include "core/scan/grid/assumed_mounting.h"
 #include "core/sim/simulate.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
@@ -248,6 +249,34 @@ TEST(Replay, TheLongestOfSeveralSweepsIsOpened) {
     ASSERT_TRUE(scan);
     EXPECT_EQ(scan->lines(), 69);
     EXPECT_TRUE(warns(*scan, "2 sweeps; sweep 2"));
+}
+
+// A sweep that was recorded as spin without an angle of its first line: read as a nodding one it begins where a live one does, and says so.
+TEST(Replay, AnotherAxisAssumesTheFirstAngleOfThatAxis) {
+    scanner::SweepSettings settings;
+    settings.axis = Axis::Spin;
+    settings.expectedLines = 60;
+    settings.degPerLine = 3.0;
+    settings.firstAssumed = true;
+    std::vector<RecordingMessagePtr> messages;
+    for (int n = 0; n < 60; ++n) messages.push_back(lineMessage(n));
+    const auto recording = recordingOfBytes(recordingBytes(scanner::metadataOf(settings), messages));
+    const auto firstOf = [](const Scan& scan) { return std::get<PolarGeometry>(scan.geometry).lineDeg.front(); };
+    const auto spin = scanOf(recording, "test");
+    ASSERT_TRUE(spin);
+    EXPECT_EQ(firstOf(*spin), 0.0);
+    ReadingOptions options;
+    options.axis = Axis::Sweep;
+    const auto nodding = scanOf(recording, "test", options);
+    ASSERT_TRUE(nodding);
+    EXPECT_EQ(std::get<PolarGeometry>(nodding->geometry).axis, Axis::Sweep);
+    EXPECT_EQ(firstOf(*nodding), -90.0);
+    EXPECT_TRUE(assumedIn(*nodding) == Assumed::Direction);
+    options.lineStartDeg = -45.0;
+    const auto given = scanOf(recording, "test", options);
+    ASSERT_TRUE(given);
+    EXPECT_EQ(firstOf(*given), -45.0);
+    EXPECT_TRUE(assumedIn(*given) == Assumed::Nothing);
 }
 
 TEST(Replay, NoScanIsOneSentence) {
