@@ -33,8 +33,8 @@ bool feedMessage(scanner::SweepFeed& feed, const RecordedMessage& message) {
 namespace {
 
 /// The user's word instead of a guess; over what a recording says itself it goes when the scan is opened.
-void sayAssumed(scanner::SweepSettings& settings, bool firstNamed, const ReadingOptions& options) {
-    const bool firstOfAxis = settings.firstAssumed && firstNamed; // then that of the given axis is assumed, as in a live sweep
+void sayAssumed(scanner::SweepSettings& settings, const ReadingOptions& options) {
+    const bool firstOfAxis = settings.firstAssumed && !settings.axisAssumed; // that of the given axis is assumed then, as in a live sweep
     if (options.axis) {
         if (settings.axisAssumed || firstOfAxis) settings.axis = *options.axis;
         settings.axisAssumed = false;
@@ -44,7 +44,8 @@ void sayAssumed(scanner::SweepSettings& settings, bool firstNamed, const Reading
         settings.stepAssumed = false;
     }
     if (settings.firstAssumed && options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
-    settings.firstAssumed = settings.firstAssumed && !options.lineStartDeg && (firstNamed || !options.axis);
+    const bool asGivenAxis = options.axis && !firstOfAxis; // as in a recording that was given an axis
+    settings.firstAssumed = settings.firstAssumed && !options.lineStartDeg && !asGivenAxis;
 }
 
 } // namespace
@@ -53,7 +54,7 @@ Replay::Replay(std::shared_ptr<const Recording> recording, const ReadingOptions&
     : recording_(std::move(recording)), warnings_(recording_->warnings()), feed_(settings_) {
     scanner::SettingsFound found = scanner::settingsOf(recording_->metadata());
     settings_ = found.settings;
-    sayAssumed(settings_, found.firstNamed, options);
+    sayAssumed(settings_, options);
     warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
     findLaser(options);
     feed_ = scanner::SweepFeed(settings_);

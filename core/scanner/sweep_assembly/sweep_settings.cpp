@@ -114,12 +114,11 @@ SweepMetadata metadataOf(const SweepSettings& settings) {
 }
 
 SettingsFound settingsOf(const SweepMetadata& metadata, const SweepSettings& otherwise) {
-    SettingsFound found{otherwise, {}, false};
+    SettingsFound found{otherwise, {}};
     SweepSettings& settings = found.settings;
     Keys keys(metadata, found.warnings);
     takeAxis(keys, settings);
     takeAssumed(keys, settings);
-    found.firstNamed = keys.text(kFirstKey) != nullptr;
     settings.firstLineDeg =
         keys.number(kFirstKey, physical::kLineDeg.limits.least, physical::kLineDeg.limits.most).value_or(settings.firstLineDeg);
     if (const std::string* mode = keys.text("stepper.mode")) settings.continuous = *mode == "continuous";

@@ -69,7 +69,6 @@ using SweepMetadata = std::map<std::string, std::string>;
 struct SettingsFound {
     SweepSettings settings;
     std::vector<std::string> warnings;
-    bool firstNamed = false; ///< the record has the angle of the first line, given or assumed
 };
 [[nodiscard]] SettingsFound settingsOf(const SweepMetadata& metadata, const SweepSettings& otherwise = {});
 
