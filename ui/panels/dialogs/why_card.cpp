@@ -77,7 +77,9 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     const auto metres = [](double length) { return QString::number(length, 'f', 3); };
     const auto wordsBelow = [&](double stretched) {
         const QString times = QString::number(stretched, 'f', stretched < 1.0 ? 2 : 1);
-        const QString words = tr("%1: %2 m wide, %3 m deep (drawn × %4), near is below").arg(way, metres(wide), metres(deep), times);
+        const QString words = tr("%1: %2 m wide, %3 m deep (drawn × %4), near is below")
+                                  .replace(QString("× "), QString("×\u00A0")) // no line ends between them
+                                  .arg(way, metres(wide), metres(deep), times);
         return all ? words : words + tr("; ▲ ▼: points beyond it");
     };
     const QRect wrapped = fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap,
