@@ -49,4 +49,10 @@ QScrollArea* scrolled(QWidget& panel) {
     return area;
 }
 
+void scrollTo(QWidget& widget) {
+    for (QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
+        if (auto* area = qobject_cast<QScrollArea*>(up)) area->ensureWidgetVisible(&widget);
+    }
+}
+
 } // namespace edgescan::ui

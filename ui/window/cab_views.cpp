@@ -95,7 +95,6 @@ void CabMode::showLarge(Large which) {
     back_->setVisible(isImage);
     isImage ? zoom_->setOver(image, *back_) : zoom_->setOver(window_.viewer().views.cloud(), *corner_);
     back_->endAt(corner_->isHidden() ? 0 : corner_->geometry().bottom()); // a second tap at the same place swaps them back
-    back_->setWords(back_->text());
     if (isImage) image.setTaken(back_->reach());
     showCorner();
     emit viewsChanged();

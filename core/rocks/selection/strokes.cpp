@@ -190,7 +190,6 @@ std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, c
         if (region <= map.rocks) inOrder.push_back(region);
     }
     std::ranges::stable_sort(inOrder, std::greater(), [&](std::uint32_t region) { return std::pair(region == first, crossed[region]); });
-    std::vector<Edit> edits;
     for (const std::uint32_t region : inOrder) {
         for (const std::size_t reach : {kReach, std::size_t{0}}) {
             const std::vector<CutLine> runs = runsIn(region, regions, cells, reach);
@@ -198,13 +197,13 @@ std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, c
             if (divided.cutsOthers()) continue;
             std::vector<std::vector<std::uint32_t>> sides = divided.parts();
             if (sides.size() < 2) break;
+            std::vector<Edit> edits;
             for (const CutLine& run : runs) edits.push_back({EditKind::Cut, run});
             for (std::vector<std::uint32_t>& side : sides) edits.push_back({EditKind::Whole, std::move(side)});
-            break;
+            return edits;
         }
-        if (!edits.empty()) break;
     }
-    return edits;
+    return {};
 }
 
 namespace {

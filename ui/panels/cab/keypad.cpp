@@ -1,6 +1,8 @@
 // The keys on the screen.
 #include "ui/panels/cab/keypad.h"
 
+#include "ui/base/scrolled.h"
+
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDialog>
@@ -12,7 +14,6 @@
 #include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QScreen>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -190,9 +191,7 @@ void Keypad::dock() {
         }
         dialog->move(window.frameGeometry().left(), top);
     }
-    for (QWidget* up = field_->parentWidget(); up != nullptr; up = up->parentWidget()) {
-        if (auto* area = qobject_cast<QScrollArea*>(up)) area->ensureWidgetVisible(field_);
-    }
+    scrollTo(*field_);
     if (place.intersects(edit())) place.moveTop(room.top());
     keys_->move(place.topLeft());
 }

@@ -275,9 +275,7 @@ void PlaceDialog::showState(const QString& words, bool ready) {
     keep_->setEnabled(ready);
     if (!low_ || focusWidget() == nullptr) return;
     layout()->activate(); // the fields have less room then: the one that is typed in stays in sight
-    for (auto* area : findChildren<QScrollArea*>()) {
-        if (area->isAncestorOf(focusWidget())) area->ensureWidgetVisible(focusWidget());
-    }
+    scrollTo(*focusWidget());
 }
 
 void PlaceDialog::showScanners(const QStringList& names, const QString& inUse) {

@@ -83,7 +83,7 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
         return all ? words : words + tr("; ▲ ▼: points beyond it");
     };
     const QRect wrapped = fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap,
-                                                     wordsBelow(kMostStretched)); // two lines in some languages
+                                                     wordsBelow(0.0)); // its widest number; two lines in some languages
     const QRectF room = QRectF(rect()).adjusted(kRim, kRim, -kRim, -kRim - wrapped.height());
     const double perAcross = room.width() / wide, perAway = std::min(room.height() / deep, kMostStretched * perAcross);
     const QString below = wordsBelow(perAway / perAcross);

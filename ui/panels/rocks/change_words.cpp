@@ -74,9 +74,9 @@ QString editWords(rocks::EditKind kind, const RockPicture& before, const RockPic
             if (from.size() > 1) sentences << QObject::tr("Merged: rocks %1 are rock %2 now.").arg(numbersOf(from)).arg(rock);
         }
     } else if (kind == rocks::EditKind::Cut || kind == rocks::EditKind::Part) {
+        const QString done =
+            kind == rocks::EditKind::Cut ? QObject::tr("Cut: rock %1 is now rocks %2.") : QObject::tr("Split: rock %1 is now rocks %2.");
         for (const auto& [rock, to] : parts) {
-            const QString done = kind == rocks::EditKind::Cut ? QObject::tr("Cut: rock %1 is now rocks %2.")
-                                                              : QObject::tr("Split: rock %1 is now rocks %2.");
             if (to.size() > 1) sentences << done.arg(rock).arg(numbersWithSizes(to, after));
         }
     }

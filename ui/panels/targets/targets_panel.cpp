@@ -2,6 +2,7 @@
 #include "ui/panels/targets/targets_panel.h"
 
 #include "ui/base/icons.h"
+#include "ui/base/scrolled.h"
 #include "ui/panels/targets/target_card.h"
 
 #include <QHBoxLayout>
@@ -10,7 +11,6 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
@@ -286,11 +286,7 @@ void TargetsPanel::showRemarks() {
 }
 
 /// What was just measured, though the card above it is long.
-void TargetsPanel::showNewest() {
-    for (QWidget* each = parentWidget(); each != nullptr; each = each->parentWidget()) {
-        if (auto* area = qobject_cast<QScrollArea*>(each)) return area->ensureWidgetVisible(measures_);
-    }
-}
+void TargetsPanel::showNewest() { scrollTo(*measures_); }
 
 void TargetsPanel::showNote(const QString& note) {
     note_->setText(note);
