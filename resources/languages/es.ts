@@ -1406,8 +1406,7 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>contando las celdas de borde …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
-<message><source>top: %1</source><translation>arriba: %1</translation></message>
-<message><source>bottom: %1</source><translation>abajo: %1</translation></message>
+<message><source>at %1: %2</source><translation>en %1: %2</translation></message>
 <message><source>Without %1:</source><translation>Sin %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sin %1 clases:</translation></message>
 <message><source>other classes take the cells</source><translation>otras clases toman las celdas</translation></message>

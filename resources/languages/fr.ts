@@ -1406,8 +1406,7 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>comptage des cellules d'arête …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
-<message><source>top: %1</source><translation>haut : %1</translation></message>
-<message><source>bottom: %1</source><translation>bas : %1</translation></message>
+<message><source>at %1: %2</source><translation>à %1 : %2</translation></message>
 <message><source>Without %1:</source><translation>Sans %1 :</translation></message>
 <message><source>Without %1 classes:</source><translation>Sans %1 classes :</translation></message>
 <message><source>other classes take the cells</source><translation>d'autres classes prennent les cellules</translation></message>

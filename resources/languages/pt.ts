@@ -1406,8 +1406,7 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>contando as células de borda …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
-<message><source>top: %1</source><translation>topo: %1</translation></message>
-<message><source>bottom: %1</source><translation>base: %1</translation></message>
+<message><source>at %1: %2</source><translation>em %1: %2</translation></message>
 <message><source>Without %1:</source><translation>Sem %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sem %1 classes:</translation></message>
 <message><source>other classes take the cells</source><translation>outras classes tomam as células</translation></message>

@@ -1,6 +1,7 @@
 // One press of Esc ends one thing, in the order of docs/guide/keys.md, whichever view has the keyboard focus, on the desk and in a cab.
 #include "tests/ui/sized_window.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/pane.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/start/tour.h"
 #include "ui/window/cab_mode.h"
@@ -13,6 +14,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -147,7 +149,7 @@ private slots:
         QVERIFY(on.viewer.measures.picked().empty() && on.viewer.measures.kind());
     }
 
-    // Note, tour, view shown alone, selection, card of the target: each takes one press, in images first too, which stays.
+    // Note, view shown alone, tour, selection, card of the target: each takes one press, in images first too, which stays.
     void theOthersEndInTheirOrder() {
         for (const bool imagesFirst : {false, true}) {
             for (int n = 0; n < 3; ++n) {
@@ -170,8 +172,15 @@ private slots:
                 QWidget& view = *viewsOf(on)[static_cast<std::size_t>(n)];
                 press(view);
                 QVERIFY(!card() && on.viewer.notice.isVisible());
+                const auto panes = on.window.findChildren<Pane*>();
+                Pane& pane = **std::ranges::find_if(panes, [&](const Pane* each) { return each->isAncestorOf(&view); });
+                emit pane.maximiseRequested();
+                const auto isAlone = [&] { return std::ranges::count_if(panes, &Pane::isVisible) == 1; };
+                QVERIFY(isAlone());
                 press(view);
-                QVERIFY(!on.viewer.notice.isVisible() && tour.isVisible());
+                QVERIFY(!on.viewer.notice.isVisible() && isAlone());
+                press(view);
+                QVERIFY(!isAlone() && tour.isVisible());
                 press(view);
                 QVERIFY(!tour.isVisible() && !on.viewer.selection.cells().empty());
                 press(view);

@@ -8,6 +8,7 @@
 #include "ui/base/save_question.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/panels/dialogs/export_dialog.h"
+#include "ui/panels/keys/shortcuts.h"
 #include "ui/window/cab_mode.h"
 
 #include <QCheckBox>
@@ -15,9 +16,9 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QRadioButton>
 #include <QSignalSpy>
 #include <QTimer>
 #include <QToolButton>
@@ -173,35 +174,36 @@ private slots:
         QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());
     }
 
-    // The button of a cab asks like the menu, and targets are one of the choices, as a table or as a drawing.
-    void theCabExportsTargetsToo() {
+    // The button of a cab opens the menu of the tool bar: targets and rocks are in it. Targets go to a table or a drawing.
+    void theCabExportsTargetsAndRocksToo() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
-        QStringList formats;
-        bool offered = true;
-        const auto ask = [&](const QString& name) {
-            const Meanwhile chosen([&] {
-                auto* dialog = shownDialog<ExportDialog>();
-                if (dialog == nullptr) return false;
-                auto* targets = dialog->findChild<QRadioButton*>("targets");
-                offered = targets->isEnabled();
-                targets->click();
-                formats = dialog->filters();
-                offered ? dialog->accept() : dialog->reject();
-                return true;
-            });
-            if (name.isEmpty()) return QTest::mouseClick(tool(on.window, "cab-export"), Qt::LeftButton);
-            const Hand hand(name, {});
+        const auto tap = [&on](const char* id) -> QAction* {
             QTest::mouseClick(tool(on.window, "cab-export"), Qt::LeftButton);
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QAction* wanted = &actionOf(keyedCommands(on.window.actions()), id);
+            if (menu == nullptr || !menu->actions().contains(wanted)) return nullptr;
+            menu->close();
+            return wanted;
         };
-        ask({});
-        QVERIFY(!offered);
+        QVERIFY(tap("Rocks/Export Rocks") != nullptr);
+        QAction* const targets = tap("File/Export/Targets");
+        QVERIFY(targets != nullptr && !targets->isEnabled());
         on.viewer.views.pin(10 * 80 + 20);
         on.viewer.views.pin(30 * 80 + 40);
+        QVERIFY(tap("File/Export/Targets")->isEnabled());
+        QStringList formats;
+        const Meanwhile chosen([&] {
+            auto* dialog = shownDialog<ExportDialog>();
+            if (dialog == nullptr) return false;
+            formats = dialog->filters();
+            dialog->accept();
+            return true;
+        });
         QSignalSpy saved(&on.viewer.engine, &Engine::saved);
-        ask(path("pins"));
-        QVERIFY(offered);
+        const Hand hand(path("pins"), {});
+        targets->trigger();
         QCOMPARE(formats.size(), 2);
         QVERIFY2(formats.join('|').contains("*.csv") && formats.join('|').contains("*.dxf"), qPrintable(formats.join('|')));
         QTRY_COMPARE(saved.count(), 1);

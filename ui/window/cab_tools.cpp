@@ -195,7 +195,8 @@ void CabMode::addSideButtons() {
     QToolButton* report = gloveButton("cab-report", "report", tr("Report"));
     connect(report, &QToolButton::clicked, this, [this] { window_.viewer().report.ask(); });
     QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
-    connect(out, &QToolButton::clicked, this, [this] { window_.viewer().exports.ask(exports::ExportContent::EdgeCloud); });
+    connect(out, &QToolButton::clicked, this, [this, out] { openNextTo(*window_.findChild<QToolButton*>("tool-export")->menu(), *out); });
+    showMenuSign(*out);
     frame_->side().addTune(tune);
     for (QToolButton* each : {report, out}) frame_->side().addButton(each);
     for (QWidget* each : std::initializer_list<QWidget*>{tune, usual, classes, report, out, frame_->side().mainStepper()})

@@ -26,12 +26,12 @@ void MainWindow::escape() {
     if (leaveTool() || viewer_.explanation.closeCard()) return;
     if (viewer_.notice.isVisible())
         viewer_.notice.closeShown();
-    else if (endTour(*this))
-        return;
     else if (viewer_.livePanel.closeAddress())
         return;
     else if (maximised_ != nullptr && !cab_->on())
         maximise(maximised_);
+    else if (endTour(*this))
+        return;
     else if (!viewer_.selection.cells().empty())
         viewer_.selection.select({});
     else if (viewer_.sections.close())

@@ -16,6 +16,7 @@ constexpr int kNarrowest = 150, kWidest = 300;
 constexpr int kMargin = 8;
 constexpr double kMostWords = 0.1; // of the height
 constexpr int kLeastForGloves = 48;
+constexpr int kLeastLetters = 11;             // px
 constexpr double kRing = 8.0, kEndRing = 4.0; // radius, px: of one cell, of each end of a measurement
 
 } // namespace
@@ -94,6 +95,16 @@ void CornerPicture::hideEvent(QHideEvent* event) {
     if (!event->spontaneous()) emit uncovered(QRect(mapToGlobal(QPoint()), size()));
 }
 
+/// The words, in smaller letters where the line is too short for them.
+void CornerPicture::drawLine(QPainter& painter, const QRect& line) const {
+    QFont letters = font();
+    for (int px = fontInfo().pixelSize(); px > kLeastLetters && QFontMetrics(letters).horizontalAdvance(text()) > line.width();)
+        letters.setPixelSize(--px);
+    painter.setFont(letters);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, QFontMetrics(letters).elidedText(text(), Qt::ElideRight, line.width()));
+    painter.setFont(font());
+}
+
 void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -124,8 +135,7 @@ void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
     if (words_ == 0) painter.fillRect(line, QColor(0x1b, 0x1d, 0x1f, 190));
     painter.setPen(QColor(0xe8, 0xe8, 0xe8));
     if (words_ == 0)
-        painter.drawText(line.adjusted(kMargin, 0, -kMargin, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                         fontMetrics().elidedText(text(), Qt::ElideRight, width() - 2 * kMargin));
+        drawLine(painter, line.adjusted(kMargin, 0, -kMargin, 0));
     else
         painter.drawText(rect().adjusted(kMargin, above.height(), -kMargin, 0), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
                          text());

@@ -53,6 +53,7 @@ protected:
 private:
     void place();
     [[nodiscard]] int wordsHeight(int width) const;
+    void drawLine(QPainter& painter, const QRect& line) const;
 
     std::shared_ptr<const QImage> image_;
     PictureMark marked_;

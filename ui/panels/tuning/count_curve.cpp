@@ -102,15 +102,15 @@ void CountCurve::paintEvent(QPaintEvent*) {
     const double x = xOf(std::clamp(value_, curve_->thresholds.front(), curve_->thresholds.back()));
     painter.drawLine(QPointF(x, below.top()), QPointF(x, below.bottom()));
     painter.setPen(palette().color(QPalette::WindowText));
-    // The ends of its axis, where the falling curve leaves room.
-    const auto [least, most] = std::ranges::minmax(curve_->edges);
-    const auto label = [&](Qt::Alignment side, const QString& words) {
+    // The ends of the curve, where it leaves room as it falls.
+    const auto label = [&](Qt::Alignment side, double threshold, std::size_t edges) {
+        const QString words = tr("at %1: %2").arg(QString::number(threshold, 'g', 3), countText(edges));
         const QRectF place = painter.boundingRect(below, side, words);
         painter.fillRect(place, palette().window());
         painter.drawText(place, side, words);
     };
-    label(Qt::AlignRight | Qt::AlignTop, tr("top: %1").arg(countText(most)));
-    label(Qt::AlignLeft | Qt::AlignBottom, tr("bottom: %1").arg(countText(least)));
+    label(Qt::AlignRight | Qt::AlignTop, curve_->thresholds.front(), curve_->edges.front());
+    label(Qt::AlignLeft | Qt::AlignBottom, curve_->thresholds.back(), curve_->edges.back());
 }
 
 } // namespace edgescan::ui
