@@ -35,7 +35,8 @@ Result<scanner::SweepSettings> sweepOf(const Mounting& mounting) {
         sweep.stepAssumed = false;
     }
     sweep.firstLineDeg = mounting.firstLineDeg.value_or(sweep.firstLineDeg);
-    sweep.firstAssumed = !mounting.firstLineDeg && sweep.axisAssumed; // who gives an axis counts the angles from the first line
+    const bool calibrated = !mounting.calibration.empty(); // its first angle is applied with the pose
+    sweep.firstAssumed = !mounting.firstLineDeg && !calibrated && scanner::guessesFirst(sweep);
     sweep.ticksPerDeg = mounting.ticksPerDeg;
     sweep.expectedLines = mounting.expectedLines;
     if (sweep.stepAssumed) sweep.degPerLine = scanner::assumedStepDeg(sweep.expectedLines);

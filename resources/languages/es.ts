@@ -383,10 +383,12 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>farther</source><translation>más lejos</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
-<message><source>The comparison ended: A was forgotten.</source><translation>La comparación terminó: se olvidó A.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Todavía no hay imagen que conservar: abra primero un escaneo.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
 <message><source>Forget A</source><translation>Olvidar A</translation></message>
+<message><source>The comparison ended: B, %1, is on the screen.</source><translation>La comparación terminó: B, %1, está en la pantalla.</translation></message>
+<message><source>Open A</source><translation>Abrir A</translation></message>
+<message><source>The comparison ended: A was forgotten.</source><translation>La comparación terminó: se olvidó A.</translation></message>
 <message><source>A was forgotten: the demo and %1 are not of one place.</source><translation>Se olvidó A: la demo y %1 no son de un mismo lugar.</translation></message>
 <message><source>The comparison ended, because another scan was opened.</source><translation>La comparación terminó porque se abrió otro escaneo.</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Todavía no hay nada con qué compararla: abra primero el escaneo posterior.</translation></message>
@@ -510,7 +512,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Making the report %1</source><translation>Creando el informe %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
-<message><source>Rocks were hidden, so it has no rocks.</source><translation>Las rocas estaban ocultas, por eso no tiene rocas.</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
 <message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>above the scanner [m]</source><translation>sobre el escáner [m]</translation></message>
@@ -624,10 +625,11 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>El escáner continúa, esta imagen no: la hora es la de su línea más reciente</translation></message>
 <message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
 <message><source>RECORDED</source><translation>GRABADO</translation></message>
-<message><source>First line, by %1</source><translation>Primera línea, según %1</translation></message>
+<message><source>Last line, by %1</source><translation>Última línea, según %1</translation></message>
 <message><source>FILE</source><translation>ARCHIVO</translation></message>
 <message><source>no time</source><translation>sin hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
+<message><source>First line, by %1</source><translation>Primera línea, según %1</translation></message>
 <message><source>COARSE PICTURE</source><translation>IMAGEN PRELIMINAR</translation></message>
 <message><source>Some points of the scan that is being opened.</source><translation>Algunos puntos del escaneo que se está abriendo.</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEN ANTERIOR</translation></message>
@@ -636,7 +638,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer. Haga clic en otra parte de la roca, o dibuje a través de toda ella, más allá de su contorno.</translation></message>
-<message><source>Fewer than two rocks are selected: drag a line across the rocks that are one.</source><translation>Hay menos de dos rocas seleccionadas: arrastre una línea sobre las rocas que son una sola.</translation></message>
+<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>No hay ningún bloque seleccionado: arrastre una línea a través de los bloques que son uno.</translation></message>
+<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Un bloque está seleccionado: haga clic en el otro, o arrastre una línea a través de los bloques que son uno.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
@@ -738,6 +741,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the rock at the other side</source><translation>haga clic en la roca del otro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
+<message><source>A click into an opening measures all of it: the click before was not needed.</source><translation>Un clic en una abertura la mide entera: el clic anterior no hacía falta.</translation></message>
+<message><source>Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into the middle of the opening.</source><translation>Clics junto a estos encuentran una garganta de %1 a %2 m: acerque la vista y haga clic en la roca de ambos lados, o una vez en el medio de la abertura.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>No hay abertura entre estos dos clics: haga clic en la roca a ambos lados de una. Distancia mide sobre una roca.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic pasó por la abertura, así que se tomó el borde de delante: compruebe los dos extremos de la línea.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
@@ -1029,6 +1034,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Read Again</source><translation>Leer de nuevo</translation></message>
 <message><source>as in the file</source><translation>como en el archivo</translation></message>
 <message><source>Choose…</source><translation>Elegir…</translation></message>
+<message><source>in the report</source><translation>en el informe</translation></message>
 <message><source>none</source><translation>ninguno</translation></message>
 <message><source>HTML: a page for any browser</source><translation>HTML: una página para cualquier navegador</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir y archivar</translation></message>
@@ -1036,6 +1042,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
 <message><source>Remark</source><translation>Observación</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
+<message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>File</source><translation>Archivo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
@@ -1520,7 +1527,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>There is no OpenGL on this display, so the 3D view cannot draw.</source><translation>No hay OpenGL en esta pantalla: la vista 3D no puede dibujar.</translation></message>
 <message><source>OpenGL is installed but does not start on this display, so the 3D view cannot draw.</source><translation>OpenGL está instalado pero no arranca en esta pantalla: la vista 3D no puede dibujar.</translation></message>
 <message><source>The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).</source><translation>La vista 3D necesita OpenGL 3.2; esta pantalla ofrece %1.%2 (%3).</translation></message>
-<message><source>The bar has this length at the median distance of the points in view</source><translation>La barra tiene esta longitud a la distancia mediana de los puntos visibles</translation></message>
+<message><source>The bar has this length at the median distance of the points in view. The distance counts from the scanner.</source><translation>La barra tiene esta longitud a la distancia mediana de los puntos a la vista. La distancia se cuenta desde el escáner.</translation></message>
 <message><source>grid %1</source><translation>cuadrícula %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distancia [m]</translation></message>
@@ -1548,7 +1555,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
-<message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>Rock…</source><translation>Roca…</translation></message>
 <message><source>What can be done with rocks</source><translation>Qué se puede hacer con las rocas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
@@ -1887,7 +1893,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Los trozos de menos celdas medidas son finos y no rocas.</translation></message>
 <message><source>Farthest rock</source><translation>Roca más lejana</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>Lo que está más lejos no es una roca.</translation></message>
-<message><source>Largest length expected</source><translation>Mayor largo esperado</translation></message>
+<message><source>Rarely longer than</source><translation>Rara vez más largo que</translation></message>
 <message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Los trozos más largos necesitan mejores señales de ser una roca y no una pared. El largo es aproximadamente el largo visible a.</translation></message>
 <message><source>Oversize</source><translation>Sobretamaño</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>Se indica la proporción de rocas cuyo ancho visible es mayor; 0 no indica ninguna.</translation></message>
@@ -2094,8 +2100,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic pasó por esta garganta, %1 m detrás de ella: se tomó el borde de delante</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ ningún haz volvió entre sus extremos: puede ser una abertura, o roca oscura o mojada</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ un extremo está %1 m más lejos que el otro</translation></message>
-<message><source>shortest way across the middle of the opening</source><translation>paso más corto por el medio de la abertura</translation></message>
-<message><source>narrowest way between the two clicks</source><translation>paso más estrecho entre los dos clics</translation></message>
+<message><source>across the middle of the opening</source><translation>por el medio de la abertura</translation></message>
+<message><source>between the two sides that were clicked</source><translation>entre los dos lados en los que se hizo clic</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ clics a %1 encuentran de %2 a %3 m: acérquese y haga clic de nuevo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>clics a %1 de ahí encuentran de %2 a %3 m</translation></message>
 <message><source>ranges %1 m</source><translation>distancias %1 m</translation></message>

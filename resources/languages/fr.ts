@@ -383,10 +383,12 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
 <message><source>nearer</source><translation>plus près</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
-<message><source>The comparison ended: A was forgotten.</source><translation>La comparaison est terminée : A est oublié.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
 <message><source>Keep as A</source><translation>Garder comme A</translation></message>
 <message><source>Forget A</source><translation>Oublier A</translation></message>
+<message><source>The comparison ended: B, %1, is on the screen.</source><translation>La comparaison est terminée : B, %1, est à l'écran.</translation></message>
+<message><source>Open A</source><translation>Ouvrir A</translation></message>
+<message><source>The comparison ended: A was forgotten.</source><translation>La comparaison est terminée : A est oublié.</translation></message>
 <message><source>A was forgotten: the demo and %1 are not of one place.</source><translation>A a été oublié : la démo et %1 ne sont pas d'un même lieu.</translation></message>
 <message><source>The comparison ended, because another scan was opened.</source><translation>La comparaison est terminée, car un autre scan a été ouvert.</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Il n'y a encore rien à quoi la comparer : ouvrez d'abord le scan plus récent.</translation></message>
@@ -510,7 +512,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Making the report %1</source><translation>Création du rapport %1</translation></message>
 <message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
-<message><source>Rocks were hidden, so it has no rocks.</source><translation>Les blocs étaient masqués, il n'en a donc pas.</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
 <message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>above the scanner [m]</source><translation>au-dessus du scanner [m]</translation></message>
@@ -624,10 +625,11 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>Le scanner continue, cette image non : l'heure est celle de sa ligne la plus récente</translation></message>
 <message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
 <message><source>RECORDED</source><translation>ENREGISTRÉ</translation></message>
-<message><source>First line, by %1</source><translation>Première ligne, selon %1</translation></message>
+<message><source>Last line, by %1</source><translation>Dernière ligne, selon %1</translation></message>
 <message><source>FILE</source><translation>FICHIER</translation></message>
 <message><source>no time</source><translation>sans heure</translation></message>
 <message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
+<message><source>First line, by %1</source><translation>Première ligne, selon %1</translation></message>
 <message><source>COARSE PICTURE</source><translation>IMAGE GROSSIÈRE</translation></message>
 <message><source>Some points of the scan that is being opened.</source><translation>Quelques points du scan en cours d'ouverture.</translation></message>
 <message><source>OLD PICTURE</source><translation>ANCIENNE IMAGE</translation></message>
@@ -636,7 +638,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler. Cliquez sur une autre partie du bloc, ou dessinez à travers tout le bloc, au-delà de son contour.</translation></message>
-<message><source>Fewer than two rocks are selected: drag a line across the rocks that are one.</source><translation>Moins de deux blocs sont sélectionnés : tracez une ligne à travers les blocs qui n'en font qu'un.</translation></message>
+<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>Aucun bloc n'est sélectionné : tirez une ligne à travers les blocs qui n'en font qu'un.</translation></message>
+<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Un bloc est sélectionné : cliquez sur l'autre, ou tirez une ligne à travers les blocs qui n'en font qu'un.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
@@ -738,6 +741,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the rock at the other side</source><translation>cliquez la roche de l'autre côté</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
+<message><source>A click into an opening measures all of it: the click before was not needed.</source><translation>Un clic dans une ouverture la mesure en entier : le clic d'avant n'était pas nécessaire.</translation></message>
+<message><source>Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into the middle of the opening.</source><translation>Des clics à côté de ceux-ci trouvent une gorge de %1 à %2 m : zoomez et cliquez sur la roche des deux côtés, ou une fois au milieu de l'ouverture.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Pas d'ouverture entre ces deux clics : cliquez la roche des deux côtés d'une ouverture. Distance mesure sur une roche.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic est passé par l'ouverture, donc le bord devant a été pris : vérifiez les deux extrémités de la ligne.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
@@ -1029,6 +1034,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Read Again</source><translation>Relire</translation></message>
 <message><source>as in the file</source><translation>comme dans le fichier</translation></message>
 <message><source>Choose…</source><translation>Choisir…</translation></message>
+<message><source>in the report</source><translation>dans le rapport</translation></message>
 <message><source>none</source><translation>aucune</translation></message>
 <message><source>HTML: a page for any browser</source><translation>HTML : une page pour tout navigateur</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF : des pages à imprimer et à classer</translation></message>
@@ -1036,6 +1042,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Author</source><translation>Auteur</translation></message>
 <message><source>Remark</source><translation>Remarque</translation></message>
 <message><source>Logo (PNG)</source><translation>Logo (PNG)</translation></message>
+<message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>Logo</source><translation>Logo</translation></message>
 <message><source>File</source><translation>Fichier</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
@@ -1520,7 +1527,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>There is no OpenGL on this display, so the 3D view cannot draw.</source><translation>Il n'y a pas d'OpenGL sur cet affichage : la vue 3D ne peut pas dessiner.</translation></message>
 <message><source>OpenGL is installed but does not start on this display, so the 3D view cannot draw.</source><translation>OpenGL est installé mais ne démarre pas sur cet affichage : la vue 3D ne peut pas dessiner.</translation></message>
 <message><source>The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).</source><translation>La vue 3D a besoin d'OpenGL 3.2 ; cet affichage offre %1.%2 (%3).</translation></message>
-<message><source>The bar has this length at the median distance of the points in view</source><translation>La barre a cette longueur à la distance médiane des points visibles</translation></message>
+<message><source>The bar has this length at the median distance of the points in view. The distance counts from the scanner.</source><translation>La barre a cette longueur à la distance médiane des points en vue. La distance se compte depuis le scanner.</translation></message>
 <message><source>grid %1</source><translation>grille %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distance [m]</translation></message>
@@ -1548,7 +1555,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
-<message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>Rock…</source><translation>Bloc…</translation></message>
 <message><source>What can be done with rocks</source><translation>Ce qu'on peut faire avec les blocs</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
@@ -1887,7 +1893,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Les morceaux de moins de cellules mesurées sont des fines et non des blocs.</translation></message>
 <message><source>Farthest rock</source><translation>Bloc le plus éloigné</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>Ce qui est plus loin n'est pas un bloc.</translation></message>
-<message><source>Largest length expected</source><translation>Plus grande longueur attendue</translation></message>
+<message><source>Rarely longer than</source><translation>Rarement plus long que</translation></message>
 <message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Les morceaux plus longs demandent de meilleurs signes d'être un bloc et non une paroi. La longueur est à peu près la longueur visible a.</translation></message>
 <message><source>Oversize</source><translation>Hors gabarit</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>La part des blocs dont la largeur visible est plus grande est indiquée ; 0 n'en indique aucune.</translation></message>
@@ -2094,8 +2100,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic est passé par cette gorge, %1 m derrière elle : le bord devant a été pris</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ aucun faisceau n'est revenu entre ses extrémités : ce peut être une ouverture, ou de la roche sombre ou mouillée</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ une extrémité est %1 m plus loin que l'autre</translation></message>
-<message><source>shortest way across the middle of the opening</source><translation>passage le plus court par le milieu de l'ouverture</translation></message>
-<message><source>narrowest way between the two clicks</source><translation>passage le plus étroit entre les deux clics</translation></message>
+<message><source>across the middle of the opening</source><translation>par le milieu de l'ouverture</translation></message>
+<message><source>between the two sides that were clicked</source><translation>entre les deux côtés qui ont été cliqués</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ des clics à %1 trouvent %2 à %3 m : zoomez et cliquez à nouveau</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>des clics à %1 de là trouvent %2 à %3 m</translation></message>
 <message><source>ranges %1 m</source><translation>distances %1 m</translation></message>

@@ -383,10 +383,12 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>farther</source><translation>mais longe</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
-<message><source>The comparison ended: A was forgotten.</source><translation>A comparação terminou: A foi esquecido.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Ainda não há imagem para guardar: abra primeiro uma varredura.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
 <message><source>Forget A</source><translation>Esquecer A</translation></message>
+<message><source>The comparison ended: B, %1, is on the screen.</source><translation>A comparação terminou: B, %1, está na tela.</translation></message>
+<message><source>Open A</source><translation>Abrir A</translation></message>
+<message><source>The comparison ended: A was forgotten.</source><translation>A comparação terminou: A foi esquecido.</translation></message>
 <message><source>A was forgotten: the demo and %1 are not of one place.</source><translation>A foi esquecido: a demonstração e %1 não são de um mesmo lugar.</translation></message>
 <message><source>The comparison ended, because another scan was opened.</source><translation>A comparação terminou porque outro escaneamento foi aberto.</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Ainda não há nada com que comparar: abra primeiro a varredura posterior.</translation></message>
@@ -510,7 +512,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Making the report %1</source><translation>Criando o relatório %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
-<message><source>Rocks were hidden, so it has no rocks.</source><translation>As rochas estavam ocultas, por isso não tem rochas.</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
 <message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>above the scanner [m]</source><translation>acima do scanner [m]</translation></message>
@@ -624,10 +625,11 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>O scanner continua, esta imagem não: a hora é a da sua linha mais recente</translation></message>
 <message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
 <message><source>RECORDED</source><translation>GRAVADO</translation></message>
-<message><source>First line, by %1</source><translation>Primeira linha, segundo %1</translation></message>
+<message><source>Last line, by %1</source><translation>Última linha, segundo %1</translation></message>
 <message><source>FILE</source><translation>ARQUIVO</translation></message>
 <message><source>no time</source><translation>sem hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
+<message><source>First line, by %1</source><translation>Primeira linha, segundo %1</translation></message>
 <message><source>COARSE PICTURE</source><translation>IMAGEM GROSSEIRA</translation></message>
 <message><source>Some points of the scan that is being opened.</source><translation>Alguns pontos da varredura que está sendo aberta.</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEM ANTERIOR</translation></message>
@@ -636,7 +638,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer. Clique em outra parte da rocha, ou desenhe através de toda ela, além do seu contorno.</translation></message>
-<message><source>Fewer than two rocks are selected: drag a line across the rocks that are one.</source><translation>Há menos de duas rochas selecionadas: arraste uma linha sobre as rochas que são uma só.</translation></message>
+<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>Nenhum bloco está selecionado: arraste uma linha através dos blocos que são um só.</translation></message>
+<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Um bloco está selecionado: clique no outro, ou arraste uma linha através dos blocos que são um só.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
@@ -738,6 +741,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the rock at the other side</source><translation>clique na rocha do outro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
+<message><source>A click into an opening measures all of it: the click before was not needed.</source><translation>Um clique numa abertura a mede inteira: o clique anterior não era necessário.</translation></message>
+<message><source>Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into the middle of the opening.</source><translation>Cliques junto a estes encontram uma garganta de %1 a %2 m: aproxime a vista e clique na rocha dos dois lados, ou uma vez no meio da abertura.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Não há abertura entre estes dois cliques: clique na rocha dos dois lados de uma. Distância mede sobre uma rocha.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Um clique passou pela abertura, por isso foi tomada a borda da frente: verifique as duas pontas da linha.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
@@ -1029,6 +1034,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Read Again</source><translation>Ler de novo</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
 <message><source>Choose…</source><translation>Escolher…</translation></message>
+<message><source>in the report</source><translation>no relatório</translation></message>
 <message><source>none</source><translation>nenhuma</translation></message>
 <message><source>HTML: a page for any browser</source><translation>HTML: uma página para qualquer navegador</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir e arquivar</translation></message>
@@ -1036,6 +1042,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
 <message><source>Remark</source><translation>Observação</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
+<message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>File</source><translation>Arquivo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
@@ -1520,7 +1527,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>There is no OpenGL on this display, so the 3D view cannot draw.</source><translation>Não há OpenGL nesta tela: a vista 3D não pode desenhar.</translation></message>
 <message><source>OpenGL is installed but does not start on this display, so the 3D view cannot draw.</source><translation>O OpenGL está instalado mas não inicia nesta tela: a vista 3D não pode desenhar.</translation></message>
 <message><source>The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).</source><translation>A vista 3D precisa de OpenGL 3.2; esta tela oferece %1.%2 (%3).</translation></message>
-<message><source>The bar has this length at the median distance of the points in view</source><translation>A barra tem este comprimento na distância mediana dos pontos visíveis</translation></message>
+<message><source>The bar has this length at the median distance of the points in view. The distance counts from the scanner.</source><translation>A barra tem este comprimento na distância mediana dos pontos à vista. A distância conta a partir do scanner.</translation></message>
 <message><source>grid %1</source><translation>grade %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distância [m]</translation></message>
@@ -1548,7 +1555,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
-<message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>Rock…</source><translation>Rocha…</translation></message>
 <message><source>What can be done with rocks</source><translation>O que se pode fazer com as rochas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
@@ -1887,7 +1893,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Os pedaços de menos células medidas são finos e não rochas.</translation></message>
 <message><source>Farthest rock</source><translation>Rocha mais distante</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>O que está mais longe não é uma rocha.</translation></message>
-<message><source>Largest length expected</source><translation>Maior comprimento esperado</translation></message>
+<message><source>Rarely longer than</source><translation>Raramente mais comprido que</translation></message>
 <message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Os pedaços mais longos precisam de melhores sinais de ser uma rocha e não uma parede. O comprimento é aproximadamente o comprimento visível a.</translation></message>
 <message><source>Oversize</source><translation>Sobretamanho</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>É indicada a proporção de rochas cuja largura visível é maior; 0 não indica nenhuma.</translation></message>
@@ -2094,8 +2100,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ um clique passou por esta garganta, %1 m atrás dela: foi tomada a borda da frente</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ nenhum feixe voltou entre as suas pontas: pode ser uma abertura, ou rocha escura ou molhada</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ uma extremidade está %1 m mais longe que a outra</translation></message>
-<message><source>shortest way across the middle of the opening</source><translation>passagem mais curta pelo meio da abertura</translation></message>
-<message><source>narrowest way between the two clicks</source><translation>passagem mais estreita entre os dois cliques</translation></message>
+<message><source>across the middle of the opening</source><translation>pelo meio da abertura</translation></message>
+<message><source>between the two sides that were clicked</source><translation>entre os dois lados em que se clicou</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ cliques a %1 encontram de %2 a %3 m: amplie e clique de novo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>cliques a %1 dali encontram de %2 a %3 m</translation></message>
 <message><source>ranges %1 m</source><translation>distâncias %1 m</translation></message>

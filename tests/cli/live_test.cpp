@@ -184,8 +184,17 @@ TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
         std::string::npos)
         << warningsIn(stepGiven);
     const auto [all, allGiven] = recorded("all.mcap", "--line-step 2 --axis sweep");
-    EXPECT_TRUE(allGiven["mounting"]["assumed"].empty());
-    EXPECT_EQ(warningsIn(allGiven).find("ASSUMED"), std::string::npos) << warningsIn(allGiven);
+    // A sweep that begins at another angle looks in another direction; a spin is only turned about the vertical.
+    EXPECT_EQ(allGiven["mounting"]["assumed"], json{"line_start_deg"});
+    EXPECT_NE(warningsIn(allGiven).find("ASSUMED: the angle of the first line (0 degrees). Give --line-start where"), std::string::npos)
+        << warningsIn(allGiven);
+    EXPECT_NE(whenOpened.find("ASSUMED: the angle of the first line (0 degrees). Give --line-start where"), std::string::npos)
+        << whenOpened;
+    const auto [half, halfGiven] = recorded("half.mcap", "--line-step 2 --axis sweep --expected-lines 90");
+    EXPECT_NE(warningsIn(halfGiven).find("ASSUMED: the angle of the first line (-90 degrees)"), std::string::npos) << warningsIn(halfGiven);
+    const auto [spin, spinGiven] = recorded("spin.mcap", "--line-step 2 --axis spin");
+    EXPECT_TRUE(spinGiven["mounting"]["assumed"].empty());
+    EXPECT_EQ(warningsIn(spinGiven).find("ASSUMED"), std::string::npos) << warningsIn(spinGiven);
     // Flags given on opening give the same result as flags given on recording.
     EXPECT_EQ(json::parse(whenOpened)["edge_mask_sha256"], hashOf(all));
 

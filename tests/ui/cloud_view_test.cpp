@@ -245,9 +245,13 @@ private slots:
                          qPrintable(QString("%1 %2 %3").arg(rightRad).arg(upRad).arg(view_->shareInPicture())));
             }
         }
-        view_->viewFromScanner();
+        view_->setCamera(zoomed(scanners, scanners.focus, 2.0));
         view_->zoomToFit();
-        QVERIFY(fronts() > 0.9);
+        QVERIFY(fronts() > 0.9 && view_->camera() == scanners);
+        // Once more, where nothing is left to do: all of it, in this direction.
+        view_->zoomToFit();
+        QVERIFY2(view_->shareInPicture() > 0.99, qPrintable(QString::number(view_->shareInPicture())));
+        QVERIFY(view_->camera().forward().isApprox(scanners.forward()));
     }
 
     // In a view by name and by Fit, little of the cloud is under what covers the view; without that, it has the whole view.

@@ -654,6 +654,14 @@ private slots:
         QVERIFY2(fit->isVisible() && fit->text().endsWith("Fit"), qPrintable(fit->text()));
         QTest::mouseClick(legend.findChild<QToolButton*>("change-end"), Qt::LeftButton);
         QVERIFY(on.viewer.gray.viewPort()->fitted() && !fit->isVisible());
+        // B is on the screen now; A is one press away.
+        auto* offered = on.viewer.notice.findChild<QAbstractButton*>("notice-action");
+        QVERIFY(on.viewer.files.demo() == true && offered->isVisible() && offered->text() == "Open A");
+        QTest::mouseClick(offered, Qt::LeftButton);
+        QVERIFY(on.settled() && eventually([&] { return on.viewer.files.demo() == false; }));
+        on.viewer.comparing.openDemoPair();
+        QVERIFY(eventually([&] { return on.viewer.comparing.pictureA() != nullptr; }) && known(on));
+        QTest::mouseClick(legend.findChild<QToolButton*>("change-end"), Qt::LeftButton);
         on.viewer.undo.undo();
         QTRY_VERIFY(legend.isVisible() && on.viewer.comparing.comparison());
         on.viewer.comparing.nextRegion();

@@ -519,6 +519,13 @@ private slots:
             const double drawn = 100 * wide.back() / wide[wide.size() - 2];
             QVERIFY2(std::abs(drawn / share.captured(1).toDouble() - 1) < 0.03, qPrintable(QString::number(drawn) + list));
         }
+        // Rocks that are shown are in it, unless the operator leaves them out.
+        on.viewer.rocks.setShown(true);
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind(); }));
+        ReportWords bare = words;
+        bare.rocks = false;
+        QVERIFY(made("with.html", words).find("id=\"rocks\"") != std::string::npos);
+        QVERIFY(made("without.html", bare).find("id=\"rocks\"") == std::string::npos);
         // What is not a PNG picture is refused, and nothing is written.
         ReportWords wrong = words;
         wrong.logo = QString::fromStdString(bell_);

@@ -769,11 +769,16 @@ private slots:
         const std::uint32_t cells = picture(on).rock(1)->cells;
         const Grid<std::uint32_t> before = picture(on).labels;
         const std::size_t second = picture(on).rock(count - 1)->cell;
-        on.viewer.rocks.select({second, last});
+        const std::vector<std::size_t> two{second, last}, one{last};
+        on.viewer.rocks.select(two);
         on.viewer.rocks.mergeSelected();
-        QVERIFY(settled(on));
+        QVERIFY(settled(on) && on.viewer.rocks.selected() == one);
         const std::uint32_t moved = picture(on).labelAt(first);
         QCOMPARE(moved, std::uint32_t{1});
+        on.viewer.undo.undo();
+        QVERIFY(settled(on) && on.viewer.rocks.selected() == two); // both again
+        on.viewer.undo.redo();
+        QVERIFY(settled(on) && on.viewer.rocks.selected() == one);
         on.viewer.undo.undo();
         QVERIFY(settled(on));
         on.viewer.rocks.select({first, last});
@@ -1126,7 +1131,7 @@ private slots:
         on.viewer.rocks.select({cellA});
         on.viewer.rocks.mergeSelected();
         QVERIFY(on.viewer.rocks.tool() == RockTool::Join);
-        QVERIFY2(on.viewer.notice.text().startsWith("Fewer than two rocks"), qPrintable(on.viewer.notice.text()));
+        QVERIFY2(on.viewer.notice.text().startsWith("One rock is selected"), qPrintable(on.viewer.notice.text()));
         const QList<QAction*> actions = on.window.actions();
         const auto pin = std::ranges::find(actions, QString("&Pin"), &QAction::text);
         QVERIFY(pin != actions.end() && !(*pin)->isChecked()); // a click does not pin now

@@ -94,11 +94,7 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
         emit byDistanceChanged(on);
     });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
-    connect(&legend_, &ChangeLegend::endRequested, this, [this] {
-        forget();
-        notice_.showNotice(NoticeBar::Kind::Done, tr("The comparison ended: A was forgotten."));
-        notice_.offerUndo(undo_);
-    });
+    connect(&legend_, &ChangeLegend::endRequested, this, &Comparing::end);
     connect(&legend_, &ChangeLegend::previousRegionRequested, this, &Comparing::previousRegion);
     connect(&engine_, &Engine::streamChanged, this, [this] {
         forgetDemo();
@@ -126,6 +122,19 @@ void Comparing::forget() {
     ViewPort& images = *views_.gray().viewPort();
     if (region_ && images.part() == regionPart_) images.fit(); // the operator did not move them since
     push(stepName("Forget A"), nullptr, std::nullopt);
+}
+
+/// Of two scans the other one can be opened: with a pair it may have been on the screen.
+void Comparing::end() {
+    const auto earlier = comparison_ && comparison_->isOfTwoScans() ? earlier_ : std::nullopt;
+    forget();
+    if (earlier) {
+        notice_.showNotice(NoticeBar::Kind::Done,
+                           tr("The comparison ended: B, %1, is on the screen.").arg(scanName(engine_.picture()->detection->scan->name)));
+        return notice_.offer(tr("Open A"), [this, scan = earlier->scan] { files_.openAgain(scan); });
+    }
+    notice_.showNotice(NoticeBar::Kind::Done, tr("The comparison ended: A was forgotten."));
+    notice_.offerUndo(undo_);
 }
 
 /// The demo as A has nothing to do with a scan of the operator, and the demo before the blast, which the operator did not choose as A,

@@ -37,6 +37,8 @@ public:
     /// stores no picture: it makes the picture again.
     void keep();
     void forget();
+    /// Forgets A, and offers to open it if it is another scan.
+    void end();
     [[nodiscard]] const std::shared_ptr<const Picture>& pictureA() const { return pictureA_; }
     /// A while it is drawn in place of the engine's picture; else null.
     [[nodiscard]] const Picture* drawnA() const;

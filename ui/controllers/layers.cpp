@@ -241,11 +241,7 @@ void Layers::locate(int layer, const QString& path) {
 void Layers::activate(int layer) {
     const Held* held = other(layer);
     if (held == nullptr || held->cloud == nullptr) return;
-    const inspect::SessionScan scan = held->layer.scan;
-    if (inspect::hasPath(scan.kind))
-        files_.open({exactText(scan.path.string())}, scan.reading);
-    else
-        files_.openDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast);
+    files_.openAgain(inspect::SessionScan(held->layer.scan));
 }
 
 std::vector<inspect::PointPair> Layers::pairsWith(const Held& held) {

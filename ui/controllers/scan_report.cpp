@@ -36,7 +36,7 @@ std::string bytesOf(const QByteArray& bytes) { return {bytes.constData(), static
 
 } // namespace
 
-ScanReport::ScanReport(Engine& engine, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
+ScanReport::ScanReport(Engine& engine, const Files& files, Rocks& rocks, const Targets& targets, const Comparing& comparing,
                        NoticeBar& notice, Preferences& preferences)
     : engine_(engine), files_(files), rocks_(rocks), targets_(targets), comparing_(comparing), notice_(notice), preferences_(preferences) {}
 
@@ -51,10 +51,12 @@ void ScanReport::ask() {
     words.author = preferences_.text("report/author");
     words.logo = preferences_.text("report/logo");
     words.extension = preferences_.text("report/extension", ".html");
+    words.rocks = rocks_.shown() || !rocks_.edits().empty();
     if (engine_.picture()->source.stream == remarkStream_) words.remark = remark_; // of the same scan, as in the report before
     ReportForm form(words, notice_.window());
     if (form.exec() != QDialog::Accepted) return;
     words = form.words();
+    if (words.rocks) rocks_.setShown(true); // they are computed while the operator chooses the file
     preferences_.keep("report/site", words.site);
     preferences_.keep("report/author", words.author);
     preferences_.keep("report/logo", words.logo);
@@ -98,7 +100,7 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
         const std::string& before = compared->asked.before->detection->scan->path;
         if (!before.empty()) command += " --before " + shellQuoted(exactBytes(absolutePath(exactText(before))));
     }
-    if (!rocks_.shown()) return command + missing;
+    if (!rocks_.shown() || !words.rocks) return command + missing;
     command += " --rocks";
     if (!rocks_.editsFile().empty()) return command + " --edits " + shellQuoted(rocks_.editsFile()) + missing;
     const std::string flags = rocks::rockSettingsFlags(rocks_.settings());
@@ -107,11 +109,11 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
 
 void ScanReport::writeTo(const QString& path, const ReportWords& words) {
     if (!engine_.picture()) return;
-    if (rocks_.behind()) {
+    if (words.rocks && rocks_.behind()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being computed; try again.").arg(path));
         return;
     }
-    const std::shared_ptr<const RockPicture> rocks = rocks_.picture();
+    const std::shared_ptr<const RockPicture> rocks = words.rocks ? rocks_.picture() : nullptr;
     const std::shared_ptr<const edges::Detection> detection = rocks ? rocks->detection : engine_.picture()->detection;
     std::shared_ptr<const Comparison> compared = comparing_.comparison();
     if (compared && compared->asked.now != engine_.picture()) compared = nullptr; // of the previous picture
@@ -146,10 +148,9 @@ void ScanReport::writeTo(const QString& path, const ReportWords& words) {
             const std::string page = exports::scanPage(*detection, said, notes);
             const auto written =
                 isPdf(path) ? writeWholeFile(exactBytes(path), bytesOf(pdfOfPage(page))) : writeWholeFile(exactBytes(path), page);
-            return [this, written, path, hasRocks = rocks != nullptr] {
+            return [this, written, path] {
                 if (!written) return notice_.showError(written.error());
-                notice_.showSaved(path, isPdf(path) ? tr("pages to print") : tr("a page for any browser"),
-                                  hasRocks ? QString() : tr("Rocks were hidden, so it has no rocks."));
+                notice_.showSaved(path, isPdf(path) ? tr("pages to print") : tr("a page for any browser"), {});
                 emit saved(path);
             };
         },

@@ -20,12 +20,12 @@ class Targets;
 class ScanReport : public QObject {
     Q_OBJECT
 public:
-    ScanReport(Engine& engine, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
-               NoticeBar& notice, Preferences& preferences);
+    ScanReport(Engine& engine, const Files& files, Rocks& rocks, const Targets& targets, const Comparing& comparing, NoticeBar& notice,
+               Preferences& preferences);
 
     /// Asks for site, author, remark, logo and format, and for the path.
     void ask();
-    /// Writes the page about the scan on the screen, with rocks if they are shown, targets and measurements, and the changes since A; on a
+    /// Writes the page about the scan on the screen, with the rocks that are shown, targets and measurements, and the changes since A; on a
     /// separate thread. A path that ends with .pdf becomes a PDF.
     void writeTo(const QString& path, const ReportWords& words = {});
     [[nodiscard]] bool working() const { return working_ > 0; }
@@ -43,7 +43,7 @@ private:
 
     Engine& engine_;
     const Files& files_;
-    const Rocks& rocks_;
+    Rocks& rocks_;
     const Targets& targets_;
     const Comparing& comparing_;
     NoticeBar& notice_;

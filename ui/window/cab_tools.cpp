@@ -1,9 +1,9 @@
 // Actions of the tools, the corner and the numbers of cab mode.
 #include "core/base/tolerance_text.h"
-#include "core/edges/explain/cell_values.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
 #include "core/inspect/measure/notebook.h"
+#include "core/rocks/attributes/rock_columns.h"
 #include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/cab/cab_frame.h"
@@ -46,12 +46,11 @@ void addSize(TargetNumbers& values, const rocks::Rock& rock) {
     values.sizeRemark = (rock.apart.empty() ? QString() : partsText(rock) + " · ") + QObject::tr(rocks::kRockCaveat);
 }
 
-void addPlace(TargetNumbers& values, const edges::Probe& at) {
-    const Eigen::Vector3d& place = at.mineM ? *at.mineM : at.pointM;
+void addPlace(TargetNumbers& values, const Eigen::Vector3d& placeM, bool mine) {
     int n = 0;
-    for (const char* name : at.mineM ? std::array{"E [m]", "N", "RL"} : std::array{"X [m]", "Y", "Z"})
-        values.coordinates.emplace_back(name, metres(place[n++], 3));
-    values.unposed = !at.mineM;
+    for (const char* name : mine ? std::array{"E [m]", "N", "RL"} : std::array{"X [m]", "Y", "Z"})
+        values.coordinates.emplace_back(name, metres(placeM[n++], 3));
+    values.unposed = !mine;
 }
 
 } // namespace
@@ -227,7 +226,10 @@ TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
     values.place = others > 0 ? tr("and %1 more selected").arg(others) : QString();
     values.distance = tr("%1 m").arg(rock.distanceM, 0, 'f', 2);
     values.tolerance = tr("median of its cells"); // which has no ± of its own
-    addPlace(values, edges::probeCell(*window_.viewer().engine.picture()->detection, rock.cell));
+    const RockPicture& picture = *window_.viewer().rocks.picture();
+    const bool placed = picture.detection->scan->placement != nullptr;
+    const rocks::RockRows rows(picture.study, placed ? CoordinateFrame::Mine : CoordinateFrame::Scanner); // the middle, as in the table
+    addPlace(values, rows.of(rock).centreM, placed);
     addSize(values, rock);
     values.ofRock = true;
     return values;
@@ -308,7 +310,7 @@ TargetNumbers CabMode::numbers() const {
     }
     if (!target->note.empty()) values.rows.emplace_back(tr("Note"), shownName(exactText(target->note)));
     if (cell.probe.state != CellState::Valid) return values;
-    addPlace(values, cell.probe);
+    addPlace(values, cell.probe.mineM.value_or(cell.probe.pointM), cell.probe.mineM.has_value());
     if (const QString clicked = targets.clickOf(*target); clicked.contains("▲")) values.warned = clicked.mid(clicked.indexOf("▲"));
     for (const TargetRow& row : targetRows(cell, around)) {
         if (QStringList{QObject::tr("Surface"), QObject::tr("Resolves"), QObject::tr("Edge")}.contains(row.name))

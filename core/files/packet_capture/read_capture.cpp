@@ -50,31 +50,13 @@ Heard heardIn(const TcpStream& stream) {
     return heard;
 }
 
-/// What the user said of the mounting; what is left out is assumed where recordings are opened.
-scanner::SweepMetadata metadataFor(const Heard& heard, const ReadingOptions& options) {
-    scanner::SweepSettings settings;
-    if (options.axis) settings.axis = *options.axis;
-    if (options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
-    if (options.lineStepDeg) settings.degPerLine = *options.lineStepDeg;
-    const scanner::SweepMetadata all = scanner::metadataOf(settings);
-    scanner::SweepMetadata said;
-    const auto say = [&](bool given, const char* key) {
-        if (given) said[key] = all.at(key);
-    };
-    say(options.axis.has_value(), "stepper.axis");
-    say(options.lineStartDeg.has_value(), "stepper.phi0_deg");
-    say(options.lineStepDeg.has_value(), "stepper.deg_per_step");
-    say(options.lineStepDeg.has_value(), "stepper.dir");
-    said["lidar.dialect"] = heard.dialect == scanner::Dialect::A ? "cola-a" : "cola-b";
-    return said;
-}
-
 Result<Scan> scanOfHeard(Heard heard, const char* format, const Source& source) {
     const std::string where = source.path.string();
     std::uint64_t bytes = 0;
     for (const auto& message : heard.messages) bytes += message->payload.size();
     if (auto enough = checkMemory(3 * bytes, where); !enough) return enough.error();
-    const auto recording = Recording::fromBytes(recordingBytes(metadataFor(heard, *source.options), heard.messages), where);
+    const scanner::SweepMetadata said{{"lidar.dialect", heard.dialect == scanner::Dialect::A ? "cola-a" : "cola-b"}};
+    const auto recording = Recording::fromBytes(recordingBytes(said, heard.messages), where);
     if (!recording) return recording.error();
     heard.messages.clear();
     auto scan = scanOf(*recording, where, *source.options, source.played);

@@ -34,9 +34,9 @@ namespace {
 
 /// The user's word instead of a guess; over what a recording says itself it goes when the scan is opened.
 void sayAssumed(scanner::SweepSettings& settings, const ReadingOptions& options) {
-    const bool firstOfAxis = settings.firstAssumed && !settings.axisAssumed; // that of the given axis is assumed then, as in a live sweep
+    const bool nothingGiven = settings.axisAssumed;
     if (options.axis) {
-        if (settings.axisAssumed || firstOfAxis) settings.axis = *options.axis;
+        if (settings.axisAssumed || settings.firstAssumed) settings.axis = *options.axis;
         settings.axisAssumed = false;
     }
     if (options.lineStepDeg) {
@@ -44,8 +44,7 @@ void sayAssumed(scanner::SweepSettings& settings, const ReadingOptions& options)
         settings.stepAssumed = false;
     }
     if (settings.firstAssumed && options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
-    const bool asGivenAxis = options.axis && !firstOfAxis; // as in a recording that was given an axis
-    settings.firstAssumed = settings.firstAssumed && !options.lineStartDeg && !asGivenAxis;
+    settings.firstAssumed = settings.firstAssumed && !options.lineStartDeg && (!nothingGiven || scanner::guessesFirst(settings));
 }
 
 } // namespace

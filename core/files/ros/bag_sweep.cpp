@@ -131,6 +131,7 @@ private:
         settings.axisAssumed = !options.axis && !motion_;
         settings.degPerLine = options.lineStepDeg;
         if (options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
+        settings.firstAssumed = !options.lineStartDeg && scanner::guessesFirst(settings);
         return sweepOfLaser(settings, lines_.lines.front());
     }
 

@@ -384,9 +384,9 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
         if (const double apartM = measured.endsApartM(); apartM > 0.0)
             parts.push_back(say("▲ one end is %1 m farther away than the other", {fixedText(apartM, 2)}));
         if (measured.byOneClick)
-            parts.push_back(say("shortest way across the middle of the opening"));
+            parts.push_back(say("across the middle of the opening"));
         else
-            parts.push_back(say("narrowest way between the two clicks"));
+            parts.push_back(say("between the two sides that were clicked"));
         const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;
         if (measured.dependsMuch())
             parts.push_back(say("▲ clicks %1 away find %2 to %3 m: zoom in and click again",

@@ -53,8 +53,20 @@ int reachOf(const Scan& scan) {
     return std::max(scan.lines(), scan.beams()) / kShareOfScan;
 }
 
+/// Of the cell where two ways begin; of a single void, which is in a surface, that of the surface. 0: a wide void.
+double rangeAtStart(const std::array<WayOut, 2>& ways) {
+    const auto firstOn = [](const WayOut& way) {
+        const auto found = std::find_if(way.rangesM.begin() + kCellsAtEnds, way.rangesM.end(), [](double rangeM) { return rangeM > 0.0; });
+        return static_cast<std::size_t>(found - way.rangesM.begin());
+    };
+    const std::size_t first = firstOn(ways[0]), second = firstOn(ways[1]);
+    const bool wide = first + second - 2 * kCellsAtEnds > kWidestVoid + 1;
+    if (wide || first == ways[0].rangesM.size() || second == ways[1].rangesM.size()) return 0.0;
+    return std::max(ways[0].rangesM[first], ways[1].rangesM[second]);
+}
+
 /// Of the cells where nearer surfaces begin at both ends of a straight way through `k`, the closest two with free space between them, if
-/// the cell has no range or is farther behind them than they are apart: a hollow between rocks is not an opening.
+/// the cell is in a wide void or farther behind them than they are apart: a hollow between rocks is not an opening.
 std::optional<std::array<RimCell, 2>> sidesAlong(const Scan& scan, const CartesianTables& tables, std::uint32_t k, double lineStep,
                                                  double beamStep, double nearerThanM) {
     const std::array ways{wayOut(scan, k, lineStep, beamStep, reachOf(scan)), wayOut(scan, k, -lineStep, -beamStep, reachOf(scan))};
@@ -63,12 +75,13 @@ std::optional<std::array<RimCell, 2>> sidesAlong(const Scan& scan, const Cartesi
         for (const std::size_t second : nearerOn(ways[1], nearerThanM)) pairs.push_back({first, second});
     }
     std::ranges::stable_sort(pairs, {}, [](const auto& pair) { return pair[0] + pair[1]; });
+    const double rangeM = rangeAtStart(ways);
     for (const auto& [first, second] : pairs) {
         const std::uint32_t a = ways[0].cells[first], b = ways[1].cells[second];
         const double rangeA = ways[0].rangesM[first], rangeB = ways[1].rangesM[second], wide = openingRad(tables, a, b);
         if (isBehind(rangeA, rangeB, wide) || isBehind(rangeB, rangeA, wide)) continue;
         const std::array sides{RimCell{a, tables.point(a)}, RimCell{b, tables.point(b)}};
-        const double rangeM = ways[0].rangesM[kCellsAtEnds], widthM = (sides[0].pointM - sides[1].pointM).norm();
+        const double widthM = (sides[0].pointM - sides[1].pointM).norm();
         const bool isThrough = rangeM > 0.0 ? rangeM - (rangeA + rangeB) / 2.0 > kLeastBehind * widthM
                                             : first + second - 2 * kCellsAtEnds > kWidestVoid + 1; // else the surface goes on behind it
         if (isThrough && isOpen(scan, tables, sides[0], sides[1])) return sides;

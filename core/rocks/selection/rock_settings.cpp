@@ -25,7 +25,7 @@ constexpr std::array kRockParameters{
                   EDGESCAN_NUMBER(RockSettings, minimumCells)},
     RockParameter{"farthest", "Farthest rock", "m", "A region farther away is not a rock.", 0.5, 100, 0.5, 1,
                   EDGESCAN_NUMBER(RockSettings, farthestM)},
-    RockParameter{"largest", "Largest length expected", "m",
+    RockParameter{"largest", "Rarely longer than", "m",
                   "Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.", 0.1,
                   50, 0.1, 1, EDGESCAN_NUMBER(RockSettings, largestM)},
     RockParameter{"oversize", "Oversize", "m", "The share of rocks whose visible width is larger is reported; 0 reports none.", 0, 50, 0.1,

@@ -52,6 +52,10 @@ struct SweepSettings {
                                                                                     : 0.0;
 }
 
+/// True if an angle of the first line that was not given is a guess. A given spin begins at 0: another angle only turns the scan about the
+/// vertical, while a sweep would look in another direction.
+[[nodiscard]] inline bool guessesFirst(const SweepSettings& settings) { return settings.axisAssumed || settings.axis == Axis::Sweep; }
+
 /// Settings without any given value.
 [[nodiscard]] inline SweepSettings assumedSweep() {
     SweepSettings settings;

@@ -97,6 +97,13 @@ void Files::openDemo(bool afterBlast) {
     engine_.openDemo(afterBlast);
 }
 
+void Files::openAgain(const inspect::SessionScan& scan) {
+    if (inspect::hasPath(scan.kind))
+        open({exactText(scan.path.string())}, scan.reading);
+    else
+        openDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast);
+}
+
 // "All supported" first, then one filter per kind.
 QString Files::filters() {
     QStringList all;

@@ -25,6 +25,8 @@ public:
     /// Opens the first file; step() opens the others.
     void open(const QStringList& paths, const ReadingOptions& options = {});
     void openDemo(bool afterBlast = false);
+    /// The file or the demo that was open before.
+    void openAgain(const inspect::SessionScan& scan);
     /// Asks which files to open: chosen().
     void ask();
     void reload();

@@ -90,11 +90,11 @@ PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner, const
     const Scan& scan = *picture->detection->scan;
     const Acquisition measured = scan.acquisition ? *scan.acquisition : Acquisition{};
     if (picture->source.stream == scanner.stream()) return scannersOwn(*picture, scanner);
-    const QString time = timeWords(measured.startUtc);
+    const QString time = timeWords(measured.startUtc), last = timeWords(measured.endUtc);
     const bool recorded = scan.format == "recording" || scan.format == "sweep";
-    if (recorded && !time.isEmpty())
-        return {StateBadge::Sign::Recorded, QObject::tr("RECORDED") + " " + time + agoWords(measured.startUtc),
-                QObject::tr("First line, by %1").arg(shownText(measured.clockSource)) + placedWords(scan)};
+    if (recorded && !last.isEmpty()) // as of a scanner
+        return {StateBadge::Sign::Recorded, QObject::tr("RECORDED") + " " + last + agoWords(measured.endUtc),
+                QObject::tr("Last line, by %1").arg(shownText(measured.clockSource)) + placedWords(scan)};
     const QString name = shownApart(nameOf(*picture), other != nullptr ? nameOf(*other) : QString(), kLongestName);
     return {recorded ? StateBadge::Sign::Recorded : StateBadge::Sign::File,
             (recorded ? QObject::tr("RECORDED") : QObject::tr("FILE")) + " " + name + " · " +

@@ -71,9 +71,17 @@ void Rocks::setOperatorEdits(const OperatorEdits& byHand) {
 }
 
 void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after) {
-    auto* step = new UndoStep<OperatorEdits>(
-        name, operatorEdits(), std::move(after), [this](const OperatorEdits& value) { return setOperatorEdits(value), true; },
-        [this, stream = stream_] { return stream_ == stream; }); // else the scan was closed, and its edits with it
+    const auto& edits = after.edits;
+    const bool merges = edits.size() > edits_.size() && edits.back().kind == rocks::EditKind::Join && selected_.size() > 1;
+    // Of several selected rocks one is selected when they are one, and all are again when that is undone.
+    const auto use = [this, merges, several = selected_, before = edits_](const OperatorEdits& value) {
+        setOperatorEdits(value);
+        if (merges && on_) select(value.edits == before ? several : std::vector{several.back()});
+        return true;
+    };
+    auto* step = new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), use, [this, stream = stream_] {
+        return stream_ == stream;
+    }); // else the scan was closed, and its edits with it
     newestEdit_ = step;
     undo_.push(step);
 }
@@ -129,12 +137,12 @@ void Rocks::mergeSelected() {
         if (picture_->regionAt(cell) != nullptr) cells.push_back(static_cast<std::uint32_t>(cell));
     }
     if (cells.size() < 2) {
-        notice_.showHint(tr("Fewer than two rocks are selected: drag a line across the rocks that are one."));
+        notice_.showHint(cells.empty() ? tr("No rock is selected: drag a line across the rocks that are one.")
+                                       : tr("One rock is selected: click on the other one, or drag a line across the rocks that are one."));
         return useTool(RockTool::Join);
     }
     auto join = rocks::joinOf(*picture_->study.segmentation, picture_->study.map, cells);
     if (!join) return notice_.showHint(tr("Nothing was merged: this is one rock already."));
-    select({selected_.back()});
     push(stepName("merge of rocks"), {std::move(*join)});
 }
 

@@ -13,6 +13,8 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr double kMostSpread = 2.0; // of the throats that clicks next to each other find, the longest by the shortest
+
 QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
     const QStringList two{Measures::tr("click one end"), Measures::tr("click the other end")};
     const QStringList height{Measures::tr("click the lower cell"), Measures::tr("click the higher cell")};
@@ -108,7 +110,8 @@ bool Measures::askThrough(const inspect::MeantCell& click) {
     const Scan& scan = *views_.shown()->detection->scan;
     const auto cell = inspect::openingOfClick(scan, CartesianTables(scan), click);
     if (!cell) return false;
-    picked_.clear(); // a side was clicked before: the opening has it
+    if (!picked_.empty()) notice_.showHint(tr("A click into an opening measures all of it: the click before was not needed."));
+    picked_.clear();
     throats_.ask({views_.shown(), {*cell, *cell}});
     return true;
 }
@@ -127,6 +130,12 @@ void Measures::keepPicked() {
 void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
     show();
     if (!isOnScreen(*asked.of)) return;
+    if (found && found->mostM > kMostSpread * found->leastM)
+        return notice_.showHint(
+            tr("Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into "
+               "the middle of the opening.")
+                .arg(found->leastM, 0, 'f', 2)
+                .arg(found->mostM, 0, 'f', 2));
     if (found) return keep(inspect::MeasureKind::Throat, {found->ends.begin(), found->ends.end()}, asked.clicked);
     notice_.showHint(tr("No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock."));
 }

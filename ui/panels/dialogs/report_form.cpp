@@ -3,6 +3,7 @@
 
 #include "ui/base/scrolled.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -33,7 +34,8 @@ QLineEdit* line(const char* name, const QString& text) {
 
 ReportForm::ReportForm(const ReportWords& words, QWidget* parent)
     : QDialog(parent), site_(line("report-site", words.site)), author_(line("report-author", words.author)),
-      remark_(new QPlainTextEdit(words.remark)), logo_(line("report-logo", words.logo)), format_(new QComboBox) {
+      remark_(new QPlainTextEdit(words.remark)), logo_(line("report-logo", words.logo)), format_(new QComboBox),
+      rocks_(new QCheckBox(tr("in the report"))) {
     setObjectName("report-form");
     setWindowTitle(tr("Report"));
     remark_->setObjectName("report-remark");
@@ -54,7 +56,10 @@ ReportForm::ReportForm(const ReportWords& words, QWidget* parent)
     form->addRow(tr("Author"), author_);
     form->addRow(tr("Remark"), remark_);
     form->addRow(tr("Logo (PNG)"), logoRow());
+    rocks_->setObjectName("report-rocks");
+    rocks_->setChecked(words.rocks);
     form->addRow(tr("Format"), format_);
+    form->addRow(tr("Rocks"), rocks_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
     buttons->button(QDialogButtonBox::Save)->setText(tr("Choose File…"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -83,8 +88,8 @@ QWidget* ReportForm::logoRow() {
 }
 
 ReportWords ReportForm::words() const {
-    return {site_->text().trimmed(), author_->text().trimmed(), remark_->toPlainText().trimmed(), logo_->text().trimmed(),
-            format_->currentData().toString()};
+    return {site_->text().trimmed(), author_->text().trimmed(),         remark_->toPlainText().trimmed(),
+            logo_->text().trimmed(), format_->currentData().toString(), rocks_->isChecked()};
 }
 
 } // namespace edgescan::ui

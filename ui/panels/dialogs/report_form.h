@@ -3,6 +3,7 @@
 
 #include <QDialog>
 
+class QCheckBox;
 class QComboBox;
 class QLineEdit;
 class QPlainTextEdit;
@@ -13,6 +14,7 @@ struct ReportWords {
     QString site{}, author{}, remark{};
     QString logo{};              ///< path of a PNG picture; empty: none
     QString extension = ".html"; ///< or ".pdf"
+    bool rocks = true;           ///< false: the page leaves out those that are shown
 };
 
 class ReportForm : public QDialog {
@@ -30,6 +32,7 @@ private:
     QPlainTextEdit* remark_;
     QLineEdit* logo_;
     QComboBox* format_;
+    QCheckBox* rocks_;
 };
 
 } // namespace edgescan::ui

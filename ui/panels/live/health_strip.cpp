@@ -96,7 +96,8 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     if (!lines.isEmpty() && health.sweep > 0)
         lines = (notFollowing && !narrow ? tr("now sweep %1: %2") : tr("sweep %1: %2")).arg(health.sweep).arg(lines);
     lines_->setText(lines);
-    lines_->setVisible(!lines.isEmpty() && (!narrow || heldNarrow)); // the head has those of the picture
+    // The head of a cab has those of the picture, which follow a little later: two counts would contradict each other.
+    lines_->setVisible(!lines.isEmpty() && (!brief_ || (notFollowing && (!narrow || heldNarrow))));
     bar_->showRows(health.row, heldNarrow || (narrow && inHead && !present) ? 0 : health.rows, health.lostRows);
     showText(lost_, health.lost, narrow); // the bar shows where
     lost_->setToolTip(tr("Lines whose telegrams did not arrive: dashes in the images"));
@@ -111,6 +112,10 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     badge(device_, signOf(health.device), coreWords(health.deviceState), health.device != files::Condition::Good);
     showText(pose_, health.lines.empty() || brief_ || notFollowing ? std::string() : health.pose);
     showText(end_, narrow && notFollowing ? std::string() : health.end);
+    const bool ends = present && !brief_ && health.rows > 0; // the time left has its place before it is known
+    const auto wide = [this](const char* words) { return end_->fontMetrics().horizontalAdvance(coreWords(words)); };
+    end_->setMinimumWidth(ends ? std::max(wide("59 s left"), wide("sweep complete")) : 0);
+    end_->setVisible(ends || !end_->text().isEmpty());
     // While nothing is wrong with it, the recording is shown next to its button; in a cab, which has no room there, here.
     const bool recordsWell = health.recorded == files::Condition::Good;
     const QString recording = coreWords(health.recording);

@@ -60,7 +60,8 @@ QString fittedRow(QString row, const QStringList& shortened, const QFontMetrics&
         const auto at = row.indexOf(part);
         if (over <= 0 || at < 0) continue;
         const bool isName = part == shortened.back();
-        const int least = metrics.horizontalAdvance(part.left(isName ? kLettersOfName : kLettersOfPart) + "…");
+        const bool isNumber = !isName && part.back().isDigit(); // whole, or not there
+        const int least = metrics.horizontalAdvance(isNumber ? part : part.left(isName ? kLettersOfName : kLettersOfPart) + "…");
         const int left = metrics.horizontalAdvance(part) - over;
         row.replace(at, part.size(), left < least && !isName ? QString() : metrics.elidedText(part, Qt::ElideRight, std::max(left, least)));
     }

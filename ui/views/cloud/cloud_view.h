@@ -176,8 +176,9 @@ public slots:
     void viewBottom();
     void viewIsometric();
     void resetView(); ///< the scanner's view, without clipping
-    void zoomToFit(); ///< all but single far points; keeps the direction: one of the views by name always, another if anything but the
-                      ///< backs of walls is seen in it
+    /// All but single far points; keeps the direction: one of the views by name always, another if anything but the backs of walls is seen
+    /// in it. Again, where nothing is left to do: all points, also if the backs of walls are seen.
+    void zoomToFit();
     /// CloudScene::keepReady().
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
     /// Looks from the scanner's side at these cells and some of their surroundings. A few cells at the rim may be outside the view.

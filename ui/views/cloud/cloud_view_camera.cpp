@@ -140,9 +140,13 @@ void CloudView::viewIsometric() {
 void CloudView::zoomToFit() {
     const Box3f all = extent().wideBounds;
     if (!cloud_ || all.isEmpty()) return;
+    const CameraPose before = pose_;
     if (pose_.forward().isApprox(asked_, 1e-6)) return look(pose_.forward(), pose_.up, all);
-    if (pose_.forward().isApprox(cloud_->scannerView.forward, 1e-6)) return viewFromScanner();
-    fitPlates(all, [&](const FreeBox& into, const CameraPose& lens) { return fitted(*cloud_, into.box, lens, into.aspect); });
+    if (pose_.forward().isApprox(cloud_->scannerView.forward, 1e-6))
+        viewFromScanner();
+    else
+        fitPlates(all, [&](const FreeBox& into, const CameraPose& lens) { return fitted(*cloud_, into.box, lens, into.aspect); });
+    if (pose_ == before) look(pose_.forward(), pose_.up, all);
 }
 
 void CloudView::zoomToCells(const CellIndices& cells) {

@@ -35,7 +35,7 @@ const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9
 
 ScalePlate::ScalePlate(CloudView* cloud) : ViewPlate(cloud), cloud_(cloud) {
     setObjectName("scale-plate");
-    setToolTip(tr("The bar has this length at the median distance of the points in view"));
+    setToolTip(tr("The bar has this length at the median distance of the points in view. The distance counts from the scanner."));
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     connect(cloud, &CloudView::frameDrawn, this, &ScalePlate::follow);
     cloud->installEventFilter(this);
@@ -145,7 +145,7 @@ void ScalePlate::follow() {
     const double depth = depth_;
     const double perMetre = cloud_->height() / (2.0 * pose.halfHeight()) * (pose.parallel ? 1.0 : pose.distance() / depth);
     const double metres = roundedDown(kMostBar * unit() / perMetre);
-    const QString text = pose.parallel ? shortLength(metres) : tr("%1 at %2 m").arg(shortLength(metres)).arg(depth, 0, 'f', 1);
+    const QString text = barWords(shortLength(metres), depth);
     std::array<Eigen::Vector2d, 3> axes;
     for (int n = 0; n < 3; ++n) axes[static_cast<std::size_t>(n)] = {pose.right().dot(frame_.col(n)), pose.up.dot(frame_.col(n))};
     if (text == barText_ && metres * perMetre == barPixels_ && axes == axes_) return;
@@ -153,6 +153,17 @@ void ScalePlate::follow() {
     barPixels_ = metres * perMetre;
     axes_ = axes;
     update();
+}
+
+/// As ranges count: from the scanner, where the view looks along its beams.
+QString ScalePlate::barWords(const QString& length, double depth) const {
+    constexpr double kMostAside = 0.1; // of the depth
+    const CameraPose pose = cloud_->camera();
+    if (pose.parallel) return length;
+    const Eigen::Vector3d sensor = cloud_->geometryOfCloud()->sensor.cast<double>() - pose.position;
+    const double along = pose.forward().dot(sensor), aside = (sensor - along * pose.forward()).norm();
+    if (aside > kMostAside * depth || along >= depth) return QString::fromUtf8("≈ ") + length;
+    return tr("%1 at %2 m").arg(length).arg(depth - along, 0, 'f', 1);
 }
 
 /// Of some of the points in view: the middle of the view may look through a gap. Without a point in view: of the cloud's centre.

@@ -70,6 +70,7 @@ private:
     std::vector<QRect> rings_;
     bool seeThrough_ = false;          // it covers a ring
     [[nodiscard]] double unit() const; // 1; larger with a larger font
+    [[nodiscard]] QString barWords(const QString& length, double depth) const;
     [[nodiscard]] double medianDepth() const;
     void watch(QObject* child);
     [[nodiscard]] bool coloured() const;

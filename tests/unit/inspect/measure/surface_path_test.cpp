@@ -375,6 +375,15 @@ TEST(Throat, OneClickIntoTheOpeningMeasuresItThere) {
     }
     EXPECT_FALSE(through(dropouts));
     EXPECT_FALSE(throatThrough(dropouts, CartesianTables(dropouts), static_cast<std::uint32_t>(dropouts.cells())));
+    // Nor on one of a face between two nearer rocks, nor next to it.
+    Scan face = fineScan(121, 121, [](const Eigen::Vector3d& d) { return (std::abs(d.x()) > 0.15 * d.z() ? 4.3 : 5.0) / d.z(); });
+    for (const int side : {1, 3}) {
+        for (int i = 60; i < 60 + side; ++i) {
+            for (int j = 60; j < 60 + side; ++j) face.state.at(i, j) = CellState::NoReturn;
+        }
+        EXPECT_FALSE(through(face)) << side;
+        EXPECT_FALSE(openingOfClick(face, CartesianTables(face), exactly(cellOf(face, 60, 58)))) << side;
+    }
 }
 
 // A view of points has no cell in a void: a click on it finds the rim.
