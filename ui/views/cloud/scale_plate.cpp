@@ -155,14 +155,14 @@ void ScalePlate::follow() {
     update();
 }
 
-/// As ranges count: from the scanner, where the view looks along its beams.
+/// The distance counts from the scanner, as ranges do, where the view looks from there.
 QString ScalePlate::barWords(const QString& length, double depth) const {
-    constexpr double kMostAside = 0.1; // of the depth
+    constexpr double kMostAside = 0.1, kMostBack = 0.25; // of the depth
     const CameraPose pose = cloud_->camera();
     if (pose.parallel) return length;
     const Eigen::Vector3d sensor = cloud_->geometryOfCloud()->sensor.cast<double>() - pose.position;
     const double along = pose.forward().dot(sensor), aside = (sensor - along * pose.forward()).norm();
-    if (aside > kMostAside * depth || along >= depth) return QString::fromUtf8("≈ ") + length;
+    if (aside > kMostAside * depth || std::abs(along) > kMostBack * depth) return QString::fromUtf8("≈ ") + length;
     return tr("%1 at %2 m").arg(length).arg(depth - along, 0, 'f', 1);
 }
 
