@@ -264,6 +264,7 @@
 <message><source>the comments in the export dialog</source><translation>los comentarios del diálogo de exportación</translation></message>
 <message><source>the filling of gaps in the Edges panel</source><translation>el relleno de huecos del panel de aristas</translation></message>
 <message><source>the outlines in the picture</source><translation>los contornos en la imagen</translation></message>
+<message><source>“%1” in Scan &gt; Sweep</source><translation>«%1» en Escaneo &gt; Barrido</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» en Escaneo &gt; Cómo se lee el escaneo</translation></message>
 <message><source>valid</source><translation>válida</translation></message>
 <message><source>no return</source><translation>sin retorno</translation></message>
@@ -1482,7 +1483,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Volver a %1, el valor del preajuste</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos de la ventana de distancias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arrastre un extremo, o Izquierda y Derecha para el lejano, con Mayús para el cercano; un doble clic la hace automática</translation></message>
-<message><source>Ranges</source><translation>Distancias</translation></message>
+<message><source>Gray scale</source><translation>Escala de gris</translation></message>
 <message><source>Auto</source><translation>Auto</translation></message>
 <message><source>Black and white as the method scales the ranges</source><translation>Negro y blanco según la escala de distancias del método</translation></message>
 <message><source>The window stays as it is when another scan is opened</source><translation>La ventana queda como está al abrir otro escaneo</translation></message>
@@ -1693,6 +1694,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
+<message><source>gray: %1 to %2 m</source><translation>gris: %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>hasta la línea %1</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>
@@ -2086,6 +2088,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadena: %1 celdas, la más fuerte en %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borde: %1; ningún valor de “%2” la hace borde.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>No es borde: %1; ningún valor de “%2” la hace borde.</translation></message>
+<message><source>Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.</source><translation>Borde: %1; como parte de su cadena sigue siendo borde con cada %2, hasta el mayor valor: %3.</translation></message>
 <message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Borde: %1; sigue siendo borde con cada %2, hasta el mayor valor: %3.</translation></message>
 <message><source>Edge: %1; as part of its chain it disappears only if you set %2 above %3.</source><translation>Borde: %1; como parte de su cadena solo desaparece si usted pone %2 por encima de %3.</translation></message>
 <message><source>Edge: %1; it disappears if you set %2 above %3.</source><translation>Borde: %1; desaparece si usted pone %2 por encima de %3.</translation></message>

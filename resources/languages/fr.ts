@@ -264,6 +264,7 @@
 <message><source>the comments in the export dialog</source><translation>les commentaires dans le dialogue d'exportation</translation></message>
 <message><source>the filling of gaps in the Edges panel</source><translation>le comblement des trous dans le panneau des arêtes</translation></message>
 <message><source>the outlines in the picture</source><translation>les contours dans l'image</translation></message>
+<message><source>“%1” in Scan &gt; Sweep</source><translation>« %1 » dans Scan &gt; Balayage</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>« %1 » dans Scan &gt; Comment le scan est lu</translation></message>
 <message><source>valid</source><translation>valide</translation></message>
 <message><source>no return</source><translation>sans retour</translation></message>
@@ -1482,7 +1483,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Revenir à %1, la valeur du préréglage</translation></message>
 <message><source>Ends of the range window</source><translation>Bornes de la fenêtre de distances</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Faites glisser une borne, ou Gauche et Droite pour la borne lointaine, avec Maj pour la proche ; un double-clic la rend automatique</translation></message>
-<message><source>Ranges</source><translation>Distances</translation></message>
+<message><source>Gray scale</source><translation>Échelle de gris</translation></message>
 <message><source>Auto</source><translation>Auto</translation></message>
 <message><source>Black and white as the method scales the ranges</source><translation>Noir et blanc selon l'échelle de distances de la méthode</translation></message>
 <message><source>The window stays as it is when another scan is opened</source><translation>La fenêtre reste telle quelle quand un autre scan est ouvert</translation></message>
@@ -1693,6 +1694,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
+<message><source>gray: %1 to %2 m</source><translation>gris : %1 à %2 m</translation></message>
 <message><source>up to line %1</source><translation>jusqu'à la ligne %1</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
 <message><source>by class</source><translation>par classe</translation></message>
@@ -2086,6 +2088,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Chaîne : %1 cellules, la plus forte à %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Pas d'arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
+<message><source>Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.</source><translation>Arête : %1 ; comme partie de sa chaîne elle reste une arête pour chaque %2, jusqu'à la plus grande valeur : %3.</translation></message>
 <message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Arête : %1 ; elle reste une arête pour chaque %2, jusqu'à la plus grande valeur : %3.</translation></message>
 <message><source>Edge: %1; as part of its chain it disappears only if you set %2 above %3.</source><translation>Arête : %1 ; comme partie de sa chaîne, elle ne disparaît que si vous mettez %2 au-dessus de %3.</translation></message>
 <message><source>Edge: %1; it disappears if you set %2 above %3.</source><translation>Arête : %1 ; elle disparaît si vous mettez %2 au-dessus de %3.</translation></message>

@@ -264,6 +264,7 @@
 <message><source>the comments in the export dialog</source><translation>os comentários na caixa de exportação</translation></message>
 <message><source>the filling of gaps in the Edges panel</source><translation>o preenchimento de falhas no painel de arestas</translation></message>
 <message><source>the outlines in the picture</source><translation>os contornos na imagem</translation></message>
+<message><source>“%1” in Scan &gt; Sweep</source><translation>«%1» em Varredura &gt; Varredura</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» em Varredura &gt; Como a varredura é lida</translation></message>
 <message><source>valid</source><translation>válida</translation></message>
 <message><source>no return</source><translation>sem retorno</translation></message>
@@ -1482,7 +1483,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Voltar a %1, o valor da predefinição</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos da janela de distâncias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arraste um extremo, ou Esquerda e Direita para o distante, com Shift para o próximo; um clique duplo a torna automática</translation></message>
-<message><source>Ranges</source><translation>Distâncias</translation></message>
+<message><source>Gray scale</source><translation>Escala de cinza</translation></message>
 <message><source>Auto</source><translation>Auto</translation></message>
 <message><source>Black and white as the method scales the ranges</source><translation>Preto e branco segundo a escala de distâncias do método</translation></message>
 <message><source>The window stays as it is when another scan is opened</source><translation>A janela fica como está quando outra varredura é aberta</translation></message>
@@ -1693,6 +1694,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
+<message><source>gray: %1 to %2 m</source><translation>cinza: %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>até a linha %1</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
 <message><source>by class</source><translation>por classe</translation></message>
@@ -2086,6 +2088,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadeia: %1 células, a mais forte em %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Não é borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
+<message><source>Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.</source><translation>Borda: %1; como parte da sua cadeia continua sendo borda com cada %2, até o maior valor: %3.</translation></message>
 <message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Borda: %1; continua sendo borda com cada %2, até o maior valor: %3.</translation></message>
 <message><source>Edge: %1; as part of its chain it disappears only if you set %2 above %3.</source><translation>Borda: %1; como parte da sua cadeia só desaparece se você puser %2 acima de %3.</translation></message>
 <message><source>Edge: %1; it disappears if you set %2 above %3.</source><translation>Borda: %1; desaparece se você puser %2 acima de %3.</translation></message>

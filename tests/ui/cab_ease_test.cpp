@@ -104,6 +104,13 @@ private slots:
             for (const auto* each : on.window.cab().frame().tools().findChildren<QToolButton*>())
                 QVERIFY2(placeOf(*each).bottom() <= a.bottom(), "Undo is the lowest");
         }
+        // What was undone in another scan cannot be done again: the buttons say so.
+        press(on.window, "cab-undo");
+        QVERIFY(redo->isEnabled());
+        on.viewer.files.openDemo();
+        QVERIFY(on.settled() && eventually([&] { return on.viewer.files.demo().has_value(); }));
+        QTRY_VERIFY(!redo->isEnabled() && !undo->isEnabled());
+        QCOMPARE(redo->accessibleName(), QString("Redo"));
     }
 
     // The table of rocks covers the views, with rows for gloves, and widens nothing. At the desk it is a dock again.

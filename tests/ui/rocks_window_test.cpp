@@ -1028,6 +1028,38 @@ private slots:
         QVERIFY2(card.minimumSizeHint().width() <= 240, qPrintable(QString::number(card.minimumSizeHint().width())));
     }
 
+    // The window of a section opens where it covers the least of its rock.
+    void aSectionLeavesItsRockInSight() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(showRocks(on));
+        int moved = 0;
+        for (const rocks::Rock& rock : picture(on).study.rocks) {
+            on.viewer.rocks.select({rock.cell});
+            QRect place;
+            for (std::uint32_t k = 0; k < picture(on).labels.size(); ++k) {
+                const auto at = picture(on).labelAt(k) == rock.label ? on.viewer.cloud.pixelOf(k) : std::nullopt;
+                if (at) place |= QRect(at->toPoint(), QSize(1, 1));
+            }
+            place = place.intersected(on.viewer.cloud.rect()).translated(on.viewer.cloud.mapToGlobal(QPoint()));
+            if (place.isEmpty()) continue;
+            on.viewer.sections.close();
+            on.viewer.sections.throughRock();
+            QTRY_VERIFY(on.viewer.sections.card() != nullptr && on.viewer.sections.card()->isVisible());
+            const QRect card = on.viewer.sections.card()->frameGeometry();
+            const int left = on.window.mapToGlobal(QPoint()).x();
+            const auto covered = [&](int x) {
+                const QRect both = QRect(QPoint(x, card.y()), card.size()).intersected(place);
+                return both.isEmpty() ? 0.0 : 1.0 * both.width() * both.height();
+            };
+            const double slack = 0.05 * place.width() * place.height(); // it looks at some of the cells
+            for (const int x : {left, left + on.window.width() - card.width()})
+                QVERIFY2(covered(card.x()) <= covered(x) + slack, qPrintable(QString("rock %1 at %2").arg(rock.label).arg(card.x())));
+            moved += card.x() > left ? 1 : 0;
+        }
+        QVERIFY2(moved > 0, "it was at one place for all of them");
+    }
+
     // A section through a rock opens on the rock; its axes are named, and the message of an export counts what is in it.
     void aSectionThroughARockIsAboutThatRock() {
         WindowFixture on;

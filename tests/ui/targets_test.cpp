@@ -402,6 +402,7 @@ private slots:
         click(gray, 30, 10);
         click(gray, 30, 30);
         QVERIFY2(on.viewer.notice.text().contains("13.00 m behind the surface under its line"), qPrintable(on.viewer.notice.text()));
+        QVERIFY2(on.viewer.targets.measuresInWords().back().endsWith("…"), "a length that is not known yet is not one without a range");
         QVERIFY(known(on));
         QTRY_VERIFY(gray.marks().measures.back().label.startsWith(QString::fromUtf8("▲ ")));
         on.viewer.measures.stop();

@@ -351,7 +351,7 @@ QString wordsOf(const QString& text) {
 }
 
 /// "--unit m" -> "“unit” in Scan > How the Scan Is Read".
-QString placeOf(const QString& flag) {
+QString placeOf(const QString& flag, SetFor what) {
     const auto known = std::ranges::find_if(kPlaces, [&](const auto& each) { return flag == QLatin1String(each.first); });
     if (known != kPlaces.end()) return QObject::tr(known->second);
     if (std::ranges::any_of(kFieldsOfReading, [&](const char* field) { return flag == QLatin1String(field); })) {
@@ -359,16 +359,17 @@ QString placeOf(const QString& flag) {
         const auto option =
             std::ranges::find_if(readingOptionTable(), [&](const ReadingOption& each) { return flag == QLatin1String(each.key); });
         const bool isNamed = option != readingOptionTable().end() && option->kind == ReadingOption::Kind::Number; // by its label
-        return QObject::tr("“%1” in Scan > How the Scan Is Read").arg(isNamed ? QObject::tr(option->help).remove(unit) : flag);
+        return (what == SetFor::Scanner ? QObject::tr("“%1” in Scan > Sweep") : QObject::tr("“%1” in Scan > How the Scan Is Read"))
+            .arg(isNamed ? QObject::tr(option->help).remove(unit) : flag);
     }
     return QObject::tr("“%1”").arg(QString(flag).replace('-', ' '));
 }
 
-QString withoutFlags(QString text) {
+QString withoutFlags(QString text, SetFor what) {
     // A flag, its value, and the place in the window that some texts name themselves.
     static const QRegularExpression flag("(?<![\\w-])--([a-z][a-z-]*)((?: [A-Z][A-Z,.a-z]*(?:\\.json)?)?)( \\([^)]* > [^)]*\\))?");
     for (auto found = flag.match(text); found.hasMatch(); found = flag.match(text)) {
-        const QString place = found.captured(3).isEmpty() ? placeOf(found.captured(1)) : found.captured(3).mid(2).chopped(1);
+        const QString place = found.captured(3).isEmpty() ? placeOf(found.captured(1), what) : found.captured(3).mid(2).chopped(1);
         text.replace(found.capturedStart(), found.capturedLength(), place);
     }
     return text;
@@ -411,9 +412,9 @@ QString scanName(const std::string& name, int mostCharacters) {
     return shownName(wholeText(patterns, exactText(name), same), mostCharacters);
 }
 
-QString coreSentence(const QString& text) {
+QString coreSentence(const QString& text, SetFor what) {
     static const std::vector<Pattern> patterns = patternsOf(kParts, false);
-    QString result = withoutKeys(withoutFlags(text));
+    QString result = withoutKeys(withoutFlags(text, what));
     for (const Pattern& each : patterns) {
         if (const auto found = each.match.match(result); found.hasMatch())
             result.replace(found.capturedStart(), found.capturedLength(), filled(each.source, found, same));
@@ -421,7 +422,7 @@ QString coreSentence(const QString& text) {
     return result;
 }
 
-QString coreSentence(const std::string& text) { return coreSentence(shownText(text)); }
+QString coreSentence(const std::string& text, SetFor what) { return coreSentence(shownText(text), what); }
 
 QString assumedText(const Scan& scan) {
     switch (assumedIn(scan)) {

@@ -63,7 +63,12 @@ inline void dropStepsOfOtherScans(QUndoStack& stack) {
         }
     };
     drop(-1, &QUndoStack::undo);
+    const int all = stack.count();
     drop(0, &QUndoStack::redo);
+    if (stack.count() != all) { // Qt reports no step that goes by Redo
+        emit stack.canRedoChanged(stack.canRedo());
+        emit stack.redoTextChanged(stack.redoText());
+    }
     stack.setProperty(kDrops, false);
 }
 

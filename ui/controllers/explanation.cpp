@@ -143,6 +143,9 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
             if (nearestEdge_) explain(inspect::exactly(*nearestEdge_), Subject::NearestEdge);
         });
     }
+    const auto& mask = *picture->detection->mask;
+    if (subject == Subject::Click && click.moved() && edges::nearestEdge(mask, click.clicked, 0) == click.clicked)
+        return explain(inspect::exactly(click.clicked), Subject::Click); // an edge was clicked, so it is meant and not its near side
     // Edges are drawn wider than a cell: a pointer on one of them means it, whatever cell is under its tip. Zoomed in, it does not.
     const auto edge = subject == Subject::NearestEdge ? std::nullopt : edgeNextTo(*picture->detection, click.cell);
     const auto apart = edge ? views_.pixelsBetween(click.cell, *edge) : std::nullopt;

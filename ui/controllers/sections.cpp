@@ -15,6 +15,7 @@
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/section/section_card.h"
 #include "ui/panels/section/section_plot.h"
+#include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 
 #include <QDir>
@@ -22,6 +23,7 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace edgescan::ui {
@@ -49,13 +51,37 @@ Eigen::AlignedBox2d boxOf(const inspect::Section& section, std::uint32_t rock) {
     return box;
 }
 
-/// In the lower part of the window: notes are at its top, such as that of an export.
-void placeBelowNotes(SectionCard& card, const QWidget& window) {
+/// As large as leaves most of the window in sight.
+QSize usualSize(const SectionCard& card, const QWidget& window) {
+    constexpr double kWide = 0.45, kHigh = 0.55; // of the window
+    const QSize least(560, 400), part(static_cast<int>(kWide * window.width()), static_cast<int>(kHigh * window.height()));
+    return card.sizeHint().boundedTo(part.expandedTo(least));
+}
+
+/// In the lower part of the window: notes are at its top, such as that of an export. Where it covers the least of what is cut.
+void placeBelowNotes(SectionCard& card, const QWidget& window, const QRect& cut) {
     const QRect room(window.mapToGlobal(QPoint()), window.size());
     const QSize size = card.frameGeometry().size();
     constexpr double kWideWindow = 1.8; // of its width: a window that has room for what is cut, next to it
+    const int left = room.left(), middle = room.center().x() - size.width() / 2, right = std::max(left, room.right() - size.width());
+    const int top = std::max(room.top(), room.bottom() - size.height());
     const bool isNarrow = room.width() < kWideWindow * size.width();
-    card.move(isNarrow ? room.center().x() - size.width() / 2 : room.left(), std::max(room.top(), room.bottom() - size.height()));
+    const auto covered = [&](int x) {
+        const QRect both = QRect({x, top}, size).intersected(cut);
+        return both.isEmpty() ? 0 : both.width() * both.height();
+    };
+    const std::array places = isNarrow ? std::array{middle, left, right} : std::array{left, right, middle};
+    card.move(*std::ranges::min_element(places, {}, covered), top); // the first of equal ones
+}
+
+/// Where the cloud shows these cells, px of the desktop.
+QRect placeIn(const CloudView& cloud, const std::vector<std::uint32_t>& cells) {
+    constexpr std::size_t kLooks = 200;
+    QRect place;
+    for (std::size_t n = 0; n < cells.size(); n += std::max<std::size_t>(1, cells.size() / kLooks)) {
+        if (const auto at = cloud.pixelOf(cells[n])) place |= QRect(at->toPoint(), QSize(1, 1));
+    }
+    return place.intersected(cloud.rect()).translated(cloud.mapToGlobal(QPoint()));
 }
 
 } // namespace
@@ -140,8 +166,8 @@ void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector
         if (rock == 0) ends.push_back(at);
     }
     const auto rocks = study();
-    sections_.ask(
-        {engine_.picture(), *plane, rocks, about, rocks ? SectionRocks{rocks_.picture()->colours, rock} : SectionRocks{}, ends, length});
+    sections_.ask({engine_.picture(), *plane, rocks, about, rocks ? SectionRocks{rocks_.picture()->colours, rock} : SectionRocks{}, ends,
+                   length, cells});
 }
 
 void Sections::take(const Question& question, const std::shared_ptr<const inspect::Section>& section) {
@@ -152,6 +178,7 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     }
     if (card_ == nullptr) {
         card_ = new SectionCard(notice_.window());
+        card_->resize(usualSize(*card_, *notice_.window()));
         connect(card_->exportButton(), &QPushButton::clicked, this, &Sections::askExport);
         connect(&card_->plot(), &SectionPlot::measured, this, &Sections::showLength);
         connect(&card_->plot(), &SectionPlot::hovered, this, [this](std::size_t cell) { views_.pointAt(cell); });
@@ -170,7 +197,7 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     card_->setWords(words.join(' '));
     const bool opens = !card_->isVisible();
     card_->show();
-    if (opens) placeBelowNotes(*card_, *notice_.window());
+    if (opens) placeBelowNotes(*card_, *notice_.window(), placeIn(views_.cloud(), question.cells));
     card_->raise();
 }
 

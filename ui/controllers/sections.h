@@ -53,6 +53,7 @@ private:
         SectionRocks drawn;                        ///< how
         std::vector<Eigen::Vector2d> endsM;        ///< of the measurement, across and up; empty: through a rock
         QString length;                            ///< of the measurement, as in the views
+        std::vector<std::uint32_t> cells;          ///< what the section is through
     };
     /// `rock`: label of the rock that these cells are of; 0: they are the ends of a measurement, and this is its length in words.
     void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock,

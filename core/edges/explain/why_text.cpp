@@ -286,10 +286,12 @@ std::string WhyWords::verdict() const {
                     : say("No edge: %1; no value of %2 makes it one.", {reason(), name});
     const Parameter& parameter = *findParameter(why_.parameter);
     const std::string limit = formatValue(parameter, *why_.appearsAt);
+    const bool byChain = why_.chainCells > 1 && *why_.appearsAt > why_.strength;
+    if (edge && byChain && *why_.appearsAt >= parameter.maximum)
+        return say("Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.", {reason(), name, limit});
     if (edge && *why_.appearsAt >= parameter.maximum)
         return say("Edge: %1; this remains an edge at each %2, up to the largest: %3.", {reason(), name, limit});
-    if (edge && why_.chainCells > 1 && *why_.appearsAt > why_.strength)
-        return say("Edge: %1; as part of its chain it disappears only if you set %2 above %3.", {reason(), name, limit});
+    if (edge && byChain) return say("Edge: %1; as part of its chain it disappears only if you set %2 above %3.", {reason(), name, limit});
     return edge ? say("Edge: %1; it disappears if you set %2 above %3.", {reason(), name, limit})
                 : say("No edge: %1; this becomes an edge when %2 is %3 or less.", {reason(), name, limit});
 }

@@ -385,7 +385,7 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
             parts.push_back(say("▲ one end is %1 m farther away than the other", {fixedText(apartM, 2)}));
         if (measured.byOneClick)
             parts.push_back(say("across the middle of the opening"));
-        else
+        else if (!measured.isFarFromClicks())
             parts.push_back(say("between the two sides that were clicked"));
         const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;
         if (measured.dependsMuch())

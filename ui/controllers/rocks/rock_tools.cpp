@@ -152,7 +152,11 @@ void Rocks::takeStroke(std::vector<QPoint> cells) {
 
 void Rocks::takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) {
     if (asked.stream != stream_) return; // the cells are of another scan
-    if (!cut.empty()) return push(stepName("cut of a rock"), cut);
+    if (!cut.empty()) {
+        const rocks::CutLine& line = cut.front().cells;
+        if (selected_.size() > 1) select({line[line.size() / 2]}); // of several, a part of the one that is cut
+        return push(stepName("cut of a rock"), cut);
+    }
     notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.")
                          .arg(rocks::kFewestSplit));
 }

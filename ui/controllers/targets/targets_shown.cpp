@@ -165,7 +165,8 @@ CellMarks Targets::marks() const {
 }
 
 MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
-    MeasureWords words{tr(inspect::traitsOf(measure.kind).label), tr("a cell of it has no range"), {}, {}, {}};
+    const bool waits = std::ranges::find(known_.measures, measure, [](const auto& each) { return each.first; }) == known_.measures.end();
+    MeasureWords words{tr(inspect::traitsOf(measure.kind).label), waits ? "…" : tr("a cell of it has no range"), {}, {}, {}};
     const inspect::MeasuredCells* now = knownOf(measure);
     QStringList all;
     if (now != nullptr) {
