@@ -33,7 +33,6 @@
 <message><source>window clean</source><translation>ventana limpia</translation></message>
 <message><source>device ok</source><translation>equipo en orden</translation></message>
 <message><source>DEVICE ERROR</source><translation>ERROR DEL EQUIPO</translation></message>
-<message><source>no pose</source><translation>sin pose</translation></message>
 <message><source>pose of unknown age</source><translation>pose de edad desconocida</translation></message>
 <message><source>pose %1 old</source><translation>pose de hace %1</translation></message>
 <message><source>sweep complete</source><translation>barrido completo</translation></message>
@@ -1483,7 +1482,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Volver a %1, el valor del preajuste</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos de la ventana de distancias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arrastre un extremo, o Izquierda y Derecha para el lejano, con Mayús para el cercano; un doble clic la hace automática</translation></message>
-<message><source>Gray scale</source><translation>Escala de gris</translation></message>
+<message><source>Gray</source><translation>Gris</translation></message>
 <message><source>Auto</source><translation>Auto</translation></message>
 <message><source>Black and white as the method scales the ranges</source><translation>Negro y blanco según la escala de distancias del método</translation></message>
 <message><source>The window stays as it is when another scan is opened</source><translation>La ventana queda como está al abrir otro escaneo</translation></message>
@@ -1694,7 +1693,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
-<message><source>gray: %1 to %2 m</source><translation>gris: %1 a %2 m</translation></message>
+<message><source>gray %1 to %2 m</source><translation>gris %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>hasta la línea %1</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>

@@ -33,7 +33,6 @@
 <message><source>window clean</source><translation>fenêtre propre</translation></message>
 <message><source>device ok</source><translation>appareil en ordre</translation></message>
 <message><source>DEVICE ERROR</source><translation>ERREUR DE L'APPAREIL</translation></message>
-<message><source>no pose</source><translation>pas de pose</translation></message>
 <message><source>pose of unknown age</source><translation>pose d'âge inconnu</translation></message>
 <message><source>pose %1 old</source><translation>pose vieille de %1</translation></message>
 <message><source>sweep complete</source><translation>balayage complet</translation></message>
@@ -1483,7 +1482,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Revenir à %1, la valeur du préréglage</translation></message>
 <message><source>Ends of the range window</source><translation>Bornes de la fenêtre de distances</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Faites glisser une borne, ou Gauche et Droite pour la borne lointaine, avec Maj pour la proche ; un double-clic la rend automatique</translation></message>
-<message><source>Gray scale</source><translation>Échelle de gris</translation></message>
+<message><source>Gray</source><translation>Gris</translation></message>
 <message><source>Auto</source><translation>Auto</translation></message>
 <message><source>Black and white as the method scales the ranges</source><translation>Noir et blanc selon l'échelle de distances de la méthode</translation></message>
 <message><source>The window stays as it is when another scan is opened</source><translation>La fenêtre reste telle quelle quand un autre scan est ouvert</translation></message>
@@ -1694,7 +1693,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
-<message><source>gray: %1 to %2 m</source><translation>gris : %1 à %2 m</translation></message>
+<message><source>gray %1 to %2 m</source><translation>gris %1 à %2 m</translation></message>
 <message><source>up to line %1</source><translation>jusqu'à la ligne %1</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
 <message><source>by class</source><translation>par classe</translation></message>

@@ -33,7 +33,6 @@
 <message><source>window clean</source><translation>janela limpa</translation></message>
 <message><source>device ok</source><translation>aparelho em ordem</translation></message>
 <message><source>DEVICE ERROR</source><translation>ERRO DO APARELHO</translation></message>
-<message><source>no pose</source><translation>sem pose</translation></message>
 <message><source>pose of unknown age</source><translation>pose de idade desconhecida</translation></message>
 <message><source>pose %1 old</source><translation>pose de há %1</translation></message>
 <message><source>sweep complete</source><translation>varredura completa</translation></message>
@@ -1483,7 +1482,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Voltar a %1, o valor da predefinição</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos da janela de distâncias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arraste um extremo, ou Esquerda e Direita para o distante, com Shift para o próximo; um clique duplo a torna automática</translation></message>
-<message><source>Gray scale</source><translation>Escala de cinza</translation></message>
+<message><source>Gray</source><translation>Cinza</translation></message>
 <message><source>Auto</source><translation>Auto</translation></message>
 <message><source>Black and white as the method scales the ranges</source><translation>Preto e branco segundo a escala de distâncias do método</translation></message>
 <message><source>The window stays as it is when another scan is opened</source><translation>A janela fica como está quando outra varredura é aberta</translation></message>
@@ -1694,7 +1693,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
-<message><source>gray: %1 to %2 m</source><translation>cinza: %1 a %2 m</translation></message>
+<message><source>gray %1 to %2 m</source><translation>cinza %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>até a linha %1</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
 <message><source>by class</source><translation>por classe</translation></message>

@@ -203,9 +203,9 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_C);
         // The ranges of the image, also after a change of the window.
         const RangeSpan usual = on.viewer.views.rangesShown();
-        QCOMPARE(range.note(), QString("gray: %1 to %2 m").arg(usual.nearM, 0, 'f', 2).arg(usual.farM, 0, 'f', 2));
+        QCOMPARE(range.note(), QString("gray %1 to %2 m").arg(usual.nearM, 0, 'f', 1).arg(usual.farM, 0, 'f', 1));
         on.viewer.views.setRangeWindow(RangeSpan{1.0, 2.5});
-        QCOMPARE(range.note(), QString("gray: 1.00 to 2.50 m"));
+        QCOMPARE(range.note(), QString("gray 1.0 to 2.5 m"));
         // Hidden cells are not drawn: the title shows the number of remaining points.
         on.viewer.selection.hideBeyond(0.0, (usual.nearM + usual.farM) / 2);
         const std::size_t hidden = on.viewer.selection.hidden().size();

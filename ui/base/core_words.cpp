@@ -49,7 +49,6 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "window clean"),
     QT_TRANSLATE_NOOP("QObject", "device ok"),
     QT_TRANSLATE_NOOP("QObject", "DEVICE ERROR"),
-    QT_TRANSLATE_NOOP("QObject", "no pose"),
     QT_TRANSLATE_NOOP("QObject", "pose of unknown age"),
     QT_TRANSLATE_NOOP("QObject", "pose %1 old"),
     QT_TRANSLATE_NOOP("QObject", "sweep complete"),

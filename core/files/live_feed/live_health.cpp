@@ -163,6 +163,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
         health.lostRows = lines.lost;
         health.noReturn = noReturnOf(lines);
         health.end = endOf(status, health.liveness);
+        health.endComes = health.liveness == Liveness::Live && lines.expected > 0 && !lines.endUnknown;
         tellWindow(health, sweep);
         health.device = sweep.device.error || sweep.deviceEver.error ? Condition::Failure : Condition::Good;
         health.deviceState = health.device == Condition::Good ? "device ok"
@@ -171,9 +172,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     }
     if (!lines.lost.empty()) health.lost = std::to_string(lines.lost.size()) + " lost: " + scanner::rowsText(lines.lost, 4);
     tellTelegrams(health, status, lines);
-    if (placement == nullptr)
-        health.pose = "no pose";
-    else
+    if (placement != nullptr)
         health.pose = std::isnan(placement->ageSeconds) ? "pose of unknown age" : "pose " + ageText(placement->ageSeconds) + " old";
     if (status.recording) tellRecording(health, *status.recording);
     if (health.stale() && age) tellAge(health, *age);

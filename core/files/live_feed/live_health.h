@@ -45,8 +45,9 @@ struct LiveHealth {
     std::string contamination; ///< "window clean", "WINDOW DIRTY", "WINDOW TOO DIRTY"; also of an earlier line of the sweep
     Condition device = Condition::Good;
     std::string deviceState; ///< "device ok", "DEVICE ERROR"
-    std::string pose;        ///< "no pose", "pose 12 s old"
+    std::string pose;        ///< "pose 12 s old"; empty without a pose
     std::string end;         ///< "27 s left", "sweep complete"; empty when it is not known
+    bool endComes = false;   ///< the time left is known, or will be after some lines
     std::string recording;   ///< "recording 1.2 MB", "RECORDING ENDED: why"; empty when none is written
     Condition recorded = Condition::Good;
 

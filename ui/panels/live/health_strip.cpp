@@ -112,9 +112,8 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     badge(device_, signOf(health.device), coreWords(health.deviceState), health.device != files::Condition::Good);
     showText(pose_, health.lines.empty() || brief_ || notFollowing ? std::string() : health.pose);
     showText(end_, narrow && notFollowing ? std::string() : health.end);
-    const bool ends = present && !brief_ && health.rows > 0; // the time left has its place before it is known
-    const auto wide = [this](const char* words) { return end_->fontMetrics().horizontalAdvance(coreWords(words)); };
-    end_->setMinimumWidth(ends ? std::max(wide("59 s left"), wide("sweep complete")) : 0);
+    const bool ends = health.endComes && present && !brief_; // it has its place before it is known
+    end_->setMinimumWidth(ends ? end_->fontMetrics().horizontalAdvance(coreWords("59 s left")) : 0);
     end_->setVisible(ends || !end_->text().isEmpty());
     // While nothing is wrong with it, the recording is shown next to its button; in a cab, which has no room there, here.
     const bool recordsWell = health.recorded == files::Condition::Good;

@@ -168,7 +168,7 @@ void RangeHandles::paintEvent(QPaintEvent* /*event*/) {
 }
 
 RangeWindow::RangeWindow(QWidget* parent)
-    : QWidget(parent), title_(new QLabel(tr("Gray scale"))), words_(new QLabel), automatic_(new QToolButton), lock_(new QToolButton),
+    : QWidget(parent), title_(new QLabel(tr("Gray"))), words_(new QLabel), automatic_(new QToolButton), lock_(new QToolButton),
       handles_(new RangeHandles) {
     setObjectName("range-window");
     QFont bold = title_->font();

@@ -124,7 +124,7 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(healthOf(status).contamination, "window clean, 5 s ago"); // nothing is known of the present
     status.secondsSinceLine = 0.0;
     EXPECT_EQ(health.contamination, "window clean");
-    EXPECT_EQ(health.pose, "no pose");
+    EXPECT_EQ(health.pose, ""); // the status line has it
     EXPECT_TRUE(health.recording.empty());
     // S5: stored for the sweep even after it is cleared.
     status.sweep.device.contaminationWarning = status.sweep.deviceEver.contaminationWarning = true;
