@@ -263,7 +263,6 @@
 <message><source>the comments in the export dialog</source><translation>los comentarios del diálogo de exportación</translation></message>
 <message><source>the filling of gaps in the Edges panel</source><translation>el relleno de huecos del panel de aristas</translation></message>
 <message><source>the outlines in the picture</source><translation>los contornos en la imagen</translation></message>
-<message><source>“%1” in Scan &gt; Sweep</source><translation>«%1» en Escaneo &gt; Barrido</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» en Escaneo &gt; Cómo se lee el escaneo</translation></message>
 <message><source>valid</source><translation>válida</translation></message>
 <message><source>no return</source><translation>sin retorno</translation></message>
@@ -271,6 +270,7 @@
 <message><source>out of window</source><translation>fuera de la ventana</translation></message>
 <message><source>masked</source><translation>enmascaradas</translation></message>
 <message><source>lost</source><translation>perdidas</translation></message>
+<message><source>Scan &gt; Sweep… takes what is right.</source><translation>Escaneo &gt; Barrido… admite lo correcto.</translation></message>
 <message><source>▲ mounting from the ranges</source><translation>▲ montaje según las distancias</translation></message>
 <message><source>▲ step assumed</source><translation>▲ paso supuesto</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
@@ -638,8 +638,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer. Haga clic en otra parte de la roca, o dibuje a través de toda ella, más allá de su contorno.</translation></message>
-<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>No hay ningún bloque seleccionado: arrastre una línea a través de los bloques que son uno.</translation></message>
-<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Un bloque está seleccionado: haga clic en el otro, o arrastre una línea a través de los bloques que son uno.</translation></message>
+<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>No hay ninguna roca seleccionada: arrastre una línea a través de las rocas que son una sola.</translation></message>
+<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Una roca está seleccionada: haga clic en la otra, o arrastre una línea a través de las rocas que son una sola.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
@@ -742,6 +742,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>A click into an opening measures all of it: the click before was not needed.</source><translation>Un clic en una abertura la mide entera: el clic anterior no hacía falta.</translation></message>
+<message><source>Clicks next to this one find a throat of %1 to %2 m: zoom in, or click on the rock at both sides.</source><translation>Clics junto a este encuentran una garganta de %1 a %2 m: acerque la vista, o haga clic en la roca de ambos lados.</translation></message>
 <message><source>Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into the middle of the opening.</source><translation>Clics junto a estos encuentran una garganta de %1 a %2 m: acerque la vista y haga clic en la roca de ambos lados, o una vez en el medio de la abertura.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>No hay abertura entre estos dos clics: haga clic en la roca a ambos lados de una. Distancia mide sobre una roca.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic pasó por la abertura, así que se tomó el borde de delante: compruebe los dos extremos de la línea.</translation></message>
@@ -1413,7 +1414,6 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>contando las celdas de borde …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
-<message><source>at %1: %2</source><translation>en %1: %2</translation></message>
 <message><source>Without %1:</source><translation>Sin %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sin %1 clases:</translation></message>
 <message><source>other classes take the cells</source><translation>otras clases toman las celdas</translation></message>

@@ -263,7 +263,6 @@
 <message><source>the comments in the export dialog</source><translation>les commentaires dans le dialogue d'exportation</translation></message>
 <message><source>the filling of gaps in the Edges panel</source><translation>le comblement des trous dans le panneau des arêtes</translation></message>
 <message><source>the outlines in the picture</source><translation>les contours dans l'image</translation></message>
-<message><source>“%1” in Scan &gt; Sweep</source><translation>« %1 » dans Scan &gt; Balayage</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>« %1 » dans Scan &gt; Comment le scan est lu</translation></message>
 <message><source>valid</source><translation>valide</translation></message>
 <message><source>no return</source><translation>sans retour</translation></message>
@@ -271,6 +270,7 @@
 <message><source>out of window</source><translation>hors de la fenêtre</translation></message>
 <message><source>masked</source><translation>masquées</translation></message>
 <message><source>lost</source><translation>perdues</translation></message>
+<message><source>Scan &gt; Sweep… takes what is right.</source><translation>Scan &gt; Balayage… prend ce qui est juste.</translation></message>
 <message><source>▲ mounting from the ranges</source><translation>▲ montage d'après les distances</translation></message>
 <message><source>▲ step assumed</source><translation>▲ pas supposé</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
@@ -742,6 +742,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>A click into an opening measures all of it: the click before was not needed.</source><translation>Un clic dans une ouverture la mesure en entier : le clic d'avant n'était pas nécessaire.</translation></message>
+<message><source>Clicks next to this one find a throat of %1 to %2 m: zoom in, or click on the rock at both sides.</source><translation>Des clics à côté de celui-ci trouvent une gorge de %1 à %2 m : zoomez, ou cliquez sur la roche des deux côtés.</translation></message>
 <message><source>Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into the middle of the opening.</source><translation>Des clics à côté de ceux-ci trouvent une gorge de %1 à %2 m : zoomez et cliquez sur la roche des deux côtés, ou une fois au milieu de l'ouverture.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Pas d'ouverture entre ces deux clics : cliquez la roche des deux côtés d'une ouverture. Distance mesure sur une roche.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic est passé par l'ouverture, donc le bord devant a été pris : vérifiez les deux extrémités de la ligne.</translation></message>
@@ -1413,7 +1414,6 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>comptage des cellules d'arête …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
-<message><source>at %1: %2</source><translation>à %1 : %2</translation></message>
 <message><source>Without %1:</source><translation>Sans %1 :</translation></message>
 <message><source>Without %1 classes:</source><translation>Sans %1 classes :</translation></message>
 <message><source>other classes take the cells</source><translation>d'autres classes prennent les cellules</translation></message>

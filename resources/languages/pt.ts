@@ -263,7 +263,6 @@
 <message><source>the comments in the export dialog</source><translation>os comentários na caixa de exportação</translation></message>
 <message><source>the filling of gaps in the Edges panel</source><translation>o preenchimento de falhas no painel de arestas</translation></message>
 <message><source>the outlines in the picture</source><translation>os contornos na imagem</translation></message>
-<message><source>“%1” in Scan &gt; Sweep</source><translation>«%1» em Varredura &gt; Varredura</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» em Varredura &gt; Como a varredura é lida</translation></message>
 <message><source>valid</source><translation>válida</translation></message>
 <message><source>no return</source><translation>sem retorno</translation></message>
@@ -271,6 +270,7 @@
 <message><source>out of window</source><translation>fora da janela</translation></message>
 <message><source>masked</source><translation>mascaradas</translation></message>
 <message><source>lost</source><translation>perdidas</translation></message>
+<message><source>Scan &gt; Sweep… takes what is right.</source><translation>Varredura &gt; Varredura… aceita o que é certo.</translation></message>
 <message><source>▲ mounting from the ranges</source><translation>▲ montagem pelas distâncias</translation></message>
 <message><source>▲ step assumed</source><translation>▲ passo suposto</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
@@ -638,8 +638,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer. Clique em outra parte da rocha, ou desenhe através de toda ela, além do seu contorno.</translation></message>
-<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>Nenhum bloco está selecionado: arraste uma linha através dos blocos que são um só.</translation></message>
-<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Um bloco está selecionado: clique no outro, ou arraste uma linha através dos blocos que são um só.</translation></message>
+<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>Nenhuma rocha está selecionada: arraste uma linha através das rochas que são uma só.</translation></message>
+<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Uma rocha está selecionada: clique na outra, ou arraste uma linha através das rochas que são uma só.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
@@ -742,6 +742,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>A click into an opening measures all of it: the click before was not needed.</source><translation>Um clique numa abertura a mede inteira: o clique anterior não era necessário.</translation></message>
+<message><source>Clicks next to this one find a throat of %1 to %2 m: zoom in, or click on the rock at both sides.</source><translation>Cliques junto a este encontram uma garganta de %1 a %2 m: aproxime a vista, ou clique na rocha dos dois lados.</translation></message>
 <message><source>Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into the middle of the opening.</source><translation>Cliques junto a estes encontram uma garganta de %1 a %2 m: aproxime a vista e clique na rocha dos dois lados, ou uma vez no meio da abertura.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Não há abertura entre estes dois cliques: clique na rocha dos dois lados de uma. Distância mede sobre uma rocha.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Um clique passou pela abertura, por isso foi tomada a borda da frente: verifique as duas pontas da linha.</translation></message>
@@ -1413,7 +1414,6 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>contando as células de borda …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
-<message><source>at %1: %2</source><translation>em %1: %2</translation></message>
 <message><source>Without %1:</source><translation>Sem %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sem %1 classes:</translation></message>
 <message><source>other classes take the cells</source><translation>outras classes tomam as células</translation></message>

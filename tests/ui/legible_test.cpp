@@ -239,12 +239,6 @@ private slots:
         QVERIFY(measure->isChecked());
         pressed("Pin");
         QVERIFY(!measure->isChecked() && on.viewer.views.tool() == Tool::Pin);
-        // Its menu begins with a distance, and leaves a measurement alone that was begun.
-        emit measure->menu()->aboutToShow();
-        QVERIFY(measure->isChecked() && on.viewer.measures.kind() == inspect::MeasureKind::Distance);
-        on.viewer.measures.start(inspect::MeasureKind::Throat);
-        emit measure->menu()->aboutToShow();
-        QVERIFY(on.viewer.measures.kind() == inspect::MeasureKind::Throat);
     }
 
     // Three panels, one above the other, with the cards of a rock and a target: content that does not fit scrolls, and no widget is

@@ -1283,7 +1283,9 @@ private slots:
         QVERIFY(settled(on));
         QVERIFY(picture(on).labels == before);
 
-        // Two clicks are the ends of the same line; the first one makes no step, and no click pins.
+        // Two clicks are the ends of the same line; the first one makes no step, and no click pins. Of several selected rocks a part of the
+        // one that is cut is selected.
+        on.viewer.rocks.select({rock.cell, picture(on).rock(2)->cell});
         QTest::keyClick(&on.window, Qt::Key_X);
         const QPoint oneEnd = pixelOf(view, {std::max(0, left - 3), middle.y()}),
                      otherEnd = pixelOf(view, {std::min(before.beams - 1, right + 3), middle.y()});
@@ -1295,6 +1297,7 @@ private slots:
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, otherEnd);
         QVERIFY(settled(on));
         QVERIFY(on.viewer.rocks.tool() == RockTool::None && on.viewer.undo.index() == steps + 1);
+        QVERIFY(on.viewer.rocks.selected().size() == 1 && before[on.viewer.rocks.selected().front()] == 1);
         QCOMPARE(on.viewer.targets.notebook().targets.size(), targets);
         QVERIFY(picture(on).regionAt(over) != picture(on).regionAt(under) && picture(on).labels[over] != 0 &&
                 picture(on).labels[under] != 0);

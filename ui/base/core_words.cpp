@@ -350,7 +350,7 @@ QString wordsOf(const QString& text) {
 }
 
 /// "--unit m" -> "“unit” in Scan > How the Scan Is Read".
-QString placeOf(const QString& flag, SetFor what) {
+QString placeOf(const QString& flag) {
     const auto known = std::ranges::find_if(kPlaces, [&](const auto& each) { return flag == QLatin1String(each.first); });
     if (known != kPlaces.end()) return QObject::tr(known->second);
     if (std::ranges::any_of(kFieldsOfReading, [&](const char* field) { return flag == QLatin1String(field); })) {
@@ -358,17 +358,16 @@ QString placeOf(const QString& flag, SetFor what) {
         const auto option =
             std::ranges::find_if(readingOptionTable(), [&](const ReadingOption& each) { return flag == QLatin1String(each.key); });
         const bool isNamed = option != readingOptionTable().end() && option->kind == ReadingOption::Kind::Number; // by its label
-        return (what == SetFor::Scanner ? QObject::tr("“%1” in Scan > Sweep") : QObject::tr("“%1” in Scan > How the Scan Is Read"))
-            .arg(isNamed ? QObject::tr(option->help).remove(unit) : flag);
+        return QObject::tr("“%1” in Scan > How the Scan Is Read").arg(isNamed ? QObject::tr(option->help).remove(unit) : flag);
     }
     return QObject::tr("“%1”").arg(QString(flag).replace('-', ' '));
 }
 
-QString withoutFlags(QString text, SetFor what) {
+QString withoutFlags(QString text) {
     // A flag, its value, and the place in the window that some texts name themselves.
     static const QRegularExpression flag("(?<![\\w-])--([a-z][a-z-]*)((?: [A-Z][A-Z,.a-z]*(?:\\.json)?)?)( \\([^)]* > [^)]*\\))?");
     for (auto found = flag.match(text); found.hasMatch(); found = flag.match(text)) {
-        const QString place = found.captured(3).isEmpty() ? placeOf(found.captured(1), what) : found.captured(3).mid(2).chopped(1);
+        const QString place = found.captured(3).isEmpty() ? placeOf(found.captured(1)) : found.captured(3).mid(2).chopped(1);
         text.replace(found.capturedStart(), found.capturedLength(), place);
     }
     return text;
@@ -411,9 +410,9 @@ QString scanName(const std::string& name, int mostCharacters) {
     return shownName(wholeText(patterns, exactText(name), same), mostCharacters);
 }
 
-QString coreSentence(const QString& text, SetFor what) {
+QString coreSentence(const QString& text) {
     static const std::vector<Pattern> patterns = patternsOf(kParts, false);
-    QString result = withoutKeys(withoutFlags(text, what));
+    QString result = withoutKeys(withoutFlags(text));
     for (const Pattern& each : patterns) {
         if (const auto found = each.match.match(result); found.hasMatch())
             result.replace(found.capturedStart(), found.capturedLength(), filled(each.source, found, same));
@@ -421,7 +420,12 @@ QString coreSentence(const QString& text, SetFor what) {
     return result;
 }
 
-QString coreSentence(const std::string& text, SetFor what) { return coreSentence(shownText(text), what); }
+QString coreSentence(const std::string& text) { return coreSentence(shownText(text)); }
+
+QString ofScanner(QString warning) {
+    static const QRegularExpression advice("Give --[^.]* where that is wrong\\.");
+    return warning.replace(advice, QObject::tr("Scan > Sweep… takes what is right."));
+}
 
 QString assumedText(const Scan& scan) {
     switch (assumedIn(scan)) {

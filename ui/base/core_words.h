@@ -23,10 +23,12 @@ namespace edgescan::ui {
 [[nodiscard]] QString scanName(const std::string& name, int mostCharacters = 120);
 
 /// Sentences: an error, a warning, a remark. Their known parts are translated, and "--unit m" becomes the place in the window where it is
-/// set: for a scan that is read, or for a scanner. Other text stays.
-enum class SetFor : std::uint8_t { Scan, Scanner };
-[[nodiscard]] QString coreSentence(const QString& text, SetFor what = SetFor::Scan);
-[[nodiscard]] QString coreSentence(const std::string& text, SetFor what = SetFor::Scan);
+/// set. Other text stays.
+[[nodiscard]] QString coreSentence(const QString& text);
+[[nodiscard]] QString coreSentence(const std::string& text);
+
+/// A warning about a sweep of a scanner: what is assumed is given in Scan > Sweep, and not where a file is read.
+[[nodiscard]] QString ofScanner(QString warning);
 
 /// "▲ mounting assumed", "▲ step assumed"; empty: neither is.
 [[nodiscard]] QString assumedText(const Scan& scan);

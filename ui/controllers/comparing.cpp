@@ -131,6 +131,7 @@ void Comparing::end() {
     if (earlier) {
         notice_.showNotice(NoticeBar::Kind::Done,
                            tr("The comparison ended: B, %1, is on the screen.").arg(scanName(engine_.picture()->detection->scan->name)));
+        notes_ << notice_.text(); // Undo withdraws it
         return notice_.offer(tr("Open A"), [this, scan = earlier->scan] { files_.openAgain(scan); });
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("The comparison ended: A was forgotten."));

@@ -56,6 +56,7 @@ void ScanReport::ask() {
     ReportForm form(words, notice_.window());
     if (form.exec() != QDialog::Accepted) return;
     words = form.words();
+    const bool shown = rocks_.shown();
     if (words.rocks) rocks_.setShown(true); // they are computed while the operator chooses the file
     preferences_.keep("report/site", words.site);
     preferences_.keep("report/author", words.author);
@@ -70,7 +71,8 @@ void ScanReport::ask() {
     question.place = QDir(preferences_.folder("exports")).filePath(name + "_report" + words.extension);
     question.filters << tr("Page for any browser (*.html)") << tr("PDF (*.pdf)");
     const QString path = askWhereToSave(notice_.window(), question);
-    if (!path.isEmpty()) writeTo(path, words);
+    if (path.isEmpty()) return rocks_.setShown(shown);
+    writeTo(path, words);
 }
 
 std::string ScanReport::commandFor(const edges::Detection& detection, const QString& path, const ReportWords& words) const {
@@ -150,7 +152,7 @@ void ScanReport::writeTo(const QString& path, const ReportWords& words) {
                 isPdf(path) ? writeWholeFile(exactBytes(path), bytesOf(pdfOfPage(page))) : writeWholeFile(exactBytes(path), page);
             return [this, written, path] {
                 if (!written) return notice_.showError(written.error());
-                notice_.showSaved(path, isPdf(path) ? tr("pages to print") : tr("a page for any browser"), {});
+                notice_.showSaved(path, isPdf(path) ? tr("pages to print") : tr("a page for any browser"));
                 emit saved(path);
             };
         },

@@ -78,7 +78,7 @@ void placeBelowNotes(SectionCard& card, const QWidget& window, const QRect& cut)
 QRect placeIn(const CloudView& cloud, const std::vector<std::uint32_t>& cells) {
     constexpr std::size_t kLooks = 200;
     QRect place;
-    for (std::size_t n = 0; n < cells.size(); n += std::max<std::size_t>(1, cells.size() / kLooks)) {
+    for (std::size_t n = 0; n < cells.size() && cloud.isVisible(); n += std::max<std::size_t>(1, cells.size() / kLooks)) {
         if (const auto at = cloud.pixelOf(cells[n])) place |= QRect(at->toPoint(), QSize(1, 1));
     }
     return place.intersected(cloud.rect()).translated(cloud.mapToGlobal(QPoint()));

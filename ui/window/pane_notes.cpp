@@ -13,7 +13,8 @@ namespace {
 
 QString rangeNote(MainWindow& window) {
     const RangeSpan ranges = window.viewer().views.rangesShown();
-    QString note = Pane::tr("gray %1 to %2 m").arg(ranges.nearM, 0, 'f', 1).arg(ranges.farM, 0, 'f', 1);
+    const int decimals = ranges.farM - ranges.nearM < 1.0 ? 2 : 1;
+    QString note = Pane::tr("gray %1 to %2 m").arg(ranges.nearM, 0, 'f', decimals).arg(ranges.farM, 0, 'f', decimals);
     if (window.viewer().engine.picture()->source.growth.growing)
         note = Pane::tr("up to line %1").arg(window.viewer().engine.picture()->detection->scan->lines()) + " · " + note;
     return note;

@@ -96,7 +96,7 @@ void addRows(ToolBar& bar, const QList<KeyedCommand>& commands, const Rows& rows
     }
 }
 
-QMenu* addMenu(ToolBar& bar, const QList<KeyedCommand>& commands, const MenuRow& row) {
+void addMenu(ToolBar& bar, const QList<KeyedCommand>& commands, const MenuRow& row) {
     auto* menu = new QMenu;
     for (const char* id : row.commands) {
         if (*id == '\0')
@@ -108,7 +108,6 @@ QMenu* addMenu(ToolBar& bar, const QList<KeyedCommand>& commands, const MenuRow&
     QList<QAction*> lights;
     for (const char* id : row.lights) lights << &actionOf(commands, id);
     bar.add(menu, row.name, row.sign, QObject::tr(row.word), lights);
-    return menu;
 }
 
 } // namespace
@@ -117,11 +116,7 @@ void addToolButtons(MainWindow& window) {
     const QList<KeyedCommand> commands = keyedCommands(window.actions());
     ToolBar& bar = window.viewer().tools;
     addRows(bar, commands, kBefore);
-    QMenu* measures = addMenu(bar, commands, kMeasures);
-    QObject::connect(measures, &QMenu::aboutToShow, &window, [&tool = window.viewer().measures] { // a ruler measures at once
-        if (!tool.kind()) tool.start(inspect::MeasureKind::Distance);
-    });
-    addMenu(bar, commands, kSelections);
+    for (const MenuRow* row : {&kMeasures, &kSelections}) addMenu(bar, commands, *row);
     addRows(bar, commands, kBehind);
     addMenu(bar, commands, kCompares);
     bar.addGap();

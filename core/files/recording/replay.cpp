@@ -34,7 +34,6 @@ namespace {
 
 /// The user's word instead of a guess; over what a recording says itself it goes when the scan is opened.
 void sayAssumed(scanner::SweepSettings& settings, const ReadingOptions& options) {
-    const bool nothingGiven = settings.axisAssumed;
     if (options.axis) {
         if (settings.axisAssumed || settings.firstAssumed) settings.axis = *options.axis;
         settings.axisAssumed = false;
@@ -44,7 +43,7 @@ void sayAssumed(scanner::SweepSettings& settings, const ReadingOptions& options)
         settings.stepAssumed = false;
     }
     if (settings.firstAssumed && options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
-    settings.firstAssumed = settings.firstAssumed && !options.lineStartDeg && (!nothingGiven || scanner::guessesFirst(settings));
+    settings.firstAssumed = settings.firstAssumed && !options.lineStartDeg && (!options.axis || scanner::guessesFirst(settings));
 }
 
 } // namespace

@@ -62,7 +62,7 @@ void takeAssumed(Keys& keys, SweepSettings& settings) {
     const bool stepSaid = keys.text(kStepKey) != nullptr || rate;
     settings.axisAssumed = axisSaid ? isAssumed(kAxisKey) : true;
     settings.stepAssumed = stepSaid ? isAssumed(kStepKey) : true;
-    settings.firstAssumed = keys.text(kFirstKey) != nullptr ? isAssumed(kFirstKey) : settings.axisAssumed;
+    settings.firstAssumed = keys.text(kFirstKey) != nullptr ? isAssumed(kFirstKey) : guessesFirst(settings);
 }
 
 /// [0,0,1] is spin, [1,0,0] is sweep; with the opposite sign the line angles rotate against the axis.

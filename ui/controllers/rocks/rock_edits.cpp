@@ -70,35 +70,32 @@ void Rocks::setOperatorEdits(const OperatorEdits& byHand) {
     emit changed();
 }
 
-void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after) {
-    const auto& edits = after.edits;
-    const bool merges = edits.size() > edits_.size() && edits.back().kind == rocks::EditKind::Join && selected_.size() > 1;
-    // Of several selected rocks one is selected when they are one, and all are again when that is undone.
-    const auto use = [this, merges, several = selected_, before = edits_](const OperatorEdits& value) {
+void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after, const std::vector<std::size_t>& merged) {
+    const auto use = [this, merged, before = edits_](const OperatorEdits& value) {
         setOperatorEdits(value);
-        if (merges && on_) select(value.edits == before ? several : std::vector{several.back()});
+        if (on_ && !merged.empty()) select(value.edits == before ? merged : std::vector{merged.back()});
         return true;
     };
     auto* step = new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), use, [this, stream = stream_] {
-        return stream_ == stream;
-    }); // else the scan was closed, and its edits with it
+        return stream_ == stream; // else the scan was closed, and its edits with it
+    });
     newestEdit_ = step;
     undo_.push(step);
 }
 
-void Rocks::push(const QString& name, std::vector<rocks::Edit> added) {
+void Rocks::push(const QString& name, std::vector<rocks::Edit> added, const std::vector<std::size_t>& merged) {
     const rocks::EditKind kind = added.front().kind;
     std::vector<rocks::Edit> edits = edits_;
     std::ranges::move(added, std::back_inserter(edits));
-    pushEdits(name, std::move(edits), kind);
+    pushEdits(name, std::move(edits), kind, merged);
 }
 
 /// What the step changed is judged when its rocks are known; before, this only is known of those on the screen that have all edits so far.
-void Rocks::pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks::EditKind kind) {
+void Rocks::pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks::EditKind kind, const std::vector<std::size_t>& merged) {
     const bool known = picture_ && !ofAnotherPicture() && picture_->study.edits == edits_ && picture_->study.settings == settings_;
     judgedFrom_ = known ? picture_ : nullptr;
     judgedKind_ = kind;
-    pushOperatorEdits(name, {std::move(edits), settings_.region});
+    pushOperatorEdits(name, {std::move(edits), settings_.region}, merged);
 }
 
 /// Undo takes back the newest edit.
@@ -143,7 +140,7 @@ void Rocks::mergeSelected() {
     }
     auto join = rocks::joinOf(*picture_->study.segmentation, picture_->study.map, cells);
     if (!join) return notice_.showHint(tr("Nothing was merged: this is one rock already."));
-    push(stepName("merge of rocks"), {std::move(*join)});
+    push(stepName("merge of rocks"), {std::move(*join)}, selected_);
 }
 
 void Rocks::callChosen(bool rock) {

@@ -153,8 +153,9 @@ void Rocks::takeStroke(std::vector<QPoint> cells) {
 void Rocks::takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) {
     if (asked.stream != stream_) return; // the cells are of another scan
     if (!cut.empty()) {
-        const rocks::CutLine& line = cut.front().cells;
-        if (selected_.size() > 1) select({line[line.size() / 2]}); // of several, a part of the one that is cut
+        const rocks::Edit& part = cut.back();
+        if (selected_.size() > 1 && part.kind == rocks::EditKind::Whole)
+            select({part.cells.front()}); // of several, a part of the one that is cut
         return push(stepName("cut of a rock"), cut);
     }
     notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.")

@@ -145,9 +145,10 @@ private:
     [[nodiscard]] bool pinnedOnRock() const;
     void click(const inspect::MeantCell& click);
     void splitAt(std::size_t cell);
-    void push(const QString& name, std::vector<rocks::Edit> added);                            ///< the first is what the operator did
-    void pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks::EditKind kind); ///< `kind`: what the operator did
-    void pushOperatorEdits(const QString& name, OperatorEdits after);
+    /// The first edit is what the operator did, or `kind`. `merged`: selected rocks that become one; undo selects all of them again.
+    void push(const QString& name, std::vector<rocks::Edit> added, const std::vector<std::size_t>& merged = {});
+    void pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks::EditKind kind, const std::vector<std::size_t>& merged = {});
+    void pushOperatorEdits(const QString& name, OperatorEdits after, const std::vector<std::size_t>& merged = {});
     void judgeEdit();
     void takePreset(const rocks::Preset& preset);
     struct CutAsked {

@@ -132,8 +132,10 @@ void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
     if (!isOnScreen(*asked.of)) return;
     if (found && found->mostM > kMostSpread * found->leastM)
         return notice_.showHint(
-            tr("Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into "
-               "the middle of the opening.")
+            (asked.clicked[0] == asked.clicked[1]
+                 ? tr("Clicks next to this one find a throat of %1 to %2 m: zoom in, or click on the rock at both sides.")
+                 : tr("Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into "
+                      "the middle of the opening."))
                 .arg(found->leastM, 0, 'f', 2)
                 .arg(found->mostM, 0, 'f', 2));
     if (found) return keep(inspect::MeasureKind::Throat, {found->ends.begin(), found->ends.end()}, asked.clicked);

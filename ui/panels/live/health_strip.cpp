@@ -4,6 +4,7 @@
 #include "ui/base/core_words.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/flow_layout.h"
+#include "ui/base/shown_text.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/live/sweep_bar.h"
 
@@ -97,7 +98,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
         lines = (notFollowing && !narrow ? tr("now sweep %1: %2") : tr("sweep %1: %2")).arg(health.sweep).arg(lines);
     lines_->setText(lines);
     // The head of a cab has those of the picture, which follow a little later: two counts would contradict each other.
-    lines_->setVisible(!lines.isEmpty() && (!brief_ || (notFollowing && (!narrow || heldNarrow))));
+    lines_->setVisible(!lines.isEmpty() && (!brief_ || (narrow ? heldNarrow : picture != Picture::Follows)));
     bar_->showRows(health.row, heldNarrow || (narrow && inHead && !present) ? 0 : health.rows, health.lostRows);
     showText(lost_, health.lost, narrow); // the bar shows where
     lost_->setToolTip(tr("Lines whose telegrams did not arrive: dashes in the images"));
@@ -105,7 +106,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     showText(noReturn_, brief_ || notFollowing ? std::string() : health.noReturn);
     badge(remark_, signOf(health.telegrams), coreWords(health.remark));
     QStringList remarks;
-    for (const std::string& sentence : health.remarks) remarks << coreSentence(sentence, SetFor::Scanner);
+    for (const std::string& sentence : health.remarks) remarks << coreSentence(ofScanner(shownText(sentence)));
     remark_->setToolTip(remarks.join('\n'));
     badge(window_, signOf(health.window), coreWords(health.contamination), !brief_ || health.window != files::Condition::Good);
     // A device without faults has no badge.
@@ -113,7 +114,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     showText(pose_, health.lines.empty() || brief_ || notFollowing ? std::string() : health.pose);
     showText(end_, narrow && notFollowing ? std::string() : health.end);
     const bool ends = health.endComes && present && !brief_; // it has its place before it is known
-    end_->setMinimumWidth(ends ? end_->fontMetrics().horizontalAdvance(coreWords("59 s left")) : 0);
+    end_->setMinimumWidth(ends ? end_->fontMetrics().horizontalAdvance(coreWords("119 s left")) : 0);
     end_->setVisible(ends || !end_->text().isEmpty());
     // While nothing is wrong with it, the recording is shown next to its button; in a cab, which has no room there, here.
     const bool recordsWell = health.recorded == files::Condition::Good;

@@ -125,7 +125,8 @@ void SweepForm::showSettings(const scanner::SweepSettings& settings) {
     shown_ = settings;
     lines_->setValue(settings.expectedLines);
     step_->setValue(settings.stepAssumed ? kStepNotGiven : settings.degPerLine.value_or(0.18));
-    first_->setValue(settings.firstAssumed ? kFirstNotGiven : settings.firstLineDeg);
+    const bool ofSpin = !scanner::guessesFirst(settings) && settings.firstLineDeg == 0.0; // where 0 is no guess
+    first_->setValue(settings.firstAssumed || ofSpin ? kFirstNotGiven : settings.firstLineDeg);
     ticks_->setValue(settings.ticksPerDeg.value_or(0.0));
     axis_->setCurrentIndex(settings.axisAssumed ? 0 : axis_->findData(static_cast<int>(settings.axis)));
     standing_->setChecked(!settings.continuous);
@@ -151,11 +152,11 @@ scanner::SweepSettings SweepForm::settings() const {
     const scanner::SweepSettings assumed = scanner::assumedSweep();
     settings.stepAssumed = isNotGiven(*step_);
     settings.degPerLine = settings.stepAssumed ? scanner::assumedStepDeg(settings.expectedLines) : step_->value();
-    settings.firstAssumed = isNotGiven(*first_);
-    settings.firstLineDeg = settings.firstAssumed ? assumed.firstLineDeg : first_->value();
+    settings.firstLineDeg = isNotGiven(*first_) ? assumed.firstLineDeg : first_->value();
     settings.ticksPerDeg = ticks_->value() != 0.0 ? std::optional<double>(ticks_->value()) : std::nullopt;
     settings.axisAssumed = axis_->currentIndex() == 0;
     settings.axis = settings.axisAssumed ? assumed.axis : static_cast<Axis>(axis_->currentData().toInt());
+    settings.firstAssumed = isNotGiven(*first_) && scanner::guessesFirst(settings);
     settings.continuous = !standing_->isChecked();
     return settings;
 }

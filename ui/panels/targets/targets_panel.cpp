@@ -47,9 +47,10 @@ void fitHeight(QListWidget& list, int most, bool constant, int free) {
     if (list.minimumHeight() != before && list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
 
-constexpr int kAroundText = 16;          // px of a button
-constexpr int kLettersOfName = 10;       // with the two blanks before it
-constexpr int kLettersOfPart = 6;        // with three blanks; a part with fewer would be an unexplained "…"
+constexpr int kAroundText = 16;    // px of a button
+constexpr int kLettersOfName = 10; // with the two blanks before it
+constexpr int kLettersOfPart = 6;  // with three blanks; a part with fewer would be an unexplained "…"
+constexpr int kShortPart = 12;
 constexpr int kShortened = Qt::UserRole; // TargetLine::shortened
 constexpr int kLockPx = 16;
 
@@ -60,8 +61,8 @@ QString fittedRow(QString row, const QStringList& shortened, const QFontMetrics&
         const auto at = row.indexOf(part);
         if (over <= 0 || at < 0) continue;
         const bool isName = part == shortened.back();
-        const bool isNumber = !isName && part.back().isDigit(); // whole, or not there
-        const int least = metrics.horizontalAdvance(isNumber ? part : part.left(isName ? kLettersOfName : kLettersOfPart) + "…");
+        const bool isShort = !isName && part.size() <= kShortPart; // a number of a rock is whole, or not there
+        const int least = metrics.horizontalAdvance(isShort ? part : part.left(isName ? kLettersOfName : kLettersOfPart) + "…");
         const int left = metrics.horizontalAdvance(part) - over;
         row.replace(at, part.size(), left < least && !isName ? QString() : metrics.elidedText(part, Qt::ElideRight, std::max(left, least)));
     }

@@ -103,14 +103,14 @@ void CountCurve::paintEvent(QPaintEvent*) {
     painter.drawLine(QPointF(x, below.top()), QPointF(x, below.bottom()));
     painter.setPen(palette().color(QPalette::WindowText));
     // The ends of the curve, where it leaves room as it falls.
-    const auto label = [&](Qt::Alignment side, double threshold, std::size_t edges) {
-        const QString words = tr("at %1: %2").arg(QString::number(threshold, 'g', 3), countText(edges));
+    const auto label = [&](Qt::Alignment side, const QString& arrows, std::size_t n) {
+        const QString words = arrows.arg(QString::number(curve_->thresholds[n], 'g', 3) + ": " + countText(curve_->edges[n]));
         const QRectF place = painter.boundingRect(below, side, words);
         painter.fillRect(place, palette().window());
         painter.drawText(place, side, words);
     };
-    label(Qt::AlignRight | Qt::AlignTop, curve_->thresholds.front(), curve_->edges.front());
-    label(Qt::AlignLeft | Qt::AlignBottom, curve_->thresholds.back(), curve_->edges.back());
+    label(Qt::AlignRight | Qt::AlignTop, "← %1", 0);
+    label(Qt::AlignLeft | Qt::AlignBottom, "%1 →", curve_->edges.size() - 1);
 }
 
 } // namespace edgescan::ui

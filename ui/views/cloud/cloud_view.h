@@ -177,7 +177,7 @@ public slots:
     void viewIsometric();
     void resetView(); ///< the scanner's view, without clipping
     /// All but single far points; keeps the direction: one of the views by name always, another if anything but the backs of walls is seen
-    /// in it. Again, where nothing is left to do: all points, also if the backs of walls are seen.
+    /// in it. Once more, before anything moves: all points, also if the backs of walls are seen.
     void zoomToFit();
     /// CloudScene::keepReady().
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
@@ -325,6 +325,7 @@ private:
     CameraPose pose_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // centre of rotation
     Eigen::Vector3d asked_ = Eigen::Vector3d::Zero();  // direction of the last view by name
+    CameraPose fitted_;                                // of the last zoomToFit()
     CloudClip clip_;
     bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, shaded_ = true, byClass_ = false, wheelReversed_ = false;
     double pointSize_ = 2.0;

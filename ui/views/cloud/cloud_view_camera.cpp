@@ -146,7 +146,10 @@ void CloudView::zoomToFit() {
         viewFromScanner();
     else
         fitPlates(all, [&](const FreeBox& into, const CameraPose& lens) { return fitted(*cloud_, into.box, lens, into.aspect); });
-    if (pose_ == before) look(pose_.forward(), pose_.up, all);
+    const bool again = before.position.isApprox(pose_.position) && fitted_.position.isApprox(pose_.position) &&
+                       before.forward().isApprox(pose_.forward()) && fitted_.forward().isApprox(pose_.forward());
+    if (again) look(pose_.forward(), pose_.up, all);
+    fitted_ = pose_;
 }
 
 void CloudView::zoomToCells(const CellIndices& cells) {

@@ -279,6 +279,23 @@ TEST(Replay, AnotherAxisAssumesTheFirstAngleOfThatAxis) {
     EXPECT_TRUE(assumedIn(*given) == Assumed::Nothing);
 }
 
+TEST(Replay, AFirstAngleThatTheRecordingLeavesOutIsMarkedUnlessASpinIsGiven) {
+    std::vector<RecordingMessagePtr> messages;
+    for (int n = 0; n < 60; ++n) messages.push_back(lineMessage(n));
+    const auto opened = [&](const char* axis, const ReadingOptions& options) {
+        const scanner::SweepMetadata said{
+            {"format", "sweep/1"}, {"stepper.axis", axis}, {"stepper.deg_per_step", "3"}, {"sweep.lines", "60"}};
+        const auto scan = scanOf(recordingOfBytes(recordingBytes(said, messages)), "test", options);
+        EXPECT_TRUE(scan);
+        return std::pair(std::get<PolarGeometry>(scan->geometry).lineDeg.front(), assumedIn(*scan));
+    };
+    EXPECT_EQ(opened("[1,0,0]", {}), std::pair(-90.0, Assumed::Direction));
+    EXPECT_EQ(opened("[0,0,1]", {}), std::pair(0.0, Assumed::Nothing));
+    ReadingOptions spin;
+    spin.axis = Axis::Spin;
+    EXPECT_EQ(opened("[1,0,0]", spin), std::pair(0.0, Assumed::Nothing));
+}
+
 TEST(Replay, NoScanIsOneSentence) {
     const Folder folder;
     const Bytes empty = recordingBytes(scanner::metadataOf({}), {});
