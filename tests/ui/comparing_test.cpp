@@ -663,9 +663,9 @@ private slots:
         QVERIFY(eventually([&] { return on.viewer.comparing.pictureA() != nullptr; }) && known(on));
         QTest::mouseClick(legend.findChild<QToolButton*>("change-end"), Qt::LeftButton);
         on.viewer.undo.undo();
-        QVERIFY2(!on.viewer.notice.isVisible() || !on.viewer.notice.text().contains("comparison ended"),
-                 qPrintable(on.viewer.notice.text()));
         QTRY_VERIFY(legend.isVisible() && on.viewer.comparing.comparison());
+        QTRY_VERIFY2(!on.viewer.notice.isVisible() || !on.viewer.notice.text().contains("comparison ended"),
+                     qPrintable(on.viewer.notice.text()));
         on.viewer.comparing.nextRegion();
         QVERIFY(fit->isVisible());
         QTest::mouseClick(fit, Qt::LeftButton);
