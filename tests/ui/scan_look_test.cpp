@@ -178,22 +178,22 @@ private slots:
         WindowFixture on;
         QVERIFY(shown(on, boxes_));
         CloudView& cloud = on.viewer.views.cloud();
-        for (const bool parallel : {false, true}) {
+        enum class View { FromScanner, Isometric, Parallel };
+        for (const View view : {View::FromScanner, View::Isometric, View::Parallel}) {
+            const bool parallel = view == View::Parallel;
             cloud.setParallel(parallel);
-            cloud.viewIsometric();
+            view == View::FromScanner ? cloud.viewFromScanner() : cloud.viewIsometric();
             QVERIFY(rested(on));
             const QString text = plate(on).barText();
-            const double metres = text.section(' ', 0, 0).toDouble() * (text.section(' ', 1, 1) == "mm" ? 0.001 : 1.0);
+            QCOMPARE(text.contains(" at "), view == View::FromScanner); // there, the distance counts from the scanner
+            QCOMPARE(text.startsWith("≈ "), view == View::Isometric);
+            const QString length = QString(text).remove("≈ ");
+            const double metres = length.section(' ', 0, 0).toDouble() * (length.section(' ', 1, 1) == "mm" ? 0.001 : 1.0);
             const CameraPose pose = cloud.camera();
             const auto pixel = [&](const Eigen::Vector3d& at) {
                 const ScreenPoint p = toScreen(cloud.screenView(), at.cast<float>());
                 return QPointF(p.x, p.y) / cloud.devicePixelRatioF();
             };
-            const double depth = parallel ? pose.distance() : text.section(' ', 3, 3).toDouble();
-            const Eigen::Vector3d middle = pose.position + depth * pose.forward();
-            const QPointF way = pixel(middle + metres * pose.right()) - pixel(middle);
-            QVERIFY2(std::abs(std::hypot(way.x(), way.y()) - plate(on).barPixels()) < 0.5 + 0.01 * plate(on).barPixels(), qPrintable(text));
-            QCOMPARE(text.contains("at"), !parallel);
             // The median depth of the points in view.
             std::vector<double> depths;
             for (std::uint32_t k = 0; k < cloud.geometryOfCloud()->cells(); ++k) {
@@ -204,7 +204,15 @@ private slots:
             QVERIFY(depths.size() > 100);
             std::ranges::nth_element(depths, depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2));
             const double median = depths[depths.size() / 2];
-            if (!parallel) QVERIFY2(std::abs(depth - median) < 0.02 * median, qPrintable(text + QString(" %1").arg(median)));
+            double depth = parallel ? pose.distance() : median;
+            if (view == View::FromScanner) {
+                depth = length.section(' ', 3, 3).toDouble() +
+                        pose.forward().dot(cloud.geometryOfCloud()->sensor.cast<double>() - pose.position);
+                QVERIFY2(std::abs(depth - median) < 0.05 + 0.02 * median, qPrintable(text + QString(" %1").arg(median)));
+            }
+            const Eigen::Vector3d middle = pose.position + depth * pose.forward();
+            const QPointF way = pixel(middle + metres * pose.right()) - pixel(middle);
+            QVERIFY2(std::abs(std::hypot(way.x(), way.y()) - plate(on).barPixels()) < 0.5 + 0.02 * plate(on).barPixels(), qPrintable(text));
             for (int n = 0; n < 3; ++n) { // an axis points along its projected direction
                 const QPointF along = pixel(pose.focus + 0.01 * Eigen::Vector3d::Unit(n)) - pixel(pose.focus);
                 const Eigen::Vector2d axis = plate(on).axesOnScreen()[static_cast<std::size_t>(n)];
