@@ -125,7 +125,7 @@ void SweepForm::showSettings(const scanner::SweepSettings& settings) {
     shown_ = settings;
     lines_->setValue(settings.expectedLines);
     step_->setValue(settings.stepAssumed ? kStepNotGiven : settings.degPerLine.value_or(0.18));
-    const bool ofSpin = !scanner::guessesFirst(settings) && settings.firstLineDeg == 0.0; // where 0 is no guess
+    const bool ofSpin = !scanner::guessesFirst(settings) && settings.firstLineDeg == 0.0; // 0 is not a guess there
     first_->setValue(settings.firstAssumed || ofSpin ? kFirstNotGiven : settings.firstLineDeg);
     ticks_->setValue(settings.ticksPerDeg.value_or(0.0));
     axis_->setCurrentIndex(settings.axisAssumed ? 0 : axis_->findData(static_cast<int>(settings.axis)));
