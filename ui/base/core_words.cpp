@@ -422,7 +422,7 @@ QString coreSentence(const QString& text) {
 
 QString coreSentence(const std::string& text) { return coreSentence(shownText(text)); }
 
-QString ofScanner(QString warning) {
+QString scannersWarning(QString warning) {
     static const QRegularExpression advice("Give --[^.]* where that is wrong\\.");
     return warning.replace(advice, QObject::tr("Scan > Sweep… takes what is right."));
 }

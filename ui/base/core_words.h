@@ -28,7 +28,7 @@ namespace edgescan::ui {
 [[nodiscard]] QString coreSentence(const std::string& text);
 
 /// A warning about a sweep of a scanner: what is assumed is given in Scan > Sweep, and not where a file is read.
-[[nodiscard]] QString ofScanner(QString warning);
+[[nodiscard]] QString scannersWarning(QString warning);
 
 /// "▲ mounting assumed", "▲ step assumed"; empty: neither is.
 [[nodiscard]] QString assumedText(const Scan& scan);

@@ -129,9 +129,8 @@ void Comparing::end() {
     const auto earlier = comparison_ && comparison_->isOfTwoScans() ? earlier_ : std::nullopt;
     forget();
     if (earlier) {
-        notice_.showNotice(NoticeBar::Kind::Done,
-                           tr("The comparison ended: B, %1, is on the screen.").arg(scanName(engine_.picture()->detection->scan->name)));
-        notes_ << notice_.text(); // Undo withdraws it
+        note(NoticeBar::Kind::Done,
+             tr("The comparison ended: B, %1, is on the screen.").arg(scanName(engine_.picture()->detection->scan->name)));
         return notice_.offer(tr("Open A"), [this, scan = earlier->scan] { files_.openAgain(scan); });
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("The comparison ended: A was forgotten."));
@@ -241,7 +240,7 @@ void Comparing::openDemoPair() {
     pairWanted_ = true;
 }
 
-/// Of the comparison that is shown or was refused.
+/// Of the comparison that is shown, was refused or ended: the next one withdraws it.
 void Comparing::note(NoticeBar::Kind kind, const QString& sentence) {
     notice_.showNotice(kind, sentence);
     notes_ << notice_.text();

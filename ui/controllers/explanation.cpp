@@ -143,8 +143,7 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
             if (nearestEdge_) explain(inspect::exactly(*nearestEdge_), Subject::NearestEdge);
         });
     }
-    const auto& mask = *picture->detection->mask;
-    if (subject == Subject::Click && click.moved() && edges::nearestEdge(mask, click.clicked, 0) == click.clicked)
+    if (subject == Subject::Click && click.moved() && (*picture->detection->mask)[click.clicked] != 0)
         return explain(inspect::exactly(click.clicked), Subject::Click); // an edge was clicked, so it is meant and not its near side
     // Edges are drawn wider than a cell: a pointer on one of them means it, whatever cell is under its tip. Zoomed in, it does not.
     const auto edge = subject == Subject::NearestEdge ? std::nullopt : edgeNextTo(*picture->detection, click.cell);

@@ -15,7 +15,7 @@
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/section/section_card.h"
 #include "ui/panels/section/section_plot.h"
-#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/sight.h"
 #include "ui/views/image/image_view.h"
 
 #include <QDir>
@@ -72,16 +72,6 @@ void placeBelowNotes(SectionCard& card, const QWidget& window, const QRect& cut)
     };
     const std::array places = isNarrow ? std::array{middle, left, right} : std::array{left, right, middle};
     card.move(*std::ranges::min_element(places, {}, covered), top); // the first of equal ones
-}
-
-/// Where the cloud shows these cells, px of the desktop.
-QRect placeIn(const CloudView& cloud, const std::vector<std::uint32_t>& cells) {
-    constexpr std::size_t kLooks = 200;
-    QRect place;
-    for (std::size_t n = 0; n < cells.size() && cloud.isVisible(); n += std::max<std::size_t>(1, cells.size() / kLooks)) {
-        if (const auto at = cloud.pixelOf(cells[n])) place |= QRect(at->toPoint(), QSize(1, 1));
-    }
-    return place.intersected(cloud.rect()).translated(cloud.mapToGlobal(QPoint()));
 }
 
 } // namespace
@@ -197,7 +187,9 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     card_->setWords(words.join(' '));
     const bool opens = !card_->isVisible();
     card_->show();
-    if (opens) placeBelowNotes(*card_, *notice_.window(), placeIn(views_.cloud(), question.cells));
+    const CloudView& cloud = views_.cloud();
+    const QRect cut = opens && cloud.isVisible() ? placeIn(cloud, question.cells).intersected(cloud.rect()) : QRect();
+    if (opens) placeBelowNotes(*card_, *notice_.window(), cut.translated(cloud.mapToGlobal(QPoint())));
     card_->raise();
 }
 

@@ -9,6 +9,7 @@
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
+#include "ui/views/cloud/sight.h"
 
 #include <QLayout>
 
@@ -56,11 +57,8 @@ bool isAtRight(const CloudView& cloud) {
 
 /// Around the change that a comparison names.
 QRect changeIn(const CloudView& cloud, const Comparing& comparing) {
-    QRect place;
-    for (const std::uint32_t cell : comparing.someOfRegion()) {
-        if (const auto at = cloud.pixelOf(cell)) place |= QRect(at->toPoint() - QPoint(kRing, kRing), QSize(2 * kRing, 2 * kRing));
-    }
-    return place.intersected(cloud.rect());
+    const QRect place = placeIn(cloud, comparing.someOfRegion());
+    return place.isNull() ? place : place.adjusted(-kRing, -kRing, kRing - 1, kRing - 1).intersected(cloud.rect());
 }
 
 /// Of the targets in view.

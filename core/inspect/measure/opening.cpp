@@ -82,8 +82,7 @@ std::optional<std::array<RimCell, 2>> sidesAlong(const Scan& scan, const Cartesi
         if (isBehind(rangeA, rangeB, wide) || isBehind(rangeB, rangeA, wide)) continue;
         const std::array sides{RimCell{a, tables.point(a)}, RimCell{b, tables.point(b)}};
         const double widthM = (sides[0].pointM - sides[1].pointM).norm();
-        const bool isThrough = rangeM > 0.0 ? rangeM - (rangeA + rangeB) / 2.0 > kLeastBehind * widthM
-                                            : first + second - 2 * kCellsAtEnds > kWidestVoid + 1; // else the surface goes on behind it
+        const bool isThrough = rangeM == 0.0 || rangeM - (rangeA + rangeB) / 2.0 > kLeastBehind * widthM;
         if (isThrough && isOpen(scan, tables, sides[0], sides[1])) return sides;
     }
     return std::nullopt;

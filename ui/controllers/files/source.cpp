@@ -72,7 +72,7 @@ QStringList warningsOf(const Picture& picture) {
     for (const std::vector<std::string>& some : {scan.warnings, placeWarnings(scan)}) {
         for (const std::string& warning : some) {
             if (picture.source.growth.growing && warning.starts_with("INCOMPLETE")) continue;
-            warnings << (scan.path.empty() ? ofScanner(shownText(warning)) : shownText(warning));
+            warnings << (scan.path.empty() ? scannersWarning(shownText(warning)) : shownText(warning));
         }
     }
     return warnings;

@@ -71,9 +71,9 @@ void Rocks::setOperatorEdits(const OperatorEdits& byHand) {
 }
 
 void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after, const std::vector<std::size_t>& merged) {
-    const auto use = [this, merged, before = edits_](const OperatorEdits& value) {
+    const auto use = [this, merged, before = edits_.size()](const OperatorEdits& value) {
         setOperatorEdits(value);
-        if (on_ && !merged.empty()) select(value.edits == before ? merged : std::vector{merged.back()});
+        if (on_ && !merged.empty()) select(value.edits.size() == before ? merged : std::vector{merged.back()});
         return true;
     };
     auto* step = new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), use, [this, stream = stream_] {

@@ -264,7 +264,7 @@ void Sessions::restore(inspect::ReadSession read, const QString& file) {
 
 void Sessions::openNextPlace() {
     const inspect::SessionScan& scan = wanted_->state.scan;
-    if (!inspect::hasPath(scan.kind)) return files_.openDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast);
+    if (!inspect::hasPath(scan.kind)) return files_.openAgain(scan);
     if (place_ < wanted_->places.size()) return files_.open({exactText(wanted_->places[place_].string())}, scan.reading);
     askForPlace(tr("%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The "
                    "rest needs the scan.")

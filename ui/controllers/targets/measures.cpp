@@ -152,11 +152,10 @@ bool Measures::isOnScreen(const Picture& of) const {
 void Measures::warnOfClick() {
     if (!newThroat_) return;
     const KnownTargets& known = targets_.known();
-    const auto found = std::ranges::find(known.measures, *newThroat_, [](const auto& each) { return each.first; });
-    if (found == known.measures.end()) return;
+    const auto* measured = known.of(*newThroat_);
+    if (measured == nullptr) return;
     newThroat_.reset();
-    if (!found->second || !isOnScreen(*known.picture)) return;
-    if (found->second->clickBehindM > 0.0) // the ends may be others
+    if (*measured && isOnScreen(*known.picture) && (*measured)->clickBehindM > 0.0) // the ends may be others
         notice_.showHint(tr("A click went through the opening, so the rim in front of it was taken: check both ends of the line."));
 }
 

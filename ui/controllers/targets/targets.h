@@ -33,6 +33,9 @@ struct KnownTargets {
     std::shared_ptr<const Picture> picture;
     std::map<std::uint32_t, inspect::CellTarget> targets; ///< by cell
     std::vector<std::pair<inspect::StoredMeasure, std::optional<inspect::MeasuredCells>>> measures;
+
+    /// Null: not known yet. Empty: a cell of it has no range.
+    [[nodiscard]] const std::optional<inspect::MeasuredCells>* of(const inspect::StoredMeasure& measure) const;
 };
 
 /// The confidence of a picture's edges.

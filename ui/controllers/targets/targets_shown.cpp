@@ -61,14 +61,19 @@ QString movedText(const inspect::StoredMeasure& measure) {
 
 } // namespace
 
+const std::optional<inspect::MeasuredCells>* KnownTargets::of(const inspect::StoredMeasure& measure) const {
+    const auto found = std::ranges::find(measures, measure, [](const auto& each) { return each.first; });
+    return found == measures.end() ? nullptr : &found->second;
+}
+
 const inspect::CellTarget* Targets::knownOf(std::uint32_t cell) const {
     const auto found = known_.targets.find(cell);
     return found == known_.targets.end() ? nullptr : &found->second;
 }
 
 const inspect::MeasuredCells* Targets::knownOf(const inspect::StoredMeasure& measure) const {
-    const auto found = std::ranges::find(known_.measures, measure, [](const auto& each) { return each.first; });
-    return found == known_.measures.end() || !found->second ? nullptr : &*found->second;
+    const auto* known = known_.of(measure);
+    return known == nullptr || !*known ? nullptr : &**known;
 }
 
 TargetSurroundings Targets::around(std::size_t cell) const {
@@ -165,8 +170,8 @@ CellMarks Targets::marks() const {
 }
 
 MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
-    const bool waits = std::ranges::find(known_.measures, measure, [](const auto& each) { return each.first; }) == known_.measures.end();
-    MeasureWords words{tr(inspect::traitsOf(measure.kind).label), waits ? "…" : tr("a cell of it has no range"), {}, {}, {}};
+    const bool known = known_.of(measure) != nullptr;
+    MeasureWords words{tr(inspect::traitsOf(measure.kind).label), known ? tr("a cell of it has no range") : "…", {}, {}, {}};
     const inspect::MeasuredCells* now = knownOf(measure);
     QStringList all;
     if (now != nullptr) {

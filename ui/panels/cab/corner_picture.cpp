@@ -2,6 +2,7 @@
 #include "ui/panels/cab/corner_picture.h"
 
 #include "ui/base/marks.h"
+#include "ui/panels/cab/fitted_label.h"
 
 #include <QHideEvent>
 #include <QPainter>
@@ -97,9 +98,7 @@ void CornerPicture::hideEvent(QHideEvent* event) {
 
 /// The words, in smaller letters where the line is too short for them.
 void CornerPicture::drawLine(QPainter& painter, const QRect& line) const {
-    QFont letters = font();
-    for (int px = fontInfo().pixelSize(); px > kLeastLetters && QFontMetrics(letters).horizontalAdvance(text()) > line.width();)
-        letters.setPixelSize(--px);
+    const QFont letters = fittedFont(font(), text(), line.width(), fontInfo().pixelSize(), kLeastLetters);
     painter.setFont(letters);
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, QFontMetrics(letters).elidedText(text(), Qt::ElideRight, line.width()));
     painter.setFont(font());

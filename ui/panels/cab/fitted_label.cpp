@@ -7,6 +7,15 @@
 
 namespace edgescan::ui {
 
+QFont fittedFont(QFont letters, const QString& text, int room, int mostPx, int leastPx) {
+    letters.setPixelSize(mostPx);
+    const int wide = QFontMetrics(letters).horizontalAdvance(text);
+    int px = wide > room && wide > 0 ? std::max(leastPx, mostPx * room / wide) : mostPx;
+    letters.setPixelSize(px);
+    while (px > leastPx && QFontMetrics(letters).horizontalAdvance(text) > room) letters.setPixelSize(--px);
+    return letters;
+}
+
 FittedLabel::FittedLabel(int mostPx, int leastPx, QWidget* parent) : QLabel(parent), mostPx_(mostPx), leastPx_(leastPx) {
     setTextFormat(Qt::PlainText);
     setMost(mostPx);
@@ -36,13 +45,8 @@ void FittedLabel::resizeEvent(QResizeEvent* event) {
 }
 
 void FittedLabel::fit() {
-    QFont letters = font();
-    letters.setPixelSize(mostPx_);
-    const int wide = QFontMetrics(letters).horizontalAdvance(text());
     const int room = contentsRect().width();
-    int px = wide > room && wide > 0 ? std::max(leastPx_, mostPx_ * room / wide) : mostPx_;
-    letters.setPixelSize(px);
-    while (px > leastPx_ && QFontMetrics(letters).horizontalAdvance(text()) > room) letters.setPixelSize(--px);
+    const QFont letters = fittedFont(font(), text(), room, mostPx_, leastPx_);
     if (letters.pixelSize() != font().pixelSize()) setFont(letters);
     setToolTip(QFontMetrics(letters).horizontalAdvance(text()) > room ? text() : QString());
 }

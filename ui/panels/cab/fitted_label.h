@@ -5,6 +5,9 @@
 
 namespace edgescan::ui {
 
+/// With the largest letters, from `mostPx` down to `leastPx`, in which the text fits into the room.
+[[nodiscard]] QFont fittedFont(QFont letters, const QString& text, int room, int mostPx, int leastPx);
+
 /// One line. It never requests more width than it is given. The font shrinks down to `leastPx`; text that still does not fit is in the tool
 /// tip.
 class FittedLabel : public QLabel {

@@ -106,7 +106,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     showText(noReturn_, brief_ || notFollowing ? std::string() : health.noReturn);
     badge(remark_, signOf(health.telegrams), coreWords(health.remark));
     QStringList remarks;
-    for (const std::string& sentence : health.remarks) remarks << coreSentence(ofScanner(shownText(sentence)));
+    for (const std::string& sentence : health.remarks) remarks << coreSentence(scannersWarning(shownText(sentence)));
     remark_->setToolTip(remarks.join('\n'));
     badge(window_, signOf(health.window), coreWords(health.contamination), !brief_ || health.window != files::Condition::Good);
     // A device without faults has no badge.

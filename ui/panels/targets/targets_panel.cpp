@@ -47,10 +47,10 @@ void fitHeight(QListWidget& list, int most, bool constant, int free) {
     if (list.minimumHeight() != before && list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
 
-constexpr int kAroundText = 16;    // px of a button
-constexpr int kLettersOfName = 10; // with the two blanks before it
-constexpr int kLettersOfPart = 6;  // with three blanks; a part with fewer would be an unexplained "…"
-constexpr int kShortPart = 12;
+constexpr int kAroundText = 16;          // px of a button
+constexpr int kLettersOfName = 10;       // with the two blanks before it
+constexpr int kLettersOfPart = 6;        // with three blanks; a part with fewer would be an unexplained "…"
+constexpr int kShortPart = 12;           // letters
 constexpr int kShortened = Qt::UserRole; // TargetLine::shortened
 constexpr int kLockPx = 16;
 

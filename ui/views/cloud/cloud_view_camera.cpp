@@ -146,9 +146,10 @@ void CloudView::zoomToFit() {
         viewFromScanner();
     else
         fitPlates(all, [&](const FreeBox& into, const CameraPose& lens) { return fitted(*cloud_, into.box, lens, into.aspect); });
-    const bool again = before.position.isApprox(pose_.position) && fitted_.position.isApprox(pose_.position) &&
-                       before.forward().isApprox(pose_.forward()) && fitted_.forward().isApprox(pose_.forward());
-    if (again) look(pose_.forward(), pose_.up, all);
+    const auto isHere = [this](const CameraPose& pose) {
+        return pose.position.isApprox(pose_.position) && pose.forward().isApprox(pose_.forward());
+    };
+    if (isHere(before) && isHere(fitted_)) look(pose_.forward(), pose_.up, all);
     fitted_ = pose_;
 }
 

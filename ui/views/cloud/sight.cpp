@@ -17,10 +17,12 @@ bool seesItsFace(const CloudView& cloud, std::uint32_t cell) {
     return (at - cloud.camera().position).dot(at - cloud.geometryOfCloud()->sensor.cast<double>()) > 0.0;
 }
 
+std::size_t stepOver(const CloudView::CellIndices& cells) { return std::max<std::size_t>(1, cells.size() / kAsked); }
+
 bool isInSight(const CloudView& cloud, const CloudView::CellIndices& cells) {
     std::size_t asked = 0, outside = 0;
     const auto isFree = cloud.freePixels();
-    for (std::size_t n = 0; n < cells.size(); n += std::max<std::size_t>(1, cells.size() / kAsked)) {
+    for (std::size_t n = 0; n < cells.size(); n += stepOver(cells)) {
         if (!cloud.geometryOfCloud()->drawable(cells[n])) continue;
         const auto at = cloud.pixelOf(cells[n]);
         ++asked;
@@ -40,6 +42,14 @@ double shareOf(const CloudView& cloud, const CloudView::CellIndices& cells) {
 }
 
 } // namespace
+
+QRect placeIn(const CloudView& cloud, const CloudView::CellIndices& cells) {
+    QRect place;
+    for (std::size_t n = 0; n < cells.size(); n += stepOver(cells)) {
+        if (const auto at = cloud.pixelOf(cells[n])) place |= QRect(at->toPoint(), QSize(1, 1));
+    }
+    return place;
+}
 
 void bringIntoSight(CloudView& cloud, const CloudView::CellIndices& cells, double leastShare) {
     if (!cloud.geometryOfCloud() || (isInSight(cloud, cells) && shareOf(cloud, cells) >= leastShare)) return;
