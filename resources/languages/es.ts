@@ -508,7 +508,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Report</source><translation>Informe</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
-<message><source>%1 was not written: the rocks are still being computed; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
 <message><source>Making the report %1</source><translation>Creando el informe %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
@@ -647,6 +646,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
 <message><source>Export %1</source><translation>Exportar %1</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
+<message><source>%1 waits for the rocks</source><translation>%1 espera las rocas</translation></message>
+<message><source>%1 was not written: its rocks are not known.</source><translation>%1 no se escribió: no se conocen sus rocas.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Hasta entonces no se guardan las ediciones de las rocas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: haga clic en la parte que es otra roca (rueda: menor o mayor)</translation></message>
@@ -812,14 +813,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Esto no se guardó: hay %1 mediciones, primero quite algunas.</translation></message>
 <message><source>new measurement</source><translation>nueva medición</translation></message>
 <message><source>removal of measurement M%1</source><translation>supresión de la medición M%1</translation></message>
-<message><source>end %1 not on an edge</source><translation>extremo %1 fuera de un borde</translation></message>
-<message><source>%1 ends not on an edge</source><translation>%1 extremos fuera de un borde</translation></message>
-<message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
-<message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
 <message><source>rock %1</source><translation>roca %1</translation></message>
 <message><source>end %1 is target %2</source><translation>el extremo %1 es el objetivo %2</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
-<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
 <message><source>%1 warnings</source><translation>%1 advertencias</translation></message>
@@ -2096,6 +2092,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
+<message><source>end %1 not on an edge</source><translation>extremo %1 fuera de un borde</translation></message>
+<message><source>%1 ends not on an edge</source><translation>%1 extremos fuera de un borde</translation></message>
+<message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
+<message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ más largo que los %1 m entre los clics: los lados de la garganta están hasta a %2 m de ellos</translation></message>
 <message><source>▲ its ends are up to %1 m from the clicks: check that it is the opening that was meant</source><translation>▲ sus extremos están como máximo a %1 m de los clics: compruebe que es la abertura deseada</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>sus extremos están como máximo a %1 m de los clics</translation></message>

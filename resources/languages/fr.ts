@@ -508,7 +508,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Report</source><translation>Rapport</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
-<message><source>%1 was not written: the rocks are still being computed; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
 <message><source>Making the report %1</source><translation>Création du rapport %1</translation></message>
 <message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
@@ -647,6 +646,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
 <message><source>Export %1</source><translation>Exporter %1</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
+<message><source>%1 waits for the rocks</source><translation>%1 attend les blocs</translation></message>
+<message><source>%1 was not written: its rocks are not known.</source><translation>%1 n'a pas été écrit : ses blocs ne sont pas connus.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Les modifications des blocs ne sont pas enregistrées jusque-là.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Scinder : cliquez sur la partie qui est un autre bloc (molette : plus petite ou plus grande)</translation></message>
@@ -812,14 +813,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été enregistré : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>new measurement</source><translation>nouvelle mesure</translation></message>
 <message><source>removal of measurement M%1</source><translation>suppression de la mesure M%1</translation></message>
-<message><source>end %1 not on an edge</source><translation>extrémité %1 hors d'une arête</translation></message>
-<message><source>%1 ends not on an edge</source><translation>%1 extrémités hors d'une arête</translation></message>
-<message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
-<message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
 <message><source>rock %1</source><translation>bloc %1</translation></message>
 <message><source>end %1 is target %2</source><translation>l'extrémité %1 est la cible %2</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
-<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
 <message><source>%1 warnings</source><translation>%1 avertissements</translation></message>
@@ -2096,6 +2092,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
+<message><source>end %1 not on an edge</source><translation>extrémité %1 hors d'une arête</translation></message>
+<message><source>%1 ends not on an edge</source><translation>%1 extrémités hors d'une arête</translation></message>
+<message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
+<message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ plus long que les %1 m entre les clics : les côtés du goulot en sont jusqu'à %2 m</translation></message>
 <message><source>▲ its ends are up to %1 m from the clicks: check that it is the opening that was meant</source><translation>▲ ses extrémités sont à %1 m des clics au plus : vérifiez que c'est bien l'ouverture voulue</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>ses extrémités sont à %1 m des clics au plus</translation></message>

@@ -508,7 +508,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Report</source><translation>Relatório</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
-<message><source>%1 was not written: the rocks are still being computed; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
 <message><source>Making the report %1</source><translation>Criando o relatório %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
@@ -647,6 +646,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
 <message><source>Export %1</source><translation>Exportar %1</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
+<message><source>%1 waits for the rocks</source><translation>%1 espera as rochas</translation></message>
+<message><source>%1 was not written: its rocks are not known.</source><translation>%1 não foi gravado: as suas rochas não são conhecidas.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Até lá as edições das rochas não são guardadas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: clique na parte que é outra rocha (roda: menor ou maior)</translation></message>
@@ -812,14 +813,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Isto não foi guardado: há %1 medições, primeiro remova algumas.</translation></message>
 <message><source>new measurement</source><translation>nova medição</translation></message>
 <message><source>removal of measurement M%1</source><translation>remoção da medição M%1</translation></message>
-<message><source>end %1 not on an edge</source><translation>extremo %1 fora de uma borda</translation></message>
-<message><source>%1 ends not on an edge</source><translation>%1 extremos fora de uma borda</translation></message>
-<message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
-<message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
 <message><source>rock %1</source><translation>rocha %1</translation></message>
 <message><source>end %1 is target %2</source><translation>a ponta %1 é o alvo %2</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
-<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
 <message><source>%1 warnings</source><translation>%1 avisos</translation></message>
@@ -2096,6 +2092,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, gray %1</source><translation>, cinza %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
+<message><source>end %1 not on an edge</source><translation>extremo %1 fora de uma borda</translation></message>
+<message><source>%1 ends not on an edge</source><translation>%1 extremos fora de uma borda</translation></message>
+<message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
+<message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ mais longo que os %1 m entre os cliques: os lados da garganta estão a até %2 m deles</translation></message>
 <message><source>▲ its ends are up to %1 m from the clicks: check that it is the opening that was meant</source><translation>▲ suas pontas estão a até %1 m dos cliques: confira se é a abertura desejada</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>suas pontas estão a até %1 m dos cliques</translation></message>

@@ -93,6 +93,9 @@ private slots:
                  qPrintable(on.placing.dialog()->stateText()));
         // What the next line does not give is not taken from the line before.
         on.field("talin-pitch_deg").setText("3");
+        QVERIFY2(on.placing.dialog()->stateText().startsWith("… Scanner"), qPrintable(on.placing.dialog()->stateText())); // as before
+        QVERIFY(on.placed());
+        QVERIFY2(on.placing.dialog()->stateText().startsWith("Scanner"), qPrintable(on.placing.dialog()->stateText()));
         on.paste("P8; 498765.432; 5150123.456; 287.654; 217.4");
         for (const char* each : {"inclinometer-tilt_x_deg", "inclinometer-tilt_y_deg", "talin-pitch_deg"})
             QCOMPARE(on.field(each).text(), QString());

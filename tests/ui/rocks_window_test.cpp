@@ -1510,6 +1510,36 @@ private slots:
                  qPrintable("here: " + one.mid(static_cast<int>(from), 160) + "\nthere: " + other.mid(static_cast<int>(from), 160)));
     }
 
+    void filesThatNeedRocksWaitForThem() {
+        WindowFixture on;
+        QVERIFY(on.open(bell_));
+        const auto place = [&](const char* name) { return QString::fromStdString((folder_ / name).string()); };
+        QSignalSpy saved(&on.viewer.engine, &Engine::saved), ended(&on.viewer.report, &ScanReport::ended);
+        on.viewer.rocks.setShown(true);
+        QVERIFY(on.viewer.rocks.behind());
+        on.viewer.rocks.exportTo(place("waited.csv"));
+        on.viewer.report.writeTo(place("waited.html"));
+        QVERIFY(saved.isEmpty() && ended.isEmpty());
+        QVERIFY(on.viewer.engine.works().newest() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!saved.isEmpty() && !ended.isEmpty(), kPatienceMs);
+        QVERIFY(test::fileText((folder_ / "waited.html").string()).find(" rocks, each a ") != std::string::npos);
+        QVERIFY(settled(on));
+        const auto lines = test::fileText((folder_ / "waited.csv").string());
+        QCOMPARE(static_cast<std::size_t>(std::ranges::count(lines, '\n')), picture(on).study.rocks.size() + 1);
+        // Cancelled, and without rocks.
+        rocks::RockSettings settings = on.viewer.rocks.settings();
+        settings.minimumCells += 10;
+        on.viewer.rocks.useSettings(settings);
+        QVERIFY(on.viewer.rocks.behind());
+        on.viewer.rocks.exportTo(place("cancelled.csv"));
+        QVERIFY(on.viewer.engine.works().cancel());
+        on.viewer.rocks.exportTo(place("refused.csv"));
+        on.viewer.rocks.setShown(false);
+        QVERIFY2(on.viewer.notice.text().contains(place("refused.csv")), qPrintable(on.viewer.notice.text()));
+        QVERIFY(eventually([&] { return !on.viewer.engine.behind(); }));
+        QVERIFY(!QFile::exists(place("refused.csv")) && !QFile::exists(place("cancelled.csv")));
+    }
+
     void anotherScanHasRocksOfItsOwn() {
         WindowFixture on;
         QVERIFY(showRocks(on));

@@ -111,10 +111,7 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
 
 void ScanReport::writeTo(const QString& path, const ReportWords& words) {
     if (!engine_.picture()) return;
-    if (words.rocks && rocks_.behind()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being computed; try again.").arg(path));
-        return;
-    }
+    if (words.rocks && rocks_.behind()) return rocks_.whenKnown(path, [this, path, words] { writeTo(path, words); });
     const std::shared_ptr<const RockPicture> rocks = words.rocks ? rocks_.picture() : nullptr;
     const std::shared_ptr<const edges::Detection> detection = rocks ? rocks->detection : engine_.picture()->detection;
     std::shared_ptr<const Comparison> compared = comparing_.comparison();

@@ -11,6 +11,7 @@
 #include "core/exports/html/scan_pictures.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "core/inspect/measure/cell_target.h"
+#include "core/inspect/measure/click_remarks.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -82,9 +83,13 @@ std::string measureRow(const edges::Detection& detection, const RangeNoise& nois
     std::string cells;
     for (const std::uint32_t cell : measure.cells) cells += (cells.empty() ? "" : "<br>") + cellText(*detection.scan, cell);
     const auto measured = inspect::measureStored(*detection.scan, noise, measure);
+    std::string from = measured ? inspect::measureBasis(*measured) : std::string();
+    if (measured) {
+        for (const std::string& remark : inspect::clickRemarks(*detection.scan, *detection.mask, measure)) from += "; " + remark;
+    }
     return "<tr><td>" + inspect::measureName(measure) + " " + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +
-           (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" +
-           (measured ? htmlText(inspect::measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";
+           (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" + htmlText(from) +
+           "</td><td>" + cells + "</td></tr>\n";
 }
 
 /// Where they are, on the gray levels: targets by number and name, measurements as lines with their values.
@@ -114,7 +119,8 @@ std::string notesPicture(const edges::Detection& detection, const RangeNoise& no
             middle += (a + b) / 2 / static_cast<double>(links.size());
         }
         if (!measured) continue;
-        const std::string text = (measured->isWarned() ? "▲ " : "") + inspect::measureName(measure) + " " + inspect::measureText(*measured);
+        const bool warned = measured->isWarned() || inspect::isDoubtful(scan, measure);
+        const std::string text = (warned ? "▲ " : "") + inspect::measureName(measure) + " " + inspect::measureText(*measured);
         texts.push_back({text, middle.x(), middle.y()});
     }
     std::size_t leftOut = 0;

@@ -4,6 +4,7 @@
 #include "core/exports/html/notes_section.h"
 #include "core/exports/html/scan_pictures.h"
 #include "core/inspect/measure/cell_target.h"
+#include "core/inspect/measure/click_remarks.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 
@@ -55,6 +56,10 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
     EXPECT_NE(both.find("<line x1=\"20.5\" y1=\"10.5\" x2=\"60.5\" y2=\"30.5\" stroke"), std::string::npos);
     const auto length = inspect::measureStored(scan, inspect::noiseOf(*placed), notebook.measures[0]);
     ASSERT_TRUE(length);
+    // The same remarks as on its card.
+    const auto remarks = inspect::clickRemarks(scan, *placed->mask, notebook.measures[0]);
+    ASSERT_EQ(remarks, std::vector<std::string>{"end 2 not on an edge"});
+    EXPECT_NE(both.find("; end 2 not on an edge</td>"), std::string::npos) << both;
     EXPECT_NE(both.find("x=\"40.5\" y=\"20.5\" class=\"small\">" + std::string(length->isWarned() ? "▲ " : "") + "M2 " +
                         inspect::measureText(*length)),
               std::string::npos);

@@ -160,10 +160,9 @@ void Placing::check() {
     if (!scan_) return;
     typed_ = typedPlace({dialog_->poseTexts(), poseBase_}, {dialog_->mountingTexts(), mountingBase_});
     dialog_->showFaults(typed_);
-    if (typed_.isSound())
-        preview_.ask({scan_, typed_.file}, kWhileTyping);
-    else
-        preview_.giveUp();
+    if (!typed_.isSound()) return preview_.giveUp();
+    dialog_->showComputing();
+    preview_.ask({scan_, typed_.file}, kWhileTyping);
 }
 
 Placing::Answer Placing::placed(const Question& question) {

@@ -160,6 +160,7 @@ void Rocks::takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) 
     }
     notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.")
                          .arg(rocks::kFewestSplit));
+    writeWaiting();
 }
 
 void Rocks::takeJoin(const rocks::CutLine& stroke) {

@@ -42,6 +42,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
           [this](const CutAsked& asked, const auto& cut) { takeCut(asked, *cut); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Error, tr("the rock could not be cut (%1); close other programs.").arg(what));
+              writeWaiting();
           }) {
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
@@ -50,6 +51,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&finder_, &RockFinder::failed, this, [this](const QString& what) {
         notice_.showNotice(NoticeBar::Kind::Error,
                            tr("the rocks could not be computed (%1); close other programs or open a smaller scan.").arg(what));
+        refuseWaiting();
     });
     connect(&panel_, &RocksPanel::edited, this, &Rocks::change);
     connect(&table_, &RockTable::chosen, this, [this](const std::vector<std::uint32_t>& labels) {
@@ -124,6 +126,7 @@ void Rocks::forget() {
     largestWanted_ = false;
     point(std::nullopt, nullptr);
     show();
+    refuseWaiting();
 }
 
 bool Rocks::ofAnotherPicture() const { return !picture_ || !engine_.picture() || picture_->detection != engine_.picture()->detection; }
@@ -191,6 +194,7 @@ void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
     judgeEdit();
     emit rocksShown();
     if (std::exchange(largestWanted_, false)) lookAtLargest();
+    writeWaiting();
 }
 
 QString Rocks::remark() const {

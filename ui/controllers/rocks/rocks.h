@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -116,8 +117,10 @@ public:
 
     /// Asks for a path; the extension determines the content.
     void askExport();
-    /// csv, json, png (labels), dxf, geojson (outlines), ply, obj (hulls). Exports the rocks on the screen if behind() is false.
+    /// csv, json, png (labels), dxf, geojson (outlines), ply, obj (hulls), by whenKnown().
     void exportTo(const QString& path);
+    /// Calls `write` now, or while behind() as soon as the rocks of this scan are known; if that will not be, a notice names `path`.
+    void whenKnown(const QString& path, std::function<void()> write);
 
 signals:
     void shownChanged(bool on);
@@ -139,6 +142,8 @@ private:
     void showSelection();
     void showCard();
     void forget();
+    void writeWaiting();
+    void refuseWaiting();
     void point(std::optional<std::size_t> cell, const QObject* from);
     void addToMenu(QMenu& menu, const inspect::MeantCell& click);
     void followPin(std::optional<std::size_t> cell);
@@ -206,6 +211,12 @@ private:
     QString turned_;
     QElapsedTimer sinceTurn_;
     QTimer nextOfSweep_; // a growing sweep is processed once a second
+    struct Waiting {
+        QString path;
+        std::function<void()> write;
+        std::unique_ptr<Works::Running> shown; ///< Cancel removes it from the list
+    };
+    std::vector<Waiting> waiting_; // files with rocks that are being computed
     RockFinder finder_;
     Derived<CutAsked, std::vector<rocks::Edit>> cutter_; // last
 };

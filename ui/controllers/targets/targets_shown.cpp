@@ -1,4 +1,5 @@
 // Shows the targets in panel and views.
+#include "core/inspect/measure/click_remarks.h"
 #include "core/scan/grid/assumed_mounting.h"
 #include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
@@ -21,43 +22,6 @@ namespace {
 
 /// "M2": next to the others at one place, and in the list.
 QString briefOf(const inspect::StoredMeasure& measure) { return exactText(inspect::measureName(measure)); }
-
-/// The click that an end of a measurement comes from, if it is where such a click is measured.
-std::optional<inspect::MeantCell> clickAtEnd(const Scan& scan, const inspect::StoredMeasure& measure, std::size_t n) {
-    const std::uint32_t clicked = n < measure.clicked.size() ? measure.clicked[n] : measure.cells[n];
-    if (clicked >= scan.cells()) return std::nullopt;
-    const inspect::MeantCell click = inspect::meantCell(scan, clicked);
-    return click.cell == measure.cells[n] ? std::optional(click) : std::nullopt;
-}
-
-/// True if a nearer surface is within reach of a click.
-bool isDoubtful(const Scan& scan, const inspect::StoredMeasure& measure) {
-    if (!inspect::traitsOf(measure.kind).inViews) return false;
-    for (std::size_t n = 0; n < measure.cells.size(); ++n) {
-        const auto click = clickAtEnd(scan, measure, n);
-        if (click && click->alsoNear) return true;
-    }
-    return false;
-}
-
-/// "end 1 not on an edge" or "2 ends not on an edge", by the rule of the status bar; empty: all ends are on one, or the method finds the
-/// ends itself.
-QString offEdgeText(const Grid<std::uint8_t>& mask, const inspect::StoredMeasure& measure) {
-    using Kind = inspect::MeasureKind;
-    if (measure.kind == Kind::Throat || measure.kind == Kind::Section) return {};
-    QStringList off;
-    for (std::size_t n = 0; n < measure.cells.size(); ++n) {
-        if (measure.cells[n] < mask.size() && mask[measure.cells[n]] == 0) off << QString::number(n + 1);
-    }
-    if (off.isEmpty()) return {};
-    return off.size() == 1 ? Targets::tr("end %1 not on an edge").arg(off.front()) : Targets::tr("%1 ends not on an edge").arg(off.size());
-}
-
-QString movedText(const inspect::StoredMeasure& measure) {
-    int moved = 0;
-    for (std::size_t n = 0; n < measure.clicked.size(); ++n) moved += measure.clicked[n] != measure.cells[n] ? 1 : 0;
-    return moved == 1 ? Targets::tr("1 end was moved to the near side") : Targets::tr("%1 ends were moved to the near side").arg(moved);
-}
 
 } // namespace
 
@@ -152,7 +116,7 @@ CellMarks Targets::marks() const {
         const inspect::StoredMeasure& measure = notebook_.measures[n];
         const inspect::MeasuredCells* now = knownOf(measure);
         const bool warned = now != nullptr && (now->isWarned() || mountingAssumed(*known_.picture->detection->scan) ||
-                                               isDoubtful(*known_.picture->detection->scan, measure));
+                                               inspect::isDoubtful(*known_.picture->detection->scan, measure));
         const bool ofSection = measure.kind == inspect::MeasureKind::Section; // its points are shown at the nearest cells
         marks.measures.push_back(
             {ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
@@ -178,13 +142,14 @@ MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
         words.value = coreWords(inspect::measureText(*now));
         for (const std::string& remark : inspect::measureRemarks(*now, inLanguage)) all << shownText(remark);
     }
-    if (!measure.clicked.empty() && measure.kind != inspect::MeasureKind::Throat) // whose ends are near the clicks anyway
-        all << movedText(measure);
     all << atTargetsText(measure);
-    if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
-        all << tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
-    if (now != nullptr) all << (words.offEdge = offEdgeText(*known_.picture->detection->mask, measure));
-    if (now != nullptr) all << assumedText(*known_.picture->detection->scan);
+    if (now != nullptr) {
+        const edges::Detection& detection = *known_.picture->detection;
+        words.offEdge = shownText(inspect::offEdgeText(*detection.mask, measure, inLanguage));
+        for (const std::string& remark : inspect::clickRemarks(*detection.scan, *detection.mask, measure, inLanguage))
+            all << shownText(remark);
+        all << assumedText(*detection.scan);
+    }
     for (const QString& remark : all) {
         if (!remark.isEmpty()) (remark.startsWith("▲") ? words.warnings : words.remarks) << remark;
     }

@@ -278,6 +278,11 @@ void PlaceDialog::showState(const QString& words, bool ready) {
     scrollTo(*focusWidget());
 }
 
+void PlaceDialog::showComputing() {
+    const QString older = QStringLiteral("… ");
+    if (!state_->text().isEmpty() && !state_->text().startsWith(older)) state_->setText(older + state_->text());
+}
+
 void PlaceDialog::showScanners(const QStringList& names, const QString& inUse) {
     scanner_->clear();
     scanner_->addItem(tr("Nominal mounting"), QString());

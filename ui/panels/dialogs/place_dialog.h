@@ -34,6 +34,8 @@ public:
     void showFaults(const TypedPlace& typed);
     /// Where the scan is by these values, or why it cannot be placed; `ready`: the pose may be stored.
     void showState(const QString& words, bool ready);
+    /// The words are of values before these, until showState().
+    void showComputing();
     /// The stored scanners, and the one in use (empty: another mounting).
     void showScanners(const QStringList& names, const QString& inUse);
     /// A pose is stored with the scan.
