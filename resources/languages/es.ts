@@ -637,8 +637,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer. Haga clic en otra parte de la roca, o dibuje a través de toda ella, más allá de su contorno.</translation></message>
-<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>No hay ninguna roca seleccionada: arrastre una línea a través de las rocas que son una sola.</translation></message>
-<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Una roca está seleccionada: haga clic en la otra, o arrastre una línea a través de las rocas que son una sola.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
@@ -742,9 +740,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the rock at the other side</source><translation>haga clic en la roca del otro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
-<message><source>A click into an opening measures all of it: the click before was not needed.</source><translation>Un clic en una abertura la mide entera: el clic anterior no hacía falta.</translation></message>
 <message><source>Clicks next to this one find a throat of %1 to %2 m: zoom in, or click on the rock at both sides.</source><translation>Clics junto a este encuentran una garganta de %1 a %2 m: acerque la vista, o haga clic en la roca de ambos lados.</translation></message>
 <message><source>Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into the middle of the opening.</source><translation>Clics junto a estos encuentran una garganta de %1 a %2 m: acerque la vista y haga clic en la roca de ambos lados, o una vez en el medio de la abertura.</translation></message>
+<message><source>The last click is in an opening and measures all of it: the click before does not count.</source><translation>El último clic está en una abertura y la mide entera: el clic anterior no cuenta.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>No hay abertura entre estos dos clics: haga clic en la roca a ambos lados de una. Distancia mide sobre una roca.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic pasó por la abertura, así que se tomó el borde de delante: compruebe los dos extremos de la línea.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
@@ -1541,7 +1539,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
 <message><source>Others…</source><translation>Otros…</translation></message>
 <message><source>End measuring</source><translation>Terminar la medición</translation></message>
-<message><source>Cloud</source><translation>Nube de puntos</translation></message>
+<message><source>Back to the cloud</source><translation>Volver a la nube</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
 <message><source>More edges</source><translation>Más bordes</translation></message>
 <message><source>Fewer edges</source><translation>Menos bordes</translation></message>
@@ -1566,6 +1564,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
+<message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>Small picture</source><translation>Imagen pequeña</translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
@@ -1716,7 +1715,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rocas</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>Roca con el m&amp;ayor ancho b</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Siguiente roca de menor ancho b</translation></message>
-<message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionar las rocas seleccionadas</translation></message>
+<message><source>&amp;Merge Rocks</source><translation>F&amp;usionar rocas</translation></message>
 <message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir una roca</translation></message>
 <message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
@@ -1770,6 +1769,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:
 </translation></message>
+<message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>El recorrido ha terminado; Ayuda &gt; Recorrido lo empieza de nuevo.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La ventana no tiene sitio para las imágenes junto a este panel: vuelven cuando usted lo pliega.</translation></message>
 <message><source>Network capture</source><translation>Captura de red</translation></message>
 <message><source>CoLa stream</source><translation>Flujo CoLa</translation></message>
@@ -1791,7 +1791,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Cómo se encuentran los bordes: saltos y pliegues de la superficie, partes de estos, o Canny en niveles de gris como en la tesis, o uno de los otros detectores que la tesis compara.</translation></message>
 <message><source>Edge strength</source><translation>Fuerza del borde</translation></message>
-<message><source>How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Qué fuerza debe tener un borde: 1 es el salto y el ángulo de pliegue de abajo, 2 es el doble.</translation></message>
+<message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Qué fuerza debe tener un borde (más fuerza, menos bordes): 1 es el salto y el ángulo de pliegue de abajo, 2 es el doble.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>
 <message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation>Menor escalón de profundidad que es un borde, cerca del escáner; auto toma 30 mm, y más donde las distancias tienen ruido.</translation></message>
 <message><source>Jump growth</source><translation>Crecimiento del salto</translation></message>

@@ -637,8 +637,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler. Cliquez sur une autre partie du bloc, ou dessinez à travers tout le bloc, au-delà de son contour.</translation></message>
-<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>Aucun bloc n'est sélectionné : tirez une ligne à travers les blocs qui n'en font qu'un.</translation></message>
-<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Un bloc est sélectionné : cliquez sur l'autre, ou tirez une ligne à travers les blocs qui n'en font qu'un.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
@@ -742,9 +740,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the rock at the other side</source><translation>cliquez la roche de l'autre côté</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
-<message><source>A click into an opening measures all of it: the click before was not needed.</source><translation>Un clic dans une ouverture la mesure en entier : le clic d'avant n'était pas nécessaire.</translation></message>
 <message><source>Clicks next to this one find a throat of %1 to %2 m: zoom in, or click on the rock at both sides.</source><translation>Des clics à côté de celui-ci trouvent une gorge de %1 à %2 m : zoomez, ou cliquez sur la roche des deux côtés.</translation></message>
 <message><source>Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into the middle of the opening.</source><translation>Des clics à côté de ceux-ci trouvent une gorge de %1 à %2 m : zoomez et cliquez sur la roche des deux côtés, ou une fois au milieu de l'ouverture.</translation></message>
+<message><source>The last click is in an opening and measures all of it: the click before does not count.</source><translation>Le dernier clic est dans une ouverture et la mesure en entier : le clic précédent ne compte pas.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Pas d'ouverture entre ces deux clics : cliquez la roche des deux côtés d'une ouverture. Distance mesure sur une roche.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic est passé par l'ouverture, donc le bord devant a été pris : vérifiez les deux extrémités de la ligne.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
@@ -1541,7 +1539,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
 <message><source>Others…</source><translation>Autres…</translation></message>
 <message><source>End measuring</source><translation>Terminer la mesure</translation></message>
-<message><source>Cloud</source><translation>Nuage de points</translation></message>
+<message><source>Back to the cloud</source><translation>Retour au nuage</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
 <message><source>More edges</source><translation>Plus d'arêtes</translation></message>
 <message><source>Fewer edges</source><translation>Moins d'arêtes</translation></message>
@@ -1566,6 +1564,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
+<message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>Small picture</source><translation>Petite image</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
@@ -1716,7 +1715,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Afficher les blocs</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>&amp;Bloc de plus grande largeur b</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>Bloc suivant, &amp;largeur b plus petite</translation></message>
-<message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionner les blocs sélectionnés</translation></message>
+<message><source>&amp;Merge Rocks</source><translation>F&amp;usionner des blocs</translation></message>
 <message><source>S&amp;plit a Rock</source><translation>&amp;Scinder un bloc</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
@@ -1770,6 +1769,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :
 </translation></message>
+<message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>La visite est terminée ; Aide &gt; Visite la recommence.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La fenêtre n'a pas de place pour les images à côté de ce panneau : elles reviennent quand vous le repliez.</translation></message>
 <message><source>Network capture</source><translation>Capture réseau</translation></message>
 <message><source>CoLa stream</source><translation>Flux CoLa</translation></message>
@@ -1791,7 +1791,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Method</source><translation>Méthode</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Comment les arêtes sont trouvées : sauts et plis de la surface, parties de ceux-ci, ou Canny sur niveaux de gris comme dans la thèse, ou un des autres détecteurs que la thèse compare.</translation></message>
 <message><source>Edge strength</source><translation>Force de l'arête</translation></message>
-<message><source>How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Quelle force une arête doit avoir : 1 est le saut et l'angle de pli ci-dessous, 2 en est le double.</translation></message>
+<message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Quelle force une arête doit avoir : 1 est le saut et l'angle de pli ci-dessous, 2 en est le double.</translation></message>
 <message><source>Jump</source><translation>Saut</translation></message>
 <message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation>Plus petite marche en profondeur qui est une arête, près du scanner ; auto prend 30 mm, et plus là où les distances sont bruitées.</translation></message>
 <message><source>Jump growth</source><translation>Croissance du saut</translation></message>

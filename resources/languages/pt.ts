@@ -637,8 +637,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer. Clique em outra parte da rocha, ou desenhe através de toda ela, além do seu contorno.</translation></message>
-<message><source>No rock is selected: drag a line across the rocks that are one.</source><translation>Nenhuma rocha está selecionada: arraste uma linha através das rochas que são uma só.</translation></message>
-<message><source>One rock is selected: click on the other one, or drag a line across the rocks that are one.</source><translation>Uma rocha está selecionada: clique na outra, ou arraste uma linha através das rochas que são uma só.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
@@ -742,9 +740,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the rock at the other side</source><translation>clique na rocha do outro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
-<message><source>A click into an opening measures all of it: the click before was not needed.</source><translation>Um clique numa abertura a mede inteira: o clique anterior não era necessário.</translation></message>
 <message><source>Clicks next to this one find a throat of %1 to %2 m: zoom in, or click on the rock at both sides.</source><translation>Cliques junto a este encontram uma garganta de %1 a %2 m: aproxime a vista, ou clique na rocha dos dois lados.</translation></message>
 <message><source>Clicks next to these find a throat of %1 to %2 m: zoom in and click on the rock at both sides, or once into the middle of the opening.</source><translation>Cliques junto a estes encontram uma garganta de %1 a %2 m: aproxime a vista e clique na rocha dos dois lados, ou uma vez no meio da abertura.</translation></message>
+<message><source>The last click is in an opening and measures all of it: the click before does not count.</source><translation>O último clique está numa abertura e mede-a inteira: o clique anterior não conta.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Não há abertura entre estes dois cliques: clique na rocha dos dois lados de uma. Distância mede sobre uma rocha.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Um clique passou pela abertura, por isso foi tomada a borda da frente: verifique as duas pontas da linha.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
@@ -1541,7 +1539,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Remove: %1</source><translation>Remover: %1</translation></message>
 <message><source>Others…</source><translation>Outros…</translation></message>
 <message><source>End measuring</source><translation>Terminar a medição</translation></message>
-<message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
+<message><source>Back to the cloud</source><translation>Voltar à nuvem</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
 <message><source>More edges</source><translation>Mais bordas</translation></message>
 <message><source>Fewer edges</source><translation>Menos bordas</translation></message>
@@ -1566,6 +1564,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
+<message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>Small picture</source><translation>Imagem pequena</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
@@ -1716,7 +1715,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rochas</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>Rocha com a m&amp;aior largura b</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Próxima rocha com largura b menor</translation></message>
-<message><source>&amp;Merge Selected Rocks</source><translation>M&amp;esclar as rochas selecionadas</translation></message>
+<message><source>&amp;Merge Rocks</source><translation>M&amp;esclar rochas</translation></message>
 <message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir uma rocha</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
@@ -1770,6 +1769,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:
 </translation></message>
+<message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>O passeio terminou; Ajuda &gt; Passeio começa-o de novo.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>A janela não tem espaço para as imagens ao lado deste painel: elas voltam quando você o recolhe.</translation></message>
 <message><source>Network capture</source><translation>Captura de rede</translation></message>
 <message><source>CoLa stream</source><translation>Fluxo CoLa</translation></message>
@@ -1791,7 +1791,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Como as bordas são encontradas: saltos e dobras da superfície, partes destes, ou Canny em níveis de cinza como na tese, ou um dos outros detectores que a tese compara.</translation></message>
 <message><source>Edge strength</source><translation>Força da borda</translation></message>
-<message><source>How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Que força uma borda deve ter: 1 é o salto e o ângulo de dobra abaixo, 2 é o dobro.</translation></message>
+<message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Que força uma borda deve ter (mais força, menos bordas): 1 é o salto e o ângulo de dobra abaixo, 2 é o dobro.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>
 <message><source>Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.</source><translation>Menor degrau de profundidade que é uma borda, perto do scanner; auto toma 30 mm, e mais onde as distâncias têm ruído.</translation></message>
 <message><source>Jump growth</source><translation>Crescimento do salto</translation></message>

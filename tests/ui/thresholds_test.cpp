@@ -108,6 +108,38 @@ private slots:
         QCOMPARE(window_->viewer().engine.settings().lower, 22.0);
     }
 
+    // A field that has nothing to undo leaves the keys to the window; letters that are not entered are the field's own.
+    void undoInAFieldUndoesWhatWasEntered() {
+        use(edges::Settings{});
+        QVERIFY(on_->activate());
+        QDoubleSpinBox* box = window_->viewer().panel.row("sensitivity")->number();
+        const auto strength = [&] { return window_->viewer().engine.settings().sensitivity; };
+        const auto type = [&](const char* text) {
+            box->selectAll();
+            QTest::keyClicks(box, text);
+        };
+        const double first = strength();
+        box->setFocus();
+        QTRY_VERIFY(box->hasFocus());
+        for (const char* text : {"2", "0.5"}) {
+            type(text);
+            QTest::keyClick(box, Qt::Key_Return);
+            QVERIFY(on_->settled());
+        }
+        QCOMPARE(strength(), 0.5);
+        QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(strength(), 2.0);
+        QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(strength(), first);
+        QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_COMPARE(strength(), 2.0);
+        QVERIFY(on_->settled());
+        type("7");
+        QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(on_->settled());
+        QCOMPARE(strength(), 2.0);
+    }
+
     void whatCannotBeReadIsToldAndTheValueStays() {
         use(edges::findPreset("window")->settings);
         struct Typed {

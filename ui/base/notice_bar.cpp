@@ -6,6 +6,7 @@
 #include "ui/base/flow_layout.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
+#include "ui/base/undo_step.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -276,8 +277,11 @@ void NoticeBar::showRemoved(QUndoStack& stack, const QString& what, const QStrin
 
 void NoticeBar::showUndone(QUndoStack& stack, bool again) {
     const bool came = !again && stack.text(stack.index()).startsWith("removal");
-    showNotice(Kind::Done, (again ? tr("Done again: %1.").arg(stack.undoText()) : tr("Undone: %1.").arg(stack.redoText())) +
-                               (came ? " " + tr("It is back.") : QString()));
+    const auto* step = dynamic_cast<const ScanStep*>(stack.command(stack.index()));
+    const QString back = step != nullptr ? step->undoneText() : QString();
+    showNotice(Kind::Done,
+               (again ? tr("Done again: %1.").arg(stack.undoText()) : tr("Undone: %1.").arg(back.isEmpty() ? stack.redoText() : back)) +
+                   (came ? " " + tr("It is back.") : QString()));
     offer(tr("Redo"), [&stack] { stack.redo(); });
     passes_ = true;
     leaves_.start();

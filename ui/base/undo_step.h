@@ -40,6 +40,8 @@ public:
     virtual ~ScanStep() = default;
     /// False: the step would change nothing, because another scan is on the screen.
     [[nodiscard]] bool applies() const { return !here_ || here_(); }
+    /// What undoing it does, in the language of the window, for a step whose name has two values: in their order. Empty: "Undone: NAME".
+    [[nodiscard]] virtual QString undoneText() const { return {}; }
 
 private:
     Here here_;
@@ -99,6 +101,7 @@ public:
     void undo() override { take(before_, &QUndoStack::undo); }
     void redo() override { take(after_, &QUndoStack::redo); }
     [[nodiscard]] int id() const override { return drag_; }
+    [[nodiscard]] QString undoneText() const override { return name_ ? name_(after_, before_).section('\n', -1) : QString(); }
     bool mergeWith(const QUndoCommand* later) override {
         if (later->id() != id()) return false;
         after_ = static_cast<const UndoStep*>(later)->after_;

@@ -62,7 +62,7 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     back_->setObjectName("cab-back");
     corner_->hide();
     back_->hide();
-    back_->setWords("⇄ " + QObject::tr("Cloud"));
+    back_->setWords("⇄ " + QObject::tr("Back to the cloud"));
     zoom_->setOver(window.viewer().views.cloud(), *corner_);
     connect(zoom_, &ZoomButtons::zoomed, this, &CabMode::zoom);
     window.setCentralWidget(frame_);

@@ -57,30 +57,31 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
     const auto setOver = [&cloud](bool on) { cloud.setEdgesOverFaces(on); };
     const Command edgesOver =
         following(toggle("&Edges over Rocks", "", "rocks/edges", false, setOver), v.legend, &EdgeLegend::overRocksRequested);
-    return submenu("&Rocks", {
-                                 following(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
-                                           rocks, &Rocks::shownChanged),
-                                 linked(command("&Largest Rock by Width b", "", [&rocks] { rocks.lookAtLargest(); }),
-                                        [](QAction& action) { action.setObjectName("rocks-largest"); }),
-                                 command("Next Sm&aller Rock by Width b", "", [&rocks] { rocks.lookAtNextSmaller(); }),
-                                 kLine,
-                                 command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
-                                 tool("S&plit a Rock", "S", RockTool::Split),
-                                 tool("&Join along a Line", "J", RockTool::Join),
-                                 tool("C&ut along a Line", "X", RockTool::Cut),
-                                 command("&Not a Rock, or a Rock Again", "N", [&rocks] { rocks.toggleChosen(); }),
-                                 command("Na&me This Rock…", "", [&v] { v.targets.editName(); }),
-                                 kLine,
-                                 changing(command("&Finer", ",", [step] { step(-0.5); })),
-                                 changing(command("&Coarser", ".", [step] { step(0.5); })),
-                                 edgesOver,
-                                 kLine,
-                                 tool("Draw Region of &Interest", "G", RockTool::Region),
-                                 command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
-                                 kLine,
-                                 {.made = window.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction()},
-                                 command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
-                             });
+    return submenu("&Rocks",
+                   {
+                       ofDesk(following(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }), rocks,
+                                        &Rocks::shownChanged)),
+                       linked(command("&Largest Rock by Width b", "", [&rocks] { rocks.lookAtLargest(); }),
+                              [](QAction& action) { action.setObjectName("rocks-largest"); }),
+                       command("Next Sm&aller Rock by Width b", "", [&rocks] { rocks.lookAtNextSmaller(); }),
+                       kLine,
+                       command("&Merge Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
+                       tool("S&plit a Rock", "S", RockTool::Split),
+                       tool("&Join along a Line", "J", RockTool::Join),
+                       tool("C&ut along a Line", "X", RockTool::Cut),
+                       command("&Not a Rock, or a Rock Again", "N", [&rocks] { rocks.toggleChosen(); }),
+                       command("Na&me This Rock…", "", [&v] { v.targets.editName(); }),
+                       kLine,
+                       changing(command("&Finer", ",", [step] { step(-0.5); })),
+                       changing(command("&Coarser", ".", [step] { step(0.5); })),
+                       edgesOver,
+                       kLine,
+                       tool("Draw Region of &Interest", "G", RockTool::Region),
+                       command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
+                       kLine,
+                       {.made = window.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction()},
+                       ofDesk(command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); })), // a cab has it in Export
+                   });
 }
 
 Command measureMenu(Viewer& v) {

@@ -31,7 +31,7 @@ void MainWindow::escape() {
     else if (maximised_ != nullptr && !cab_->on())
         maximise(maximised_);
     else if (endTour(*this))
-        return;
+        viewer_.notice.showHint(tr("The tour has ended; Help > Tour begins it again."));
     else if (!viewer_.selection.cells().empty())
         viewer_.selection.select({});
     else if (viewer_.sections.close())

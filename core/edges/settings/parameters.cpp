@@ -62,7 +62,7 @@ const std::vector<Parameter>& table() {
     static const std::vector<Parameter> rows{
         {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.",
          0, static_cast<double>(methodTraits().size() - 1), 1, 0, EDGESCAN_NUMBER(Settings, method), static_cast<double>(methodTraits().size() - 1), kNoAuto, !kAdvanced, methodChoices(), !kSeveral, always, Stage::Edges},
-        {"sensitivity", "Edge strength", "x", "How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.",
+        {"sensitivity", "Edge strength", "x", "How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.",
          0.3, 3, 0.05, 2, EDGESCAN_NUMBER(Settings, sensitivity), 3, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Threshold},
         {"jump", "Jump", "mm", "Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.",
          10, 300, 1, 0, EDGESCAN_NUMBER(Settings, jumpMm), 300, [](const Settings&, const Measured& m) { return m.jumpMm; }, !kAdvanced, {}, !kSeveral, surface, Stage::Responses},

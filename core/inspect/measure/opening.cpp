@@ -238,7 +238,7 @@ struct Middle {
     bool isClosed; ///< else the cell is the click
 };
 
-std::optional<Middle> middleAround(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
+std::optional<Middle> middleUphill(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
     std::uint32_t seen = clicked;
     auto atClick = sidesAround(scan, tables, seen);
     if (!atClick) return std::nullopt;
@@ -255,6 +255,22 @@ std::optional<Middle> middleAround(const Scan& scan, const CartesianTables& tabl
     const OpeningCells opening(scan, tables, clicked, behindM);
     const std::uint32_t middle = opening.isClosed() ? opening.middle(clicked) : clicked;
     return Middle{middle, behindM, sidesAround(scan, tables, middle, behindM).value_or(*atClick), opening.isClosed()};
+}
+
+/// A click far from the middle sees other sides and another surface through the opening than the middle itself: from middle to middle,
+/// while the way gets shorter.
+std::optional<Middle> middleAround(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
+    constexpr int kMostSteps = 4;
+    auto middle = middleUphill(scan, tables, clicked);
+    for (int step = 0; step < kMostSteps && middle && middle->isClosed; ++step) {
+        const std::array<std::uint32_t, 2>& ends = middle->sides;
+        const auto beams = static_cast<std::uint32_t>(scan.beams());
+        const std::uint32_t between = (ends[0] / beams + ends[1] / beams) / 2 * beams + (ends[0] % beams + ends[1] % beams) / 2;
+        auto next = middleUphill(scan, tables, between);
+        if (!next || !next->isClosed || lengthM(tables, next->sides) >= lengthM(tables, ends)) break;
+        middle = next;
+    }
+    return middle;
 }
 
 /// Of one click; the least and the most are of clicks next to the middle.

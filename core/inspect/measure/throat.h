@@ -47,7 +47,8 @@ struct Throat {
 [[nodiscard]] std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTables& tables, const MeantCell& click);
 
 /// The shortest way across the middle of the opening around a click, on a void or on what is seen through it. The middle is the cell that
-/// is farthest from the sides, uphill from the click; of an opening that is not closed within half of the lines or beams, the click itself.
+/// is farthest from the sides, uphill from the click, and again from between the ends that it finds while the way gets shorter; of an
+/// opening that is not closed within half of the lines or beams, the click itself.
 /// Of 32 straight ways over the grid through the middle, each is between the first nearer surfaces at both ends with free space between
 /// them. The least and the most are of clicks next to the click, and next to the middle that each of them finds. Empty if no way through
 /// the click has such ends, or what is seen through it is not as far behind it as it is wide.

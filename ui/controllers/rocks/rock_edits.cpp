@@ -133,11 +133,7 @@ void Rocks::mergeSelected() {
     for (const std::size_t cell : selected_) {
         if (picture_->regionAt(cell) != nullptr) cells.push_back(static_cast<std::uint32_t>(cell));
     }
-    if (cells.size() < 2) {
-        notice_.showHint(cells.empty() ? tr("No rock is selected: drag a line across the rocks that are one.")
-                                       : tr("One rock is selected: click on the other one, or drag a line across the rocks that are one."));
-        return useTool(RockTool::Join);
-    }
+    if (cells.size() < 2) return useTool(RockTool::Join);
     auto join = rocks::joinOf(*picture_->study.segmentation, picture_->study.map, cells);
     if (!join) return notice_.showHint(tr("Nothing was merged: this is one rock already."));
     push(stepName("merge of rocks"), {std::move(*join)}, selected_);

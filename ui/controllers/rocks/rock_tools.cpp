@@ -154,8 +154,9 @@ void Rocks::takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) 
     if (asked.stream != stream_) return; // the cells are of another scan
     if (!cut.empty()) {
         const rocks::Edit& part = cut.back();
-        if (selected_.size() > 1 && part.kind == rocks::EditKind::Whole)
-            select({part.cells.front()}); // of several, a part of the one that is cut
+        const auto* whole = asked.of->regionAt(part.cells.front());
+        const bool isSelected = selected_.size() == 1 && asked.of->regionAt(selected_.front()) == whole;
+        if (part.kind == rocks::EditKind::Whole && !isSelected) select({part.cells.front()}); // the card shows what was cut
         return push(stepName("cut of a rock"), cut);
     }
     notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.")

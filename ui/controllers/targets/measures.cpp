@@ -110,9 +110,8 @@ bool Measures::askThrough(const inspect::MeantCell& click) {
     const Scan& scan = *views_.shown()->detection->scan;
     const auto cell = inspect::openingOfClick(scan, CartesianTables(scan), click);
     if (!cell) return false;
-    if (!picked_.empty()) notice_.showHint(tr("A click into an opening measures all of it: the click before was not needed."));
+    throats_.ask({views_.shown(), {*cell, *cell}, !picked_.empty()});
     picked_.clear();
-    throats_.ask({views_.shown(), {*cell, *cell}});
     return true;
 }
 
@@ -124,7 +123,7 @@ void Measures::keepPicked() {
         clicked.push_back(click.clicked);
     }
     if (kind_ != inspect::MeasureKind::Throat) return keep(*kind_, std::move(cells), std::move(clicked));
-    throats_.ask({views_.shown(), std::move(clicked)});
+    throats_.ask({views_.shown(), std::move(clicked), false});
 }
 
 void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
@@ -138,7 +137,12 @@ void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
                       "the middle of the opening."))
                 .arg(found->leastM, 0, 'f', 2)
                 .arg(found->mostM, 0, 'f', 2));
-    if (found) return keep(inspect::MeasureKind::Throat, {found->ends.begin(), found->ends.end()}, asked.clicked);
+    if (found) {
+        keep(inspect::MeasureKind::Throat, {found->ends.begin(), found->ends.end()}, asked.clicked);
+        if (asked.afterAClick)
+            notice_.showHint(tr("The last click is in an opening and measures all of it: the click before does not count."));
+        return;
+    }
     notice_.showHint(tr("No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock."));
 }
 

@@ -49,6 +49,7 @@ private:
     struct ThroatAsked {
         std::shared_ptr<const Picture> of;
         std::vector<std::uint32_t> clicked;
+        bool afterAClick; ///< one click, and the click on rock before it does not count
     };
     void pick(const inspect::MeantCell& click);
     [[nodiscard]] QString lastClickWords() const;

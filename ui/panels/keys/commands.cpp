@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMenu>
 #include <QShortcutEvent>
 #include <QStringList>
@@ -107,6 +108,19 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
     }
 }
 
+namespace {
+
+/// A field takes Undo and Redo also where it has nothing to undo: those are the window's.
+bool leavesUndo(const QObject& field, const QKeyEvent& key) {
+    const bool undo = key.matches(QKeySequence::Undo), redo = key.matches(QKeySequence::Redo);
+    if (!undo && !redo) return false;
+    const auto* edit = qobject_cast<const QLineEdit*>(&field);
+    if (edit == nullptr && qobject_cast<const QAbstractSpinBox*>(&field) != nullptr) edit = field.findChild<const QLineEdit*>();
+    return edit != nullptr && !(undo ? edit->isUndoAvailable() : edit->isRedoAvailable());
+}
+
+} // namespace
+
 KeysOfFocus::KeysOfFocus(QObject* parent) : QObject(parent) {
     constexpr int kTypedForMs = 1500; // since the last key
     typing_.setSingleShot(true);
@@ -175,6 +189,10 @@ bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
     if (asksInVain(pressed)) typing_.start();
     if (isTypedForADialog(pressed)) {
         event->accept();
+        return true;
+    }
+    if (leavesUndo(*watched, pressed)) {
+        event->ignore();
         return true;
     }
     const bool presses = qobject_cast<QAbstractButton*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr;
