@@ -386,6 +386,28 @@ TEST(Throat, OneClickIntoTheOpeningMeasuresItThere) {
     }
 }
 
+// An uneven opening before a slanting wall with a void in it: a click far from the middle sees other sides and another wall.
+TEST(Throat, ClicksInOneOpeningFindAboutTheSame) {
+    const Scan scan = fineScan(121, 121, [](const Eigen::Vector3d& d) {
+        const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
+        const bool isHole = y > -0.45 + 0.25 * x && y < 0.4 - 0.3 * x && x > -0.6 - 0.2 * y && x < 0.55;
+        if (!isHole) return (5.0 + 0.5 * x + 0.3 * y) / d.z();
+        return std::hypot(x - 0.2, y - 0.1) < 0.12 ? 0.0 : (9.0 + 6.0 * x) / d.z();
+    });
+    const CartesianTables tables(scan);
+    std::vector<double> lengthsM;
+    for (int i = 44; i <= 76; i += 4) {
+        for (int j = 44; j <= 76; j += 4) {
+            const auto into = openingOfClick(scan, tables, meantCell(scan, cellOf(scan, i, j)));
+            const auto throat = into ? throatThrough(scan, tables, *into) : std::nullopt;
+            if (throat) lengthsM.push_back((tables.point(throat->ends[0]) - tables.point(throat->ends[1])).norm());
+        }
+    }
+    ASSERT_GT(lengthsM.size(), 40U);
+    std::ranges::sort(lengthsM);
+    EXPECT_LT(lengthsM.back(), 1.08 * lengthsM.front()); // 1.18 from the first middles
+}
+
 // A view of points has no cell in a void: a click on it finds the rim.
 TEST(Throat, AClickAtTheRimOfAVoidMeansTheVoid) {
     const Scan scan =
