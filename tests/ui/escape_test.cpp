@@ -182,7 +182,9 @@ private slots:
                 press(view);
                 QVERIFY(!isAlone() && tour.isVisible());
                 press(view);
-                QVERIFY(!tour.isVisible() && !on.viewer.selection.cells().empty());
+                QVERIFY(!tour.isVisible() && on.viewer.notice.text().startsWith("The tour has ended"));
+                press(view);
+                QVERIFY(!on.viewer.notice.isVisible() && !on.viewer.selection.cells().empty());
                 press(view);
                 QVERIFY(on.viewer.selection.cells().empty() && on.viewer.targets.active() != nullptr);
                 press(view);

@@ -406,9 +406,13 @@ private slots:
         QVERIFY(known(on));
         QTRY_VERIFY(gray.marks().measures.back().label.startsWith(QString::fromUtf8("▲ ")));
         on.viewer.measures.stop();
-        // A section through the ends of this measurement, in true scale; the mouse over it points in the views.
+        // A section through the ends of this measurement, in true scale; the mouse over it points in the views. Why makes room for it.
+        on.viewer.explanation.explain(inspect::exactly(on.viewer.targets.notebook().measures.back().cells.front()),
+                                      Explanation::Subject::Pin);
+        QTRY_VERIFY(on.viewer.explanation.card() != nullptr && on.viewer.explanation.card()->isVisible());
         on.viewer.sections.throughMeasurement();
         QTRY_VERIFY(on.viewer.sections.card() != nullptr && on.viewer.sections.card()->isVisible());
+        QVERIFY(!on.viewer.explanation.card()->isVisible());
         SectionPlot& plot = on.viewer.sections.card()->plot();
         QTRY_VERIFY(plot.section() != nullptr);
         QVERIFY(plot.section()->lines.size() >= 2);

@@ -53,8 +53,8 @@ Eigen::AlignedBox2d boxOf(const inspect::Section& section, std::uint32_t rock) {
 
 /// As large as leaves most of the window in sight.
 QSize usualSize(const SectionCard& card, const QWidget& window) {
-    constexpr double kWide = 0.45, kHigh = 0.55; // of the window
-    const QSize least(560, 400), part(static_cast<int>(kWide * window.width()), static_cast<int>(kHigh * window.height()));
+    constexpr double kWide = 0.45, kHigh = 0.45; // of the window
+    const QSize least(560, 360), part(static_cast<int>(kWide * window.width()), static_cast<int>(kHigh * window.height()));
     return card.sizeHint().boundedTo(part.expandedTo(least));
 }
 
@@ -186,6 +186,7 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     if (section->plane.upAssumed) words << tr("▲ no pose: up is the scanner's z");
     card_->setWords(words.join(' '));
     const bool opens = !card_->isVisible();
+    if (opens) emit opening();
     card_->show();
     const CloudView& cloud = views_.cloud();
     const QRect cut = opens && cloud.isVisible() ? placeIn(cloud, question.cells).intersected(cloud.rect()) : QRect();

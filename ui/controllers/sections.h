@@ -44,6 +44,10 @@ public:
     bool close();
     void exportTo(const QString& path);
 
+signals:
+    /// Its card is about to be shown.
+    void opening();
+
 private:
     struct Question {
         std::shared_ptr<const Picture> picture;

@@ -266,6 +266,7 @@ void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(viewer_.targetsPanel.section(), &QPushButton::clicked, &viewer_.sections, &Sections::throughMeasurement);
+    connect(&viewer_.sections, &Sections::opening, &viewer_.explanation, &Explanation::closeCard); // no room for both
     connect(&viewer_.measures, &Measures::asked, &viewer_.targetsPanel, &TargetsPanel::showAsked);
     connect(&viewer_.explanation, &Explanation::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.rocks, &Rocks::toolChanged, &viewer_.tools, [this](RockTool tool) { viewer_.tools.showRockTool(promptOf(tool)); });
