@@ -1514,8 +1514,12 @@ private slots:
 
     void filesThatNeedRocksWaitForThem() {
         WindowFixture on;
-        QVERIFY(on.open(bell_));
         const auto place = [&](const char* name) { return QString::fromStdString((folder_ / name).string()); };
+        on.viewer.rocks.setShown(true); // of no scan
+        on.viewer.rocks.exportTo(place("none.csv"));
+        QVERIFY2(on.viewer.notice.text().contains(place("none.csv")), qPrintable(on.viewer.notice.text()));
+        on.viewer.rocks.setShown(false);
+        QVERIFY(on.open(bell_));
         QSignalSpy saved(&on.viewer.engine, &Engine::saved), ended(&on.viewer.report, &ScanReport::ended);
         on.viewer.rocks.setShown(true);
         QVERIFY(on.viewer.rocks.behind());

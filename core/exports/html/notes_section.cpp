@@ -83,8 +83,9 @@ std::string measureRow(const edges::Detection& detection, const RangeNoise& nois
     std::string cells;
     for (const std::uint32_t cell : measure.cells) cells += (cells.empty() ? "" : "<br>") + cellText(*detection.scan, cell);
     const auto measured = inspect::measureStored(*detection.scan, noise, measure);
-    std::string from = measured ? inspect::measureBasis(*measured) : std::string();
+    std::string from;
     if (measured) {
+        from = inspect::measureBasis(*measured);
         for (const std::string& remark : inspect::clickRemarks(*detection.scan, *detection.mask, measure)) from += "; " + remark;
     }
     return "<tr><td>" + inspect::measureName(measure) + " " + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +

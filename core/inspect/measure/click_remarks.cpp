@@ -16,8 +16,6 @@ std::optional<MeantCell> clickAtEnd(const Scan& scan, const StoredMeasure& measu
     return click.cell == measure.cells[n] ? std::optional(click) : std::nullopt;
 }
 
-bool endsAreFound(MeasureKind kind) { return kind == MeasureKind::Throat || kind == MeasureKind::Section; }
-
 } // namespace
 
 bool isDoubtful(const Scan& scan, const StoredMeasure& measure) {
@@ -31,7 +29,7 @@ bool isDoubtful(const Scan& scan, const StoredMeasure& measure) {
 
 std::string offEdgeText(const Grid<std::uint8_t>& mask, const StoredMeasure& measure, Translated translated) {
     const auto say = [&](const char* pattern, const std::string& value) { return withValues(translated(pattern), {value}); };
-    if (endsAreFound(measure.kind)) return {};
+    if (measure.kind == MeasureKind::Throat || measure.kind == MeasureKind::Section) return {};
     std::vector<std::string> off;
     for (std::size_t n = 0; n < measure.cells.size(); ++n) {
         if (measure.cells[n] < mask.size() && mask[measure.cells[n]] == 0) off.push_back(std::to_string(n + 1));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -257,25 +258,42 @@ std::optional<Middle> middleUphill(const Scan& scan, const CartesianTables& tabl
     return Middle{middle, behindM, sidesAround(scan, tables, middle, behindM).value_or(*atClick), opening.isClosed()};
 }
 
-/// A click far from the middle sees other sides and another surface through the opening than the middle itself: from middle to middle,
-/// while the way gets shorter.
-std::optional<Middle> middleAround(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
-    constexpr int kMostSteps = 4;
-    auto middle = middleUphill(scan, tables, clicked);
-    for (int step = 0; step < kMostSteps && middle && middle->isClosed; ++step) {
-        const std::array<std::uint32_t, 2>& ends = middle->sides;
-        const auto beams = static_cast<std::uint32_t>(scan.beams());
-        const std::uint32_t between = (ends[0] / beams + ends[1] / beams) / 2 * beams + (ends[0] % beams + ends[1] % beams) / 2;
-        auto next = middleUphill(scan, tables, between);
-        if (!next || !next->isClosed || lengthM(tables, next->sides) >= lengthM(tables, ends)) break;
-        middle = next;
+/// The middles of clicks, in which middleUphill() is asked once per cell: clicks next to each other lead to the same cells.
+class Middles {
+public:
+    Middles(const Scan& scan, const CartesianTables& tables) : scan_(scan), tables_(tables) {}
+
+    /// A click far from the middle sees other sides and another surface through the opening than the middle itself: from middle to middle,
+    /// while the way gets shorter.
+    [[nodiscard]] std::optional<Middle> around(std::uint32_t clicked) {
+        constexpr int kMostSteps = 4;
+        auto middle = uphill(clicked);
+        for (int step = 0; step < kMostSteps && middle && middle->isClosed; ++step) {
+            const std::array<std::uint32_t, 2>& ends = middle->sides;
+            const auto beams = static_cast<std::uint32_t>(scan_.beams());
+            const std::uint32_t between = (ends[0] / beams + ends[1] / beams) / 2 * beams + (ends[0] % beams + ends[1] % beams) / 2;
+            const auto next = uphill(between);
+            if (!next || !next->isClosed || lengthM(tables_, next->sides) >= lengthM(tables_, ends)) break;
+            middle = next;
+        }
+        return middle;
     }
-    return middle;
-}
+
+private:
+    [[nodiscard]] std::optional<Middle> uphill(std::uint32_t k) {
+        const auto [at, isNew] = uphill_.try_emplace(k);
+        if (isNew) at->second = middleUphill(scan_, tables_, k);
+        return at->second;
+    }
+
+    const Scan& scan_;
+    const CartesianTables& tables_;
+    std::map<std::uint32_t, std::optional<Middle>> uphill_;
+};
 
 /// Of one click; the least and the most are of clicks next to the middle.
-std::optional<Throat> acrossMiddle(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
-    const auto middle = middleAround(scan, tables, clicked);
+std::optional<Throat> acrossMiddle(const Scan& scan, const CartesianTables& tables, Middles& middles, std::uint32_t clicked) {
+    const auto middle = middles.around(clicked);
     if (!middle) return std::nullopt;
     Throat throat{middle->sides, lengthM(tables, middle->sides), lengthM(tables, middle->sides)};
     for (const std::uint32_t near : clicksNear(scan, middle->cell)) {
@@ -343,7 +361,7 @@ std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const
 std::optional<std::array<std::uint32_t, 2>> Crossings::between(std::uint32_t a, std::uint32_t b, std::uint32_t into) {
     const auto [at, isNew] = sides_.try_emplace(into);
     if (isNew) {
-        if (const auto middle = middleAround(scan_, tables_, into); middle && middle->isClosed) at->second = middle->sides;
+        if (const auto middle = Middles(scan_, tables_).around(into); middle && middle->isClosed) at->second = middle->sides;
     }
     if (!at->second || !areAcross(tables_, {a, b}, *at->second)) return std::nullopt;
     return at->second;
@@ -373,9 +391,10 @@ std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTab
 
 std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
     if (clicked >= scan.cells()) return std::nullopt;
+    Middles middles(scan, tables);
     std::optional<Throat> throat;
     for (const std::uint32_t click : clicksNear(scan, clicked)) { // the click itself is the first
-        const auto here = acrossMiddle(scan, tables, click);
+        const auto here = acrossMiddle(scan, tables, middles, click);
         if (!here && !throat) return std::nullopt;
         if (!here) continue;
         if (!throat) throat = here;

@@ -73,24 +73,26 @@ void Rocks::exportTo(const QString& path) {
         notice_.showNotice(NoticeBar::Kind::Error, tr("%1 was not written: give it one of the endings %2.").arg(path, endings.join(", ")));
         return;
     }
-    if (behind() || !picture_) return whenKnown(path, [this, path] { exportTo(path); });
-    exports::ExportOptions options;
-    if (file->file->coordinates != exports::ExportFile::Coordinates::None) options.frame = files::usualFrame(*picture_->detection->scan);
-    options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
-    if (!pinnedTargets_.empty()) options.targets = std::make_shared<const std::vector<inspect::PinnedTarget>>(pinnedTargets_);
-    engine_.save(file->kind->content, path, options);
+    whenKnown(path, [this, path, file] {
+        exports::ExportOptions options;
+        if (file->file->coordinates != exports::ExportFile::Coordinates::None)
+            options.frame = files::usualFrame(*picture_->detection->scan);
+        options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
+        if (!pinnedTargets_.empty()) options.targets = std::make_shared<const std::vector<inspect::PinnedTarget>>(pinnedTargets_);
+        engine_.save(file->kind->content, path, options);
+    });
 }
 
 void Rocks::whenKnown(const QString& path, std::function<void()> write) {
-    if (on_ && !behind()) return write();
+    if (picture_ && !behind()) return write();
     const auto cancel = [this, path] { std::erase_if(waiting_, [&](const Waiting& each) { return each.path == path; }); };
     waiting_.push_back(
         {path, std::move(write), engine_.works().start(tr("%1 waits for the rocks").arg(QFileInfo(path).fileName()), cancel)});
-    if (!on_) refuseWaiting();
+    if (!on_ || !(working() || nextOfSweep_.isActive())) refuseWaiting(); // nothing would end the wait
 }
 
 void Rocks::writeWaiting() {
-    if (behind()) return;
+    if (!picture_ || behind()) return;
     for (const Waiting& each : std::exchange(waiting_, {})) each.write();
 }
 

@@ -131,9 +131,9 @@ void Rocks::forget() {
 
 bool Rocks::ofAnotherPicture() const { return !picture_ || !engine_.picture() || picture_->detection != engine_.picture()->detection; }
 
-bool Rocks::behind() const {
-    return on_ && engine_.picture() != nullptr && (sidecar_.reading() || finder_.behind() || cutter_.behind() || ofAnotherPicture());
-}
+bool Rocks::working() const { return sidecar_.reading() || finder_.behind() || cutter_.behind(); }
+
+bool Rocks::behind() const { return on_ && engine_.picture() != nullptr && (working() || ofAnotherPicture()); }
 
 void Rocks::followPicture() {
     const std::shared_ptr<const Picture>& shown = engine_.picture();

@@ -142,6 +142,8 @@ private:
     void showSelection();
     void showCard();
     void forget();
+    /// Rocks, or what they depend on, are being computed or read.
+    [[nodiscard]] bool working() const;
     void writeWaiting();
     void refuseWaiting();
     void point(std::optional<std::size_t> cell, const QObject* from);
