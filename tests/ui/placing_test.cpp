@@ -107,6 +107,40 @@ private slots:
         QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
     }
 
+    // Neither card, list nor cab show coordinates of values that were replaced in the form, also while what is typed is unsound.
+    void coordinatesAreThoseOfTheFormOrNone() {
+        for (const bool cab : {false, true}) {
+            PlaceForm on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(cab);
+            on.viewer.views.pin(on.picture().detection->edges->front());
+            QVERIFY(on.ready());
+            const QRegularExpression east("4987[1-9]"); // near the scanner, not the origin of the frame
+            const auto shown = [&] {
+                QString all = on.viewer.targets.inWords(*on.viewer.targets.active());
+                for (const QLabel* each : on.window.findChildren<QLabel*>()) {
+                    if (each->isVisible() && each->window() == &on.window) all += "\n" + each->text(); // not those of the form
+                }
+                return all;
+            };
+            on.paste("P7; 498765.432; 5150123.456; 287.654; 217.4; 14.25; -3.4");
+            QVERIFY(on.placed());
+            QVERIFY(eventually([&] { return shown().contains(east) && !on.viewer.engine.placePending(); }));
+            for (const QString& heading : {QString("31"), QString("-"), QString("310")}) {
+                on.field("talin-heading_deg").setText(heading);
+                QVERIFY2(!shown().contains(east), qPrintable(shown())); // at once
+            }
+            QVERIFY(on.placed());
+            QVERIFY(eventually([&] { return shown().contains(east); }));
+            on.field("talin-heading_deg").setText("-");
+            QVERIFY(!shown().contains(east));
+            on.placing.dialog()->reject();
+            QVERIFY(on.settled());
+            QVERIFY(on.place() == nullptr && !on.viewer.engine.placePending());
+            QVERIFY(eventually([&] { return shown().contains("no pose") || (cab && shown().contains("X [m]")); }));
+        }
+    }
+
     // The cells are the same: what is chosen stays so with a stored and with a removed pose.
     void theChosenTargetStaysChosen() {
         for (const bool cab : {false, true}) {

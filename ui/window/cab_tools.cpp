@@ -46,10 +46,10 @@ void addSize(TargetNumbers& values, const rocks::Rock& rock) {
     values.sizeRemark = (rock.apart.empty() ? QString() : partsText(rock) + " · ") + QObject::tr(rocks::kRockCaveat);
 }
 
-void addPlace(TargetNumbers& values, const Eigen::Vector3d& placeM, bool mine) {
+void addPlace(TargetNumbers& values, const Eigen::Vector3d& placeM, bool mine, bool pending) {
     int n = 0;
     for (const char* name : mine ? std::array{"E [m]", "N", "RL"} : std::array{"X [m]", "Y", "Z"})
-        values.coordinates.emplace_back(name, metres(placeM[n++], 3));
+        values.coordinates.emplace_back(name, pending ? QStringLiteral("…") : metres(placeM[n++], 3));
     values.unposed = !mine;
 }
 
@@ -229,7 +229,7 @@ TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
     const RockPicture& picture = *window_.viewer().rocks.picture();
     const bool placed = picture.detection->scan->placement != nullptr;
     const rocks::RockRows rows(picture.study, placed ? CoordinateFrame::Mine : CoordinateFrame::Scanner); // the middle, as in the table
-    addPlace(values, rows.of(rock).centreM, placed);
+    addPlace(values, rows.of(rock).centreM, placed, window_.viewer().engine.placePending());
     addSize(values, rock);
     values.ofRock = true;
     return values;
@@ -310,7 +310,7 @@ TargetNumbers CabMode::numbers() const {
     }
     if (!target->note.empty()) values.rows.emplace_back(tr("Note"), shownName(exactText(target->note)));
     if (cell.probe.state != CellState::Valid) return values;
-    addPlace(values, cell.probe.mineM.value_or(cell.probe.pointM), cell.probe.mineM.has_value());
+    addPlace(values, cell.probe.mineM.value_or(cell.probe.pointM), cell.probe.mineM.has_value(), around.placePending);
     if (const QString clicked = targets.clickOf(*target); clicked.contains("▲")) values.warned = clicked.mid(clicked.indexOf("▲"));
     for (const TargetRow& row : targetRows(cell, around)) {
         if (QStringList{QObject::tr("Surface"), QObject::tr("Resolves"), QObject::tr("Edge")}.contains(row.name))

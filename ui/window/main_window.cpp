@@ -331,10 +331,12 @@ void MainWindow::connectEngine() {
     connect(&viewer_.statusLine, &StatusLine::resetRequested, &viewer_.tuning, &Tuning::reset);
     connect(&viewer_.engine, &Engine::failed, this,
             [this](const QString& sentence) { viewer_.notice.showNotice(NoticeBar::Kind::Error, sentence); });
-    connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, [this](const std::optional<edges::Probe>& probe) {
+    connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, [this](std::optional<edges::Probe> probe) {
         using Cell = StatusLine::Cell;
+        if (probe && viewer_.engine.placePending()) probe->mineM.reset();
         viewer_.statusLine.showProbe(probe, viewer_.views.flipped() ? Cell::OfA : viewer_.views.hovered() ? Cell::Pointer : Cell::Pin);
     });
+    connect(&viewer_.engine, &Engine::placePendingChanged, this, [this] { viewer_.views.probeAgain(); });
     connect(&viewer_.views, &LinkedViews::boxed, &viewer_.statusLine, &StatusLine::showBox);
     connect(&viewer_.engine, &Engine::pictureReady, this, [this] {
         showFacts();

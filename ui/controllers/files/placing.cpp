@@ -68,12 +68,19 @@ Placing::Placing(Engine& engine, Files& files, NoticeBar& notice, Preferences& p
               if (scan_) dialog_->showState(tr("It failed (%1); close other programs or use a smaller scan.").arg(what), false);
           }) {
     connect(&engine_, &Engine::streamChanged, this, &Placing::follow);
+    connect(&engine_, &Engine::pictureReady, this, &Placing::endPending);
+    connect(&engine_, &Engine::failed, this, &Placing::endPending);
 }
 
 void Placing::make() {
     if (dialog_ != nullptr) return;
     dialog_ = new PlaceDialog(notice_.window());
-    connect(dialog_, &PlaceDialog::changed, this, &Placing::check);
+    connect(dialog_, &PlaceDialog::changed, this, [this] {
+        const bool shown = scan_ && engine_.picture()->detection->scan->placement != nullptr;
+        if (shown) engine_.setPlacePending(true);
+        awaited_.reset();
+        check();
+    });
     connect(dialog_, &PlaceDialog::surveyLineTyped, this, &Placing::takeLine);
     connect(dialog_, &PlaceDialog::keepRequested, this, [this] { store(typed_.file, stepName("Store Pose")); });
     connect(dialog_, &PlaceDialog::removeRequested, this, [this] { store(std::nullopt, stepName("Remove Pose")); });
@@ -165,6 +172,11 @@ void Placing::check() {
     preview_.ask({scan_, typed_.file}, kWhileTyping);
 }
 
+/// The form is closed, or its values have reached the screen.
+void Placing::endPending() {
+    if (!scan_ || (awaited_ && awaited_ == engine_.picture()->detection->scan)) engine_.setPlacePending(false);
+}
+
 Placing::Answer Placing::placed(const Question& question) {
     try {
         const auto poses = parsePoses(question.file, "form");
@@ -185,7 +197,8 @@ void Placing::take(const Answer& answer) {
     if (!scan_) return;
     if (!answer.scan) return dialog_->showState("✕ " + shownText(answer.scan.error().what) + ".", false);
     previewed_ = true;
-    engine_.follow(*answer.scan, source_);
+    awaited_ = *answer.scan;
+    engine_.follow(awaited_, source_);
     dialog_->showState(answer.words, true);
 }
 
@@ -330,8 +343,12 @@ void Placing::reopen(const ReadingOptions& options) {
 /// Closed without storing: the scan is again where it was.
 void Placing::closed() {
     preview_.giveUp();
+    awaited_.reset();
     const auto scan = std::exchange(scan_, nullptr);
-    if (scan && previewed_) engine_.follow(scan, source_);
+    if (scan && previewed_)
+        engine_.follow(scan, source_);
+    else if (!storing_)
+        engine_.setPlacePending(false);
     previewed_ = false;
 }
 

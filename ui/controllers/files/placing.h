@@ -61,6 +61,7 @@ private:
     [[nodiscard]] bool load(const Scan& scan);
     void follow();
     void check();
+    void endPending();
     void take(const Answer& answer);
     void takeLine(const QString& line, bool northingFirst);
     void useScanner(const QString& name);
@@ -86,6 +87,7 @@ private:
     std::string poseBase_, mountingBase_; ///< files with which the form began
     TypedPlace typed_;
     bool previewed_ = false;
+    std::shared_ptr<const Scan> awaited_; ///< the placed scan whose picture ends that coordinates are pending
     bool storing_ = false;
     std::optional<Stored> next_;           ///< to be stored after that
     const QUndoCommand* newest_ = nullptr; ///< the step of the last change, to see whether it is the newest of all

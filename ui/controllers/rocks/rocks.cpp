@@ -47,6 +47,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
     connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::followPicture);
+    connect(&engine_, &Engine::placePendingChanged, this, &Rocks::showCard);
     connect(&finder_, &RockFinder::found, this, &Rocks::take);
     connect(&finder_, &RockFinder::failed, this, [this](const QString& what) {
         notice_.showNotice(NoticeBar::Kind::Error,
@@ -259,7 +260,7 @@ void Rocks::setTargets(const RockNames& targets, const std::vector<inspect::Pinn
 
 void Rocks::showCard() {
     if (picture_)
-        panel_.card().show(*picture_, selected_, behind(), targets_);
+        panel_.card().show(*picture_, selected_, behind() || engine_.placePending(), targets_);
     else
         panel_.card().hide();
 }

@@ -42,6 +42,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
     connect(&views_, &LinkedViews::cellMenuOpens, this, &Targets::addToMenu);
     connect(&views_, &LinkedViews::measureClicked, this, [this](std::size_t place) { chooseMeasure(place); });
+    connect(&engine_, &Engine::placePendingChanged, this, &Targets::show);
     connect(&rocks_, &Rocks::rocksShown, this, &Targets::show);
     connect(&rocks_, &Rocks::shownChanged, this, &Targets::show);
     connect(&rocks_, &Rocks::selectionChanged, this, [this] {
@@ -147,8 +148,6 @@ void Targets::followPicture() {
         if (!notebook_.empty()) emit pinned();
     }
     scan_ = engine_.picture()->detection->scan;
-    // Coordinates of another pose are not shown as those of now.
-    if (known_.picture && known_.picture->detection->scan->placement != scan_->placement) known_ = {};
     stream_ = engine_.picture()->source.stream;
     findSweep();
     ask();
@@ -339,6 +338,10 @@ void Targets::ask() {
     if (engine_.picture()) worked_.ask({engine_.picture(), notebook_});
 }
 
+bool Targets::placePending() const {
+    return engine_.placePending() || (known_.picture && known_.picture->detection->scan->placement != scan_->placement);
+}
+
 bool Targets::settled() const {
     if (known_.picture != engine_.picture()) return notebook_.empty() && engine_.picture() == nullptr;
     return std::ranges::all_of(notebook_.targets, [&](const inspect::PinnedTarget& target) { return knownOf(target.cell) != nullptr; }) &&
@@ -373,7 +376,7 @@ void Targets::take(const KnownTargets& known) {
     bool more = false;
     for (inspect::PinnedTarget& target : notebook_.targets) {
         const inspect::CellTarget* now = knownOf(target.cell);
-        if (!target.asPinned.empty() || now == nullptr || known_.picture != engine_.picture()) continue;
+        if (!target.asPinned.empty() || now == nullptr || known_.picture != engine_.picture() || placePending()) continue;
         target.asPinned = rowsToStore(*now, around(target.cell));
         pinnedOn_[{target.number, target.cell}] = known_.picture;
         more = true;

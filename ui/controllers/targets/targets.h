@@ -74,6 +74,8 @@ public:
     /// True if the cards belong to the picture on the screen and to all entries of the notebook.
     [[nodiscard]] bool settled() const;
     [[nodiscard]] const KnownTargets& known() const { return known_; }
+    /// known() does not follow from the pose that is typed, or from that of the picture.
+    [[nodiscard]] bool placePending() const;
     /// The data of a card that was not measured at the cell.
     [[nodiscard]] TargetSurroundings around(std::size_t cell) const;
     /// How the cell of a target follows from its click, with a warning if a nearer surface is next to it; empty: it was chosen itself.

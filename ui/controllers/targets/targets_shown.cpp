@@ -37,7 +37,7 @@ const inspect::CellTarget* Targets::knownOf(std::uint32_t cell) const {
 
 const inspect::MeasuredCells* Targets::knownOf(const inspect::StoredMeasure& measure) const {
     const auto* known = known_.of(measure);
-    return known == nullptr || !*known ? nullptr : &**known;
+    return placePending() || known == nullptr || !*known ? nullptr : &**known;
 }
 
 TargetSurroundings Targets::around(std::size_t cell) const {
@@ -46,6 +46,7 @@ TargetSurroundings Targets::around(std::size_t cell) const {
     around.rocksKnown = rocks_.picture() != nullptr;
     around.rock = rocks_.picture() ? rocks_.picture()->rockAt(cell) : nullptr;
     around.source = source_;
+    around.placePending = placePending();
     around.confidence.state = confidence_.otherwise;
     if (confidence_.made && cell < confidence_.made->percent.size() && confidence_.made->percent[cell] > 0)
         around.confidence = {ShownConfidence::State::Known, confidence_.made->percent[cell], confidence_.made->settings};
@@ -91,7 +92,7 @@ QStringList Targets::wordsOf(const inspect::PinnedTarget& target) const {
 
 QString Targets::inWords(const inspect::PinnedTarget& target) const {
     const inspect::CellTarget* now = knownOf(target.cell);
-    const QString place = now != nullptr ? positionText(*now).simplified() : QString();
+    const QString place = placePending() ? QStringLiteral("…") : now != nullptr ? positionText(*now).simplified() : QString();
     return (wordsOf(target) + (place.isEmpty() ? QStringList() : QStringList(place))).join(" · ");
 }
 
@@ -134,7 +135,7 @@ CellMarks Targets::marks() const {
 }
 
 MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
-    const bool known = known_.of(measure) != nullptr;
+    const bool known = !placePending() && known_.of(measure) != nullptr;
     MeasureWords words{tr(inspect::traitsOf(measure.kind).label), known ? tr("a cell of it has no range") : "…", {}, {}, {}};
     const inspect::MeasuredCells* now = knownOf(measure);
     QStringList all;
@@ -180,7 +181,7 @@ void Targets::show() {
         words += note;
         const QString first = words; // shortened in the list
         const QString locked = target.locked ? "   " + tr("locked") : QString();
-        const QString place = now != nullptr ? briefPositionText(*now) : QString();
+        const QString place = placePending() ? QStringLiteral("…") : now != nullptr ? briefPositionText(*now) : QString();
         words += "\n" + (place.isEmpty() ? QString(" ") : place); // two rows before it is known: the card below the list stays where it is
         QStringList shortened;                                    // the class of its edge and the second row last
         if (!note.isEmpty()) shortened << note;
@@ -247,7 +248,7 @@ void Targets::copyCard() {
 
 void Targets::copyAll() {
     QStringList rows{tableHeading()};
-    for (const inspect::PinnedTarget& target : notebook_.targets) rows << tableRow(target, knownOf(target.cell));
+    for (const inspect::PinnedTarget& target : notebook_.targets) rows << tableRow(target, placePending() ? nullptr : knownOf(target.cell));
     QGuiApplication::clipboard()->setText(rows.join('\n') + "\n");
     notice_.showNotice(NoticeBar::Kind::Done,
                        tr("On the clipboard, as a table for a spreadsheet: %1.").arg(targetCount(notebook_.targets.size())));

@@ -53,6 +53,8 @@ public:
     /// The cell in the status bar: under the mouse, else the pinned one.
     [[nodiscard]] std::optional<std::size_t> marked() const { return hovered_ ? hovered_ : pinned_; }
     [[nodiscard]] std::optional<std::size_t> hovered() const { return hovered_; }
+    /// Sends probed() again: what is said of the cell depends on more than the picture.
+    void probeAgain() { hover(hovered_, nullptr); }
     /// How far apart two cells are drawn in the view that the pointer was in last, device-independent pixels; empty: one is not drawn
     /// there.
     [[nodiscard]] std::optional<double> pixelsBetween(std::size_t a, std::size_t b) const;

@@ -138,6 +138,10 @@ bool Engine::behind() const {
            !(picture_->source == asked_.source);
 }
 
+void Engine::setPlacePending(bool on) {
+    if (std::exchange(placePending_, on) != on) emit placePendingChanged();
+}
+
 void Engine::save(exports::ExportContent what, const QString& path, const std::optional<exports::ExportOptions>& options) {
     if (picture_ == nullptr) return;
     const auto detection = picture_->detection;

@@ -58,6 +58,10 @@ public:
     /// True if the shown picture was not computed with settings(), or not from the scan that was posted last.
     [[nodiscard]] bool behind() const;
 
+    /// Coordinates of the picture are not those of the pose that is typed: they are not shown.
+    void setPlacePending(bool on);
+    [[nodiscard]] bool placePending() const { return placePending_; }
+
     /// The newest picture, null before the first.
     [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
     /// Of the scan that is being opened, until its first picture is there; null: it is small, or another scan is on the screen.
@@ -73,6 +77,7 @@ signals:
     void workProgressed(const QString& stage, double fraction);
     void workEnded();
     void replacingChanged(bool on);
+    void placePendingChanged();
     /// A coarse picture came; or it is gone, because its opening was cancelled or failed.
     void coarseChanged();
     /// A scan was read, and its first picture comes with the next signal.
@@ -125,6 +130,7 @@ private:
     std::unique_ptr<Works::Running> openingWork_;
     QTimer replacingTimer_;
     bool replacing_ = false;
+    bool placePending_ = false;
     std::shared_ptr<const Picture> picture_;
     std::shared_ptr<const CoarsePicture> coarse_;
     std::size_t coarseAbove_ = kCoarseAbove;

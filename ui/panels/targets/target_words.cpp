@@ -221,12 +221,17 @@ std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const Targe
     if (target.probe.state == CellState::Valid) {
         rows.push_back({QObject::tr("from"), QObject::tr("scanner, line of sight"), QString(), false});
         rows.push_back(placeRow(target));
-        rows.push_back(mineRow(target));
+        const auto addPlaced = [&](TargetRow row) {
+            row.known = !around.placePending;
+            if (!row.known) row.value = QStringLiteral("…");
+            rows.push_back(std::move(row));
+        };
+        addPlaced(mineRow(target));
         if (around.rocksShown) rows.push_back(rockRow(around));
         rows.push_back(resolvesRow(target));
         rows.push_back(surfaceRow(target));
-        rows.push_back(dipRow(target));
-        if (target.boom) rows.push_back(boomRow(*target.boom));
+        addPlaced(dipRow(target));
+        if (target.boom) addPlaced(boomRow(*target.boom));
     }
     rows.push_back(cellRow(target));
     rows.push_back(edgeRow(target));

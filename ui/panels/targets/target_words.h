@@ -27,7 +27,8 @@ struct TargetSurroundings {
     const rocks::Rock* rock = nullptr; ///< the rock at the cell; null: no rock there, or rocks are hidden or not known
     QString source;                    ///< source of the picture, with its time
     ShownConfidence confidence{};
-    QString clicked{}; ///< where the click was, if it was moved
+    QString clicked{};         ///< where the click was, if it was moved
+    bool placePending = false; ///< another pose is being typed: what follows from the pose is not known
 };
 
 inline constexpr const char* kConfidenceRow = QT_TRANSLATE_NOOP("QObject", "Confidence"); ///< name of that row in files
