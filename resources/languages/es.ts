@@ -605,8 +605,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Store the mounting</source><translation>Guardar el montaje</translation></message>
 <message><source>Name of the scanner</source><translation>Nombre del escáner</translation></message>
 <message><source>The pose that was stored with the scan is removed.</source><translation>La pose guardada con el escaneo se ha eliminado.</translation></message>
-<message><source>Stored %1; it replaced the pose that was there.</source><translation>Se guardó %1; reemplazó la pose que había.</translation></message>
-<message><source>Stored %1.</source><translation>Se guardó %1.</translation></message>
+<message><source>The pose is stored with the scan, in %1; it replaced the one that was there.</source><translation>La pose se guardó con el escaneo, en %1; reemplazó la que había.</translation></message>
+<message><source>The pose is stored with the scan, in %1.</source><translation>La pose se guardó con el escaneo, en %1.</translation></message>
 <message><source>The pose could not be stored (%1).</source><translation>No se pudo guardar la pose (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, hace %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
@@ -683,6 +683,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>&amp;Cut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Pared, no es una roca</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar las rocas…</translation></message>
+<message><source>Rock %1 has the largest visible width b, %2 m. Rock 1 has the largest visible area.</source><translation>La roca %1 tiene el mayor ancho visible b, %2 m. La roca 1 tiene la mayor área visible.</translation></message>
 <message><source>No rock has a smaller visible width b.</source><translation>Ninguna roca tiene un ancho visible b menor.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Archivos JSON (*.json)</translation></message>
@@ -1127,6 +1128,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
+<message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>El veredicto en los términos del método, los puntos a través de la celda y los números</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
 <message><source>on</source><translation>activado</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>

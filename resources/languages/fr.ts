@@ -605,8 +605,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Store the mounting</source><translation>Enregistrer le montage</translation></message>
 <message><source>Name of the scanner</source><translation>Nom du scanner</translation></message>
 <message><source>The pose that was stored with the scan is removed.</source><translation>La pose enregistrée avec le scan est supprimée.</translation></message>
-<message><source>Stored %1; it replaced the pose that was there.</source><translation>%1 enregistré ; il a remplacé la pose qui y était.</translation></message>
-<message><source>Stored %1.</source><translation>%1 enregistré.</translation></message>
+<message><source>The pose is stored with the scan, in %1; it replaced the one that was there.</source><translation>La pose est enregistrée avec le scan, dans %1 ; elle remplace celle qui y était.</translation></message>
+<message><source>The pose is stored with the scan, in %1.</source><translation>La pose est enregistrée avec le scan, dans %1.</translation></message>
 <message><source>The pose could not be stored (%1).</source><translation>La pose n'a pas pu être enregistrée (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, il y a %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
@@ -683,6 +683,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Cut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Paroi, pas un bloc</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exporter les blocs…</translation></message>
+<message><source>Rock %1 has the largest visible width b, %2 m. Rock 1 has the largest visible area.</source><translation>Le bloc %1 a la plus grande largeur visible b, %2 m. Le bloc 1 a la plus grande surface visible.</translation></message>
 <message><source>No rock has a smaller visible width b.</source><translation>Aucun bloc n'a une largeur visible b plus petite.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Fichiers JSON (*.json)</translation></message>
@@ -1127,6 +1128,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
+<message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>Le verdict dans les termes de la méthode, les points en travers de la cellule et les nombres</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
 <message><source>on</source><translation>activé</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>

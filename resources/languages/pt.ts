@@ -605,8 +605,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Store the mounting</source><translation>Guardar a montagem</translation></message>
 <message><source>Name of the scanner</source><translation>Nome do scanner</translation></message>
 <message><source>The pose that was stored with the scan is removed.</source><translation>A pose guardada com a varredura foi removida.</translation></message>
-<message><source>Stored %1; it replaced the pose that was there.</source><translation>%1 guardado; substituiu a pose que lá estava.</translation></message>
-<message><source>Stored %1.</source><translation>%1 guardado.</translation></message>
+<message><source>The pose is stored with the scan, in %1; it replaced the one that was there.</source><translation>A pose foi guardada com a varredura, em %1; substituiu a que havia.</translation></message>
+<message><source>The pose is stored with the scan, in %1.</source><translation>A pose foi guardada com a varredura, em %1.</translation></message>
 <message><source>The pose could not be stored (%1).</source><translation>A pose não pôde ser guardada (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, há %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
@@ -683,6 +683,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>&amp;Cut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Parede, não é uma rocha</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar as rochas…</translation></message>
+<message><source>Rock %1 has the largest visible width b, %2 m. Rock 1 has the largest visible area.</source><translation>A rocha %1 tem a maior largura visível b, %2 m. A rocha 1 tem a maior área visível.</translation></message>
 <message><source>No rock has a smaller visible width b.</source><translation>Nenhuma rocha tem uma largura visível b menor.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Arquivos JSON (*.json)</translation></message>
@@ -1127,6 +1128,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
+<message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>O veredito nos termos do método, os pontos através da célula e os números</translation></message>
 <message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>off</source><translation>desligado</translation></message>

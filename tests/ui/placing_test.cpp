@@ -261,7 +261,7 @@ private slots:
         QVERIFY(on.place() != nullptr);
         // What was just done is read first; the warnings of the scan are the other note.
         NoticeBar& notice = on.viewer.notice;
-        QVERIFY2(notice.text().startsWith("Stored wall.json.pose.json"), qPrintable(notice.text()));
+        QVERIFY2(notice.text().startsWith("The pose is stored with the scan, in wall.json.pose.json"), qPrintable(notice.text()));
         QVERIFY(notice.kind() == NoticeBar::Kind::Done);
         QCOMPARE(notice.findChild<QToolButton*>("notice-earlier")->text(), QString("1 of 2"));
         for (int n = 0; n < 2; ++n) notice.findChild<QToolButton*>("notice-close")->click();
@@ -274,7 +274,7 @@ private slots:
         on.viewer.undo.redo();
         QVERIFY(on.reopened());
         QVERIFY(on.place() != nullptr);
-        QVERIFY2(notice.text().startsWith("Stored") && notice.earlier() == 0, "warnings that were closed do not come back");
+        QVERIFY2(notice.text().startsWith("The pose is stored") && notice.earlier() == 0, "warnings that were closed do not come back");
         QVERIFY(on.viewer.warnings.isVisible());
         // Another pose replaces it, with a message; it can be removed.
         QVERIFY(on.ready());
@@ -282,7 +282,7 @@ private slots:
         on.field("talin-easting_m").setText("498965.432");
         QVERIFY(on.placed());
         QVERIFY(on.stored());
-        QVERIFY(on.viewer.notice.text().contains("it replaced the pose"));
+        QVERIFY(on.viewer.notice.text().contains("it replaced the one that was there"));
         QCOMPARE(on.place()->originEnhM.x(), 498900.0);
         QVERIFY(on.ready());
         on.button("place-remove").click();

@@ -412,6 +412,14 @@ private slots:
                  qPrintable(card.verdict()));
         const auto* verdict = card.findChild<QLabel*>("why-verdict");
         const edges::EdgeProfile& profile = card.picture().profile();
+        // The answer alone first: it leaves most of the views free.
+        auto* more = card.findChild<QPushButton*>("why-more");
+        const QSize brief = card.size();
+        QVERIFY(!verdict->isVisible() && !card.picture().isVisible() && more->text() == "More");
+        QTest::mouseClick(more, Qt::LeftButton);
+        QTRY_VERIFY2(card.height() > brief.height() + card.picture().height() && card.width() == brief.width(),
+                     qPrintable(QString("%1 after %2").arg(card.height()).arg(brief.height())));
+        QVERIFY(more->text() == "Less" && window_->frameGeometry().contains(card.frameGeometry()));
         QVERIFY(verdict->isVisible() && card.picture().isVisible() && verdict->geometry().bottom() < card.picture().geometry().top());
         QVERIFY(profile.sides[0] && profile.sides[1]);
         const auto own = std::ranges::find(profile.points, 0, &edges::ProfilePoint::side);

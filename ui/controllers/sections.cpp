@@ -100,6 +100,9 @@ Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& ta
             throughRock();
         });
     });
+    connect(&rocks_, &Rocks::selectionChanged, this, [this] {
+        if (rocks_.chosen()) notice_.withdraw({askRock()}); // it was done
+    });
     connect(&views_, &LinkedViews::newScanShown, this, [this] {
         if (card_ == nullptr) return;
         card_->plot().show(nullptr); // a plane of another scan has no meaning
@@ -127,11 +130,13 @@ void Sections::throughMeasurement() {
         place < lines.size() ? lines[place].label : QString());
 }
 
+QString Sections::askRock() { return tr("Select a rock first: show the rocks and click on the face of one."); }
+
 void Sections::throughRock() {
     const std::shared_ptr<const rocks::Study> rocks = study();
     const std::uint32_t label = rocks && rocks_.chosen() ? rocks_.picture()->labelAt(*rocks_.chosen()) : 0;
     if (label == 0) {
-        notice_.showHint(tr("Select a rock first: show the rocks and click on the face of one."));
+        notice_.showHint(askRock());
         return;
     }
     std::vector<std::uint32_t> cells;

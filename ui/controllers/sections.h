@@ -59,6 +59,7 @@ private:
         QString length;                            ///< of the measurement, as in the views
         std::vector<std::uint32_t> cells;          ///< what the section is through
     };
+    [[nodiscard]] static QString askRock();
     /// `rock`: label of the rock that these cells are of; 0: they are the ends of a measurement, and this is its length in words.
     void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock,
              const QString& length = {});

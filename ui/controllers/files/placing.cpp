@@ -320,8 +320,8 @@ bool Placing::use(const std::string& scanPath, const Stored& stored) {
                 }
                 const QString name = shownName(QFileInfo(exactText(files::poseSidecar(scanPath).string())).fileName());
                 message_ = !stored.file ? tr("The pose that was stored with the scan is removed.")
-                           : replaces   ? tr("Stored %1; it replaced the pose that was there.").arg(name)
-                                        : tr("Stored %1.").arg(name);
+                           : replaces   ? tr("The pose is stored with the scan, in %1; it replaced the one that was there.").arg(name)
+                                        : tr("The pose is stored with the scan, in %1.").arg(name);
                 reopen(stored.options);
             };
         },

@@ -384,8 +384,12 @@ void Rocks::lookAt(std::uint32_t label) {
 void Rocks::lookAtLargest() {
     setShown(true);
     largestWanted_ = picture_ == nullptr;
-    if (picture_ && !picture_->study.rocks.empty())
-        lookAt(std::ranges::max(picture_->study.rocks, {}, &rocks::Rock::shortestCaliperM).label);
+    if (!picture_ || picture_->study.rocks.empty()) return;
+    const rocks::Rock& largest = std::ranges::max(picture_->study.rocks, {}, &rocks::Rock::shortestCaliperM);
+    lookAt(largest.label);
+    if (largest.label == 1) return;
+    notice_.showNotice(NoticeBar::Kind::Done, tr("Rock %1 has the largest visible width b, %2 m. Rock 1 has the largest visible area.")
+                                                  .arg(QString::number(largest.label), QString::number(largest.shortestCaliperM, 'f', 2)));
 }
 
 void Rocks::lookAtNextSmaller() {

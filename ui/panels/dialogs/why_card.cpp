@@ -28,6 +28,7 @@ constexpr int kRing = 16;                      // px around a cell
 constexpr int kRim = 12;                       // px
 constexpr double kLargerTitle = 1.15;
 constexpr int kLines = 12;             // of text, with a picture
+constexpr int kFewLines = 7;           // of the answer alone
 constexpr double kMargin = 0.05;       // of the depths that are shown, on each side
 constexpr double kMostStretched = 5.0; // limit of the exaggeration of depth against width: a flat face looks flat
 
@@ -51,7 +52,6 @@ QRect viewsOf(const QWidget& window) {
 
 void ProfileView::show(const edges::EdgeProfile& profile) {
     profile_ = profile;
-    setVisible(profile.points.size() > 2);
     update();
 }
 
@@ -119,7 +119,8 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
 
 WhyCard::WhyCard(QWidget* parent)
     : QDialog(parent), plain_(words()), cell_(words()), verdict_(words()), title_(new QLabel(tr("Numbers"))), numbers_(words()),
-      below_(new QLabel), beside_(new QPushButton(tr("Why the edge %1 cells away?").arg(2))), picture_(new ProfileView) {
+      below_(new QLabel), beside_(new QPushButton(tr("Why the edge %1 cells away?").arg(2))), more_(new QPushButton(tr("More"))),
+      picture_(new ProfileView) {
     setObjectName("why-card");
     setWindowTitle(tr("Why"));
     auto* question = new QLabel(tr("Why is this cell an edge or not?")); // also where no desktop draws the title of a window
@@ -140,6 +141,12 @@ WhyCard::WhyCard(QWidget* parent)
     below_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    more_->setObjectName("why-more");
+    more_->setCheckable(true);
+    more_->setAutoDefault(false);
+    more_->setToolTip(tr("The verdict in the method's terms, the points across the cell, and the numbers"));
+    buttons->addButton(more_, QDialogButtonBox::ActionRole);
+    connect(more_, &QPushButton::toggled, this, &WhyCard::showMore);
     beside_->setObjectName("why-nearest-edge");
     beside_->setAutoDefault(false);
     beside_->hide();
@@ -171,7 +178,9 @@ void WhyCard::fit() {
     const int room =
         std::min(views.isEmpty() ? screen()->availableGeometry().height() : views.height(), screen()->availableGeometry().height());
     const int others = layout()->minimumSize().height() + kTitleBar + 2 * kAround;
-    const int high = std::min(kLines * fontMetrics().lineSpacing() + picture_->height(), room - others);
+    const int most =
+        more_->isChecked() ? kLines * fontMetrics().lineSpacing() + picture_->height() : kFewLines * fontMetrics().lineSpacing();
+    const int high = std::min(most, room - others);
     resize(layout()->minimumSize() + QSize(0, high));
     endWithWholeLine();
 }
@@ -242,14 +251,30 @@ void WhyCard::placeNextToCell() {
 void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& profile, const QString& numbers) {
     verdict_->setText(verdict);
     picture_->show(profile);
-    below_->setVisible(!picture_->isHidden());
     numbers_->setText(numbers);
-    for (QLabel* each : {title_, numbers_}) each->setVisible(!numbers.isEmpty());
+    showParts();
     if (!isVisible()) fit();
     if (parentWidget() != nullptr) placeNextToCell();
     show();
     raise();
     endWithWholeLineSoon();
+}
+
+void WhyCard::showParts() {
+    const bool all = more_->isChecked();
+    verdict_->setVisible(all || plain_->isHidden());
+    for (QWidget* each : std::initializer_list<QWidget*>{picture_, below_}) each->setVisible(all && picture_->profile().points.size() > 2);
+    for (QLabel* each : {title_, numbers_}) each->setVisible(all && !numbers_->text().isEmpty());
+}
+
+void WhyCard::showMore() {
+    more_->setText(more_->isChecked() ? tr("Less") : tr("More"));
+    showParts();
+    fit();
+    if (parentWidget() == nullptr) return;
+    const int beyond = frameGeometry().bottom() - viewsOf(*parentWidget()).bottom() + kAround;
+    if (beyond > 0) move(x(), y() - beyond);
+    placeNextToCell();
 }
 
 void WhyCard::offerNearestEdge(int cells) {

@@ -30,7 +30,8 @@ private:
 };
 
 /// GUI thread only. Not modal; another cell replaces its content. It has one size and place while it is open, over the views and not over
-/// the panels next to them; a long text scrolls.
+/// the panels next to them; a long text scrolls. The answer alone, until More shows the verdict in the method's terms, the picture and the
+/// numbers: the next cell to click is then rarely below the card.
 class WhyCard : public QDialog {
     Q_OBJECT
 public:
@@ -59,13 +60,15 @@ protected:
 
 private:
     void fit();
+    void showParts();
+    void showMore();
     void endWithWholeLine();
     void endWithWholeLineSoon();
     void placeNextToCell();
 
     QScrollArea* content_ = nullptr;
     QLabel *plain_, *cell_, *verdict_, *title_, *numbers_, *below_;
-    QPushButton* beside_;
+    QPushButton *beside_, *more_;
     ProfileView* picture_;
     QVector<QPoint> places_, others_; // of the cell and of targets, on the screen
 };
