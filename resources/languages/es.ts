@@ -878,10 +878,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>more: %1</source><translation>más: %1</translation></message>
 <message><source>Zoom in</source><translation>Acercar</translation></message>
 <message><source>Zoom out</source><translation>Alejar</translation></message>
-<message><source>+ gained</source><translation>+ ganados</translation></message>
-<message><source>− lost</source><translation>− perdidos</translation></message>
-<message><source>kept</source><translation>conservados</translation></message>
-<message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
+<message><source>+ edges gained</source><translation>+ bordes ganados</translation></message>
+<message><source>− edges lost</source><translation>− bordes perdidos</translation></message>
+<message><source>edges kept (cells of B)</source><translation>bordes conservados (celdas de B)</translation></message>
+<message><source>? edges not seen in the other</source><translation>? bordes no vistos en el otro</translation></message>
 <message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
 <message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
 <message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A tiene %1 celdas de borde: %2 perdidas, %3 junto a bordes de B, %4 sin punto de B</translation></message>

@@ -878,10 +878,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>more: %1</source><translation>plus : %1</translation></message>
 <message><source>Zoom in</source><translation>Zoom avant</translation></message>
 <message><source>Zoom out</source><translation>Zoom arrière</translation></message>
-<message><source>+ gained</source><translation>+ gagnées</translation></message>
-<message><source>− lost</source><translation>− perdues</translation></message>
-<message><source>kept</source><translation>conservées</translation></message>
-<message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
+<message><source>+ edges gained</source><translation>+ arêtes gagnées</translation></message>
+<message><source>− edges lost</source><translation>− arêtes perdues</translation></message>
+<message><source>edges kept (cells of B)</source><translation>arêtes conservées (cellules de B)</translation></message>
+<message><source>? edges not seen in the other</source><translation>? arêtes non vues dans l'autre</translation></message>
 <message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
 <message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
 <message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A a %1 cellules d'arête : %2 perdues, %3 près d'arêtes de B, %4 sans point de B</translation></message>

@@ -878,10 +878,10 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>more: %1</source><translation>mais: %1</translation></message>
 <message><source>Zoom in</source><translation>Aproximar</translation></message>
 <message><source>Zoom out</source><translation>Afastar</translation></message>
-<message><source>+ gained</source><translation>+ ganhas</translation></message>
-<message><source>− lost</source><translation>− perdidas</translation></message>
-<message><source>kept</source><translation>mantidas</translation></message>
-<message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
+<message><source>+ edges gained</source><translation>+ bordas ganhas</translation></message>
+<message><source>− edges lost</source><translation>− bordas perdidas</translation></message>
+<message><source>edges kept (cells of B)</source><translation>bordas mantidas (células de B)</translation></message>
+<message><source>? edges not seen in the other</source><translation>? bordas não vistas na outra</translation></message>
 <message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
 <message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
 <message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A tem %1 células de borda: %2 perdidas, %3 junto a bordas de B, %4 sem ponto de B</translation></message>

@@ -36,13 +36,13 @@ constexpr int kLeastLetters = 12;  // px
 QString nameOf(ChangeRow row) {
     switch (row) {
     case ChangeRow::Gained:
-        return ChangeLegend::tr("+ gained");
+        return ChangeLegend::tr("+ edges gained");
     case ChangeRow::Lost:
-        return ChangeLegend::tr("− lost");
+        return ChangeLegend::tr("− edges lost");
     case ChangeRow::Unchanged:
-        return ChangeLegend::tr("kept");
+        return ChangeLegend::tr("edges kept (cells of B)");
     case ChangeRow::Unseen:
-        return ChangeLegend::tr("? not seen in the other");
+        return ChangeLegend::tr("? edges not seen in the other");
     case ChangeRow::Nearer:
         return ChangeLegend::tr("surface nearer than in A");
     default:
