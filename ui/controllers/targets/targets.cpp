@@ -339,7 +339,9 @@ void Targets::ask() {
 }
 
 bool Targets::placePending() const {
-    return engine_.placePending() || (known_.picture && known_.picture->detection->scan->placement != scan_->placement);
+    if (engine_.placePending() || !known_.picture) return engine_.placePending();
+    const bool growing = engine_.picture()->source.growth.growing; // each picture of a live sweep has a placement, which agrees
+    return !growing && known_.picture->detection->scan->placement != scan_->placement;
 }
 
 bool Targets::settled() const {
