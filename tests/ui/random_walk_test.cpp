@@ -301,7 +301,8 @@ private slots:
         emulated_.reset();
         // The window still works.
         for (QDialog* dialog : on.window.findChildren<QDialog*>()) dialog->close();
-        QVERIFY(eventually([&] { return !on.viewer.engine.working(); }));
+        QVERIFY2(eventually([&] { return !on.viewer.engine.working(); }),
+                 on.viewer.engine.saving() ? "it saves for ever" : "it opens for ever");
         QVERIFY(on.open(scans_.front()));
         QVERIFY(!on.picture().detection->scan->rangeMm.cells.empty());
         std::ranges::sort(slowest);
