@@ -2106,6 +2106,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ ningún haz volvió entre sus extremos: puede ser una abertura, o roca oscura o mojada</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ un extremo está %1 m más lejos que el otro</translation></message>
 <message><source>across the middle of the opening</source><translation>por el medio de la abertura</translation></message>
+<message><source>across the opening between the clicks, turned by %1° from their line</source><translation>a través de la abertura entre los clics, girado %1° respecto de su línea</translation></message>
 <message><source>between the two sides that were clicked</source><translation>entre los dos lados en los que se hizo clic</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ clics a %1 encuentran de %2 a %3 m: acérquese y haga clic de nuevo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>clics a %1 de ahí encuentran de %2 a %3 m</translation></message>

@@ -2106,6 +2106,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ aucun faisceau n'est revenu entre ses extrémités : ce peut être une ouverture, ou de la roche sombre ou mouillée</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ une extrémité est %1 m plus loin que l'autre</translation></message>
 <message><source>across the middle of the opening</source><translation>par le milieu de l'ouverture</translation></message>
+<message><source>across the opening between the clicks, turned by %1° from their line</source><translation>à travers l'ouverture entre les clics, tourné de %1° par rapport à leur ligne</translation></message>
 <message><source>between the two sides that were clicked</source><translation>entre les deux côtés qui ont été cliqués</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ des clics à %1 trouvent %2 à %3 m : zoomez et cliquez à nouveau</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>des clics à %1 de là trouvent %2 à %3 m</translation></message>

@@ -2106,6 +2106,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ nenhum feixe voltou entre as suas pontas: pode ser uma abertura, ou rocha escura ou molhada</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ uma extremidade está %1 m mais longe que a outra</translation></message>
 <message><source>across the middle of the opening</source><translation>pelo meio da abertura</translation></message>
+<message><source>across the opening between the clicks, turned by %1° from their line</source><translation>através da abertura entre os cliques, girado %1° em relação à linha deles</translation></message>
 <message><source>between the two sides that were clicked</source><translation>entre os dois lados em que se clicou</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ cliques a %1 encontram de %2 a %3 m: amplie e clique de novo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>cliques a %1 dali encontram de %2 a %3 m</translation></message>

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <ranges>
 
 namespace edgescan::inspect {
@@ -156,8 +157,9 @@ std::optional<MeasuredCells> measureInSection(const Scan& scan, const RangeNoise
     return known;
 }
 
-constexpr double kShownM = 0.001; // a length has three decimals
-constexpr int kFewCells = 3;      // an end within so many cells of its click is where it was clicked
+constexpr double kShownM = 0.001;       // a length has three decimals
+constexpr double kMuchTurnedDeg = 45.0; // then the line is not between the sides that were clicked
+constexpr int kFewCells = 3;            // an end within so many cells of its click is where it was clicked
 
 /// Why a throat is not where it was clicked, or longer than the way between the clicks. Empty: it is there.
 std::string clicksPart(const MeasuredCells& measured, Translated translated) {
@@ -205,6 +207,10 @@ void takeSides(const Scan& scan, const CartesianTables& tables, std::span<const 
             std::max({measured.fromClicks, std::abs(cell / beams - click / beams), std::abs(cell % beams - click % beams)});
         measured.fromClicksM = std::max(measured.fromClicksM, acrossBeamsM(scan, tables, cells[n], clicked[n]));
     }
+    const auto direction = [&](std::uint32_t k) { return tables.direction(static_cast<int>(k) / beams, static_cast<int>(k) % beams); };
+    const Eigen::Vector3d line = direction(cells[1]) - direction(cells[0]), clicks = direction(clicked[1]) - direction(clicked[0]);
+    if (line.norm() > 0.0 && clicks.norm() > 0.0)
+        measured.turnedDeg = std::acos(std::min(1.0, std::abs(line.normalized().dot(clicks.normalized())))) * 180.0 / std::numbers::pi;
     if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return scan.state[k] != CellState::Valid; })) return;
     measured.clicksM = (tables.point(clicked[0]) - tables.point(clicked[1])).norm();
 }
@@ -385,6 +391,9 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
             parts.push_back(say("▲ one end is %1 m farther away than the other", {fixedText(apartM, 2)}));
         if (measured.byOneClick)
             parts.push_back(say("across the middle of the opening"));
+        else if (measured.turnedDeg > kMuchTurnedDeg)
+            parts.push_back(
+                say("across the opening between the clicks, turned by %1° from their line", {fixedText(measured.turnedDeg, 0)}));
         else if (!measured.isFarFromClicks())
             parts.push_back(say("between the two sides that were clicked"));
         const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;

@@ -67,6 +67,7 @@ struct MeasuredCells {
     double spreadM = 0.0;             ///< only for Throat: how far those clicks next to these are from them; 0: not known
     double clicksM = 0.0;             ///< only for Throat: distance of the two clicked points; 0: not known
     double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find; 0: not known
+    double turnedDeg = 0.0;           ///< only for Throat: its line from that of two clicks, as the scanner sees them; 0 to 90
     double clickBehindM = 0.0;        ///< only for Throat: how far a click is behind its end, across a jump; 0: neither click is
     bool isDark = false;              ///< only for Throat: no cell between its ends has a range
     bool byOneClick = false;          ///< only for Throat: of one click into the opening

@@ -343,6 +343,20 @@ TEST(Throat, OneClickIntoTheOpeningMeasuresItThere) {
         };
         EXPECT_LT(endBeam(20, 100), 60);
         EXPECT_GT(endBeam(100, 20), 60);
+        // Its remark says whether it is between the sides that were clicked.
+        const Scan oval = withHole([](double x, double y) { return std::hypot(x / 0.4, y / 0.55) < 1.0; });
+        const auto remarkOf = [&](const std::array<int, 2>& one, const std::array<int, 2>& other) {
+            const std::uint32_t a = cellOf(oval, one[0], one[1]), b = cellOf(oval, other[0], other[1]);
+            const auto throat = throatAt(oval, CartesianTables(oval), a, b);
+            EXPECT_TRUE(throat);
+            if (!throat) return std::string();
+            return measureBasis(
+                *measureStored(oval, kQuietNoise, {MeasureKind::Throat, {throat->ends.begin(), throat->ends.end()}, {a, b}}));
+        };
+        const std::string sides = remarkOf({60, 20}, {60, 100}), turned = remarkOf({8, 60}, {113, 60});
+        EXPECT_NE(sides.find("between the two sides that were clicked"), sides.npos) << sides;
+        EXPECT_EQ(turned.find("between the two sides"), turned.npos) << turned;
+        EXPECT_NE(turned.find("across the opening between the clicks, turned by "), turned.npos) << turned;
         // A void in the wall behind it means the opening in front of that wall.
         const Scan nested = fineScan(121, 121, [](const Eigen::Vector3d& d) {
             const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
