@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <ranges>
 
 namespace edgescan::inspect {
@@ -175,11 +174,16 @@ std::string clicksPart(const MeasuredCells& measured, Translated translated) {
     return measured.fromClicks > kFewCells ? say("its ends are up to %1 m from the clicks", {fixedText(measured.fromClicksM, 2)}) : "";
 }
 
-/// Across the beams, at the range of `end`.
-double acrossBeamsM(const Scan& scan, const CartesianTables& tables, std::uint32_t end, std::uint32_t to) {
+/// From the direction of one cell to that of another.
+Eigen::Vector3d turnTo(const Scan& scan, const CartesianTables& tables, std::uint32_t from, std::uint32_t to) {
     const auto beams = static_cast<std::uint32_t>(scan.beams());
     const auto direction = [&](std::uint32_t k) { return tables.direction(static_cast<int>(k / beams), static_cast<int>(k % beams)); };
-    const double apart = (direction(end) - direction(to)).norm();
+    return direction(to) - direction(from);
+}
+
+/// Across the beams, at the range of `end`.
+double acrossBeamsM(const Scan& scan, const CartesianTables& tables, std::uint32_t end, std::uint32_t to) {
+    const double apart = turnTo(scan, tables, end, to).norm();
     return std::isfinite(apart) ? apart * static_cast<double>(scan.rangeMm[end]) / 1000.0 : 0.0;
 }
 
@@ -207,10 +211,9 @@ void takeSides(const Scan& scan, const CartesianTables& tables, std::span<const 
             std::max({measured.fromClicks, std::abs(cell / beams - click / beams), std::abs(cell % beams - click % beams)});
         measured.fromClicksM = std::max(measured.fromClicksM, acrossBeamsM(scan, tables, cells[n], clicked[n]));
     }
-    const auto direction = [&](std::uint32_t k) { return tables.direction(static_cast<int>(k) / beams, static_cast<int>(k) % beams); };
-    const Eigen::Vector3d line = direction(cells[1]) - direction(cells[0]), clicks = direction(clicked[1]) - direction(clicked[0]);
+    const Eigen::Vector3d line = turnTo(scan, tables, cells[0], cells[1]), clicks = turnTo(scan, tables, clicked[0], clicked[1]);
     if (line.norm() > 0.0 && clicks.norm() > 0.0)
-        measured.turnedDeg = std::acos(std::min(1.0, std::abs(line.normalized().dot(clicks.normalized())))) * 180.0 / std::numbers::pi;
+        measured.turnedDeg = degrees(std::acos(std::min(1.0, std::abs(line.normalized().dot(clicks.normalized())))));
     if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return scan.state[k] != CellState::Valid; })) return;
     measured.clicksM = (tables.point(clicked[0]) - tables.point(clicked[1])).norm();
 }

@@ -339,9 +339,10 @@ void Targets::ask() {
 }
 
 bool Targets::placePending() const {
-    if (engine_.placePending() || !known_.picture) return engine_.placePending();
-    const bool growing = engine_.picture()->source.growth.growing; // each picture of a live sweep has a placement, which agrees
-    return !growing && known_.picture->detection->scan->placement != scan_->placement;
+    if (engine_.placePending()) return true;
+    // Each picture of a live sweep has a placement of its own, which agrees with the one before.
+    if (!known_.picture || engine_.picture()->source.growth.growing) return false;
+    return known_.picture->detection->scan->placement != scan_->placement;
 }
 
 bool Targets::settled() const {
