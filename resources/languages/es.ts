@@ -24,7 +24,7 @@
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAJE SEGÚN DISTANCIAS</translation></message>
 <message><source>FIRST ANGLE ASSUMED</source><translation>PRIMER ÁNGULO SUPUESTO</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASO SUPUESTO %1°</translation></message>
-<message><source>START UNSEEN</source><translation>INICIO NO VISTO</translation></message>
+<message><source>START ASSUMED</source><translation>INICIO SUPUESTO</translation></message>
 <message><source>1 remark</source><translation>1 observación</translation></message>
 <message><source>%1 remarks</source><translation>%1 observaciones</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes en este barrido</translation></message>
@@ -649,12 +649,12 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Hasta entonces no se guardan las ediciones de las rocas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: haga clic en la parte que es otra roca (rueda: menor o mayor)</translation></message>
-<message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace una línea sobre las rocas, o haga clic en la que pertenece a la roca seleccionada</translation></message>
+<message><source>Merge: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Fusionar: trace una línea sobre las rocas, o haga clic en la que pertenece a la roca seleccionada</translation></message>
 <message><source>Cut: drag a line through the rock, or click both its ends</source><translation>Cortar: trace una línea a través de la roca, o haga clic en sus dos extremos</translation></message>
 <message><source>Region: drag a line around it</source><translation>Región: trace una línea alrededor</translation></message>
 <message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
 <message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
-<message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
+<message><source>larger than the rock: a click merges it</source><translation>mayor que la roca: un clic lo fusiona</translation></message>
 <message><source>no smaller and no larger part</source><translation>no hay parte menor ni mayor</translation></message>
 <message><source>wheel: larger (this is the smallest part)</source><translation>rueda: mayor (esta es la parte más pequeña)</translation></message>
 <message><source>wheel: smaller (this is the largest piece)</source><translation>rueda: menor (esta es la pieza más grande)</translation></message>
@@ -667,7 +667,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Click the other end of the line, past the other side of the rock.</source><translation>Haga clic en el otro extremo de la línea, más allá del otro lado de la roca.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro. Cada parte necesita %1 celdas.</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
+<message><source>Nothing was merged: draw the line from one rock over the crack into the next.</source><translation>No se fusionó nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>no se pudo cortar la roca (%1); cierre otros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
@@ -796,7 +796,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
-<message><source>Targets of a live sweep, or of a part of a recording, are stored with its recording. Open the recording before you quit.</source><translation>Los objetivos de un barrido en vivo, o de una parte de una grabación, se guardan con su grabación. Abra la grabación antes de salir.</translation></message>
+<message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Aún sin guardar. Los objetivos de un barrido en vivo se guardan cuando abre su grabación; los de una parte de una grabación, cuando se muestra su barrido entero.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>new target %1</source><translation>nuevo objetivo %1</translation></message>
@@ -1196,7 +1196,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Play</source><translation>Reproducir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Mayús diez</translation></message>
 <message><source>RECORDED · line %2/%3 at %1</source><translation>GRABADO · línea %2/%3 a %1</translation></message>
-<message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
+<message><source> · recorded sweep %1 of %2</source><translation> · barrido grabado %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>%1; messages: %2, per second: %3</source><translation>%1; mensajes: %2, por segundo: %3</translation></message>
 <message><source>Topics…</source><translation>Tópicos…</translation></message>
@@ -1719,7 +1719,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Siguiente roca de menor ancho b</translation></message>
 <message><source>&amp;Merge Rocks</source><translation>F&amp;usionar rocas</translation></message>
 <message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir una roca</translation></message>
-<message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
+<message><source>Merge al&amp;ong a Line</source><translation>Fus&amp;ionar a lo largo de una línea</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;No es roca, o sí lo es</translation></message>
 <message><source>Na&amp;me This Rock…</source><translation>&amp;Nombre de esta roca…</translation></message>

@@ -24,7 +24,7 @@
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAGE D'APRÈS DISTANCES</translation></message>
 <message><source>FIRST ANGLE ASSUMED</source><translation>PREMIER ANGLE SUPPOSÉ</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PAS SUPPOSÉ %1°</translation></message>
-<message><source>START UNSEEN</source><translation>DÉBUT NON VU</translation></message>
+<message><source>START ASSUMED</source><translation>DÉBUT SUPPOSÉ</translation></message>
 <message><source>1 remark</source><translation>1 remarque</translation></message>
 <message><source>%1 remarks</source><translation>%1 remarques</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 plus tôt dans ce balayage</translation></message>
@@ -649,12 +649,12 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Les modifications des blocs ne sont pas enregistrées jusque-là.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Scinder : cliquez sur la partie qui est un autre bloc (molette : plus petite ou plus grande)</translation></message>
-<message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Joindre : tracez une ligne à travers les blocs, ou cliquez celui qui va avec le bloc sélectionné</translation></message>
+<message><source>Merge: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Fusionner : tracez une ligne à travers les blocs, ou cliquez celui qui va avec le bloc sélectionné</translation></message>
 <message><source>Cut: drag a line through the rock, or click both its ends</source><translation>Couper : tracez une ligne à travers le bloc, ou cliquez ses deux bouts</translation></message>
 <message><source>Region: drag a line around it</source><translation>Région : tracez une ligne autour</translation></message>
 <message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
 <message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
-<message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
+<message><source>larger than the rock: a click merges it</source><translation>plus grand que le bloc : un clic le fusionne</translation></message>
 <message><source>no smaller and no larger part</source><translation>aucune partie plus petite ni plus grande</translation></message>
 <message><source>wheel: larger (this is the smallest part)</source><translation>molette : plus grand (c'est la plus petite partie)</translation></message>
 <message><source>wheel: smaller (this is the largest piece)</source><translation>molette : plus petit (c'est la plus grande pièce)</translation></message>
@@ -667,7 +667,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Click the other end of the line, past the other side of the rock.</source><translation>Cliquez l'autre bout de la ligne, au-delà de l'autre côté du bloc.</translation></message>
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre. Chaque partie doit avoir %1 cellules.</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
+<message><source>Nothing was merged: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été fusionné : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>le bloc n'a pas pu être coupé (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
@@ -796,7 +796,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
-<message><source>Targets of a live sweep, or of a part of a recording, are stored with its recording. Open the recording before you quit.</source><translation>Les cibles d'un balayage en direct, ou d'une partie d'un enregistrement, sont enregistrées avec son enregistrement. Ouvrez l'enregistrement avant de quitter.</translation></message>
+<message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Pas encore enregistrées. Les cibles d'un balayage en direct sont enregistrées quand vous ouvrez son enregistrement, celles d'une partie d'un enregistrement quand son balayage entier est affiché.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>new target %1</source><translation>nouvelle cible %1</translation></message>
@@ -1196,7 +1196,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Play</source><translation>Lire</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espace lit et met en pause ; Gauche et Droite avancent d'une ligne, avec Maj de dix</translation></message>
 <message><source>RECORDED · line %2/%3 at %1</source><translation>ENREGISTRÉ · ligne %2/%3 à %1</translation></message>
-<message><source> · sweep %1 of %2</source><translation> · balayage %1 sur %2</translation></message>
+<message><source> · recorded sweep %1 of %2</source><translation> · balayage enregistré %1 sur %2</translation></message>
 <message><source>Pause</source><translation>Pause</translation></message>
 <message><source>%1; messages: %2, per second: %3</source><translation>%1 ; messages : %2, par seconde : %3</translation></message>
 <message><source>Topics…</source><translation>Topics…</translation></message>
@@ -1719,7 +1719,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>Bloc suivant, &amp;largeur b plus petite</translation></message>
 <message><source>&amp;Merge Rocks</source><translation>F&amp;usionner des blocs</translation></message>
 <message><source>S&amp;plit a Rock</source><translation>&amp;Scinder un bloc</translation></message>
-<message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
+<message><source>Merge al&amp;ong a Line</source><translation>Fus&amp;ionner le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
 <message><source>Na&amp;me This Rock…</source><translation>No&amp;mmer ce bloc…</translation></message>

@@ -24,7 +24,7 @@
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAGEM PELAS DISTÂNCIAS</translation></message>
 <message><source>FIRST ANGLE ASSUMED</source><translation>PRIMEIRO ÂNGULO SUPOSTO</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASSO SUPOSTO %1°</translation></message>
-<message><source>START UNSEEN</source><translation>INÍCIO NÃO VISTO</translation></message>
+<message><source>START ASSUMED</source><translation>INÍCIO SUPOSTO</translation></message>
 <message><source>1 remark</source><translation>1 observação</translation></message>
 <message><source>%1 remarks</source><translation>%1 observações</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes nesta varredura</translation></message>
@@ -649,12 +649,12 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Até lá as edições das rochas não são guardadas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: clique na parte que é outra rocha (roda: menor ou maior)</translation></message>
-<message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace uma linha sobre as rochas, ou clique na que pertence à rocha selecionada</translation></message>
+<message><source>Merge: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Mesclar: trace uma linha sobre as rochas, ou clique na que pertence à rocha selecionada</translation></message>
 <message><source>Cut: drag a line through the rock, or click both its ends</source><translation>Cortar: trace uma linha através da rocha, ou clique nas suas duas pontas</translation></message>
 <message><source>Region: drag a line around it</source><translation>Região: trace uma linha em volta</translation></message>
 <message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
 <message><source>a click splits it off</source><translation>um clique o separa</translation></message>
-<message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
+<message><source>larger than the rock: a click merges it</source><translation>maior que a rocha: um clique o mescla</translation></message>
 <message><source>no smaller and no larger part</source><translation>não há parte menor nem maior</translation></message>
 <message><source>wheel: larger (this is the smallest part)</source><translation>roda: maior (esta é a menor parte)</translation></message>
 <message><source>wheel: smaller (this is the largest piece)</source><translation>roda: menor (esta é a maior peça)</translation></message>
@@ -667,7 +667,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Click the other end of the line, past the other side of the rock.</source><translation>Clique na outra ponta da linha, além do outro lado da rocha.</translation></message>
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro. Cada parte precisa de %1 células.</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
+<message><source>Nothing was merged: draw the line from one rock over the crack into the next.</source><translation>Nada foi mesclado: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>não foi possível cortar a rocha (%1); feche outros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
@@ -796,7 +796,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
-<message><source>Targets of a live sweep, or of a part of a recording, are stored with its recording. Open the recording before you quit.</source><translation>Os alvos de uma varredura ao vivo, ou de uma parte de uma gravação, são guardados com a sua gravação. Abra a gravação antes de sair.</translation></message>
+<message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Ainda não guardados. Os alvos de uma varredura ao vivo são guardados quando você abre a gravação; os de uma parte de uma gravação, quando a varredura inteira é mostrada.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>new target %1</source><translation>novo alvo %1</translation></message>
@@ -1196,7 +1196,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Play</source><translation>Reproduzir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espaço reproduz e pausa; Esquerda e Direita avançam uma linha, com Shift dez</translation></message>
 <message><source>RECORDED · line %2/%3 at %1</source><translation>GRAVADO · linha %2/%3 em %1</translation></message>
-<message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
+<message><source> · recorded sweep %1 of %2</source><translation> · varredura gravada %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>%1; messages: %2, per second: %3</source><translation>%1; mensagens: %2, por segundo: %3</translation></message>
 <message><source>Topics…</source><translation>Tópicos…</translation></message>
@@ -1719,7 +1719,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Próxima rocha com largura b menor</translation></message>
 <message><source>&amp;Merge Rocks</source><translation>M&amp;esclar rochas</translation></message>
 <message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir uma rocha</translation></message>
-<message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
+<message><source>Merge al&amp;ong a Line</source><translation>Mesclar ao longo de &amp;uma linha</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Não é rocha, ou é sim</translation></message>
 <message><source>Na&amp;me This Rock…</source><translation>No&amp;me desta rocha…</translation></message>

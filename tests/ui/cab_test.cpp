@@ -429,7 +429,7 @@ private slots:
         const auto* pin = tool(on.window, "cab-pin");
         QVERIFY(!pin->isChecked()); // a tap chooses a rock
         on.viewer.rocks.useTool(RockTool::Join);
-        QVERIFY2(gray.note().contains("Join"), qPrintable(gray.note()));
+        QVERIFY2(gray.note().contains("Merge"), qPrintable(gray.note()));
         QVERIFY(!pin->isChecked());
         QTest::mouseClick(tool(on.window, "cab-pin"), Qt::LeftButton);
         QVERIFY(on.viewer.rocks.tool() == RockTool::None && pin->isChecked() && gray.note().isEmpty());

@@ -1058,7 +1058,7 @@ private slots:
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         const HealthStrip& strip = window.viewer().live.panel().strip();
-        QTRY_COMPARE(strip.shown().remark, std::string("START UNSEEN"));
+        QTRY_COMPARE(strip.shown().remark, std::string("START ASSUMED"));
         QCOMPARE(strip.shown().end, std::string()); // the connection may be in the middle of a sweep
         QTRY_VERIFY_WITH_TIMEOUT(strip.shown().end.ends_with(" left"), 20000);
         QTRY_VERIFY2(strip.shown().remark.empty(), strip.shown().remark.c_str()); // the encoder leapt back, also in the picture

@@ -97,7 +97,7 @@ private slots:
         narrow.narrowEvery = 2;
         clock.clockRate = -1;
         for (const Case& each : {Case{counters, "COUNTERS IN DOUBT", "", "COUNTERS IN DOUBT"},
-                                 Case{narrow, "lines", " lost: lines ", "START UNSEEN"}, Case{clock, "lines", "", "START UNSEEN", 2}}) {
+                                 Case{narrow, "lines", " lost: lines ", "START ASSUMED"}, Case{clock, "lines", "", "START ASSUMED", 2}}) {
             scanner::EmulatedScannerSettings settings;
             settings.linesPerSecond = 100;
             settings.faults = each.faults;

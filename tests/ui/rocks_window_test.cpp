@@ -1165,7 +1165,7 @@ private slots:
         on.viewer.rocks.mergeSelected();
         QVERIFY(on.viewer.rocks.tool() == RockTool::Join);
         const auto prompts = on.window.findChildren<QLabel*>();
-        QVERIFY(std::ranges::any_of(prompts, [](const QLabel* each) { return each->isVisible() && each->text().startsWith("Join: "); }));
+        QVERIFY(std::ranges::any_of(prompts, [](const QLabel* each) { return each->isVisible() && each->text().startsWith("Merge: "); }));
         const QList<QAction*> actions = on.window.actions();
         const auto pin = std::ranges::find(actions, QString("&Pin"), &QAction::text);
         QVERIFY(pin != actions.end() && !(*pin)->isChecked()); // a click does not pin now
@@ -1181,7 +1181,7 @@ private slots:
         on.viewer.rocks.mergeSelected();
         QVERIFY(on.viewer.rocks.tool() == RockTool::Join);
         click(on, picture(on).labelAt(cellA));
-        QVERIFY(on.viewer.notice.text().startsWith("Nothing was joined"));
+        QVERIFY(on.viewer.notice.text().startsWith("Nothing was merged: draw"));
         on.viewer.undo.undo();
         QVERIFY(on.viewer.notice.isHidden());
         QVERIFY(settled(on));

@@ -40,7 +40,7 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "MOUNTING FROM RANGES"),
     QT_TRANSLATE_NOOP("QObject", "FIRST ANGLE ASSUMED"),
     QT_TRANSLATE_NOOP("QObject", "STEP ASSUMED %1°"),
-    QT_TRANSLATE_NOOP("QObject", "START UNSEEN"),
+    QT_TRANSLATE_NOOP("QObject", "START ASSUMED"),
     QT_TRANSLATE_NOOP("QObject", "1 remark"),
     QT_TRANSLATE_NOOP("QObject", "%1 remarks"),
     QT_TRANSLATE_NOOP("QObject", "%1 earlier in this sweep"),

@@ -67,7 +67,7 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
                        kLine,
                        command("&Merge Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
                        tool("S&plit a Rock", "S", RockTool::Split),
-                       tool("&Join along a Line", "J", RockTool::Join),
+                       tool("Merge al&ong a Line", "J", RockTool::Join),
                        tool("C&ut along a Line", "X", RockTool::Cut),
                        command("&Not a Rock, or a Rock Again", "N", [&rocks] { rocks.toggleChosen(); }),
                        command("Na&me This Rock…", "", [&v] { v.targets.editName(); }),

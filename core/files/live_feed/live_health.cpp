@@ -110,7 +110,7 @@ void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::
     health.telegrams = Condition::OutOfSpec;
     const std::size_t count = health.remarks.size();
     health.remark = sweep.irregular.countersInDoubt() ? "COUNTERS IN DOUBT"
-                    : startAssumed                    ? "START UNSEEN" // what was joined in its middle may be turned by half a turn
+                    : startAssumed                    ? "START ASSUMED" // what was joined in its middle may be turned by half a turn
                     : !sweep.assumed.empty()          ? assumedWords(sweep.assumed)
                     : count > 1                       ? std::to_string(count) + " remarks"
                                                       : "1 remark";

@@ -28,7 +28,7 @@ QString promptOf(RockTool tool) {
     case RockTool::Split:
         return Rocks::tr("Split: click the part that is a rock of its own (wheel: smaller or larger)");
     case RockTool::Join:
-        return Rocks::tr("Join: drag a line across the rocks, or click the one that belongs to the selected rock");
+        return Rocks::tr("Merge: drag a line across the rocks, or click the one that belongs to the selected rock");
     case RockTool::Cut:
         return Rocks::tr("Cut: drag a line through the rock, or click both its ends");
     case RockTool::Region:
@@ -82,7 +82,7 @@ void Rocks::showPiece(const QObject* from) {
     RockOutline outline = outlineOf(mask, 1);
     QString does = tr("the whole piece as it is");
     if (piece_ < family_.nested.region) does = tr("a click splits it off");
-    if (piece_ > family_.nested.region) does = tr("larger than the rock: a click joins it");
+    if (piece_ > family_.nested.region) does = tr("larger than the rock: a click merges it");
     const bool smallest = piece_ == 0, largest = piece_ + 1 == family_.nested.pieces.size();
     const QString wheel = smallest && largest ? tr("no smaller and no larger part")
                           : smallest          ? tr("wheel: larger (this is the smallest part)")
@@ -172,7 +172,7 @@ void Rocks::takeJoin(const rocks::CutLine& stroke) {
         join = rocks::joinOf(*study.segmentation, study.map, cells);
     }
     if (join) return push(stepName("merge of rocks"), {std::move(*join)});
-    notice_.showHint(tr("Nothing was joined: draw the line from one rock over the crack into the next."));
+    notice_.showHint(tr("Nothing was merged: draw the line from one rock over the crack into the next."));
 }
 
 void Rocks::takeRegion(const std::vector<QPoint>& cells) {

@@ -134,8 +134,8 @@ void Targets::followPicture() {
         panel_.showNote(stored_ ? leftBehind(before)
                         : store_.isOff()
                             ? tr("Not stored: EdgeScan was started without its settings.")
-                            : tr("Targets of a live sweep, or of a part of a recording, are stored with its recording. Open the "
-                                 "recording before you quit."));
+                            : tr("Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of "
+                                 "a recording when its whole sweep is shown."));
         if (before > 0) notice_.showHint(leftBehind(before));
         if (const auto other = others_.find(key); other != others_.end()) {
             notebook_ = other->second;

@@ -183,7 +183,7 @@ void Timeline::showPlace() {
     const bool several = contents_.sweeps.size() > 1; // lines are counted in their sweep, as in the picture's own count
     const int before = several ? contents_.sweeps[sweep].firstLine : 0, end = several ? endOf(sweep) : lines();
     QString text = tr("RECORDED · line %2/%3 at %1").arg(utcText(contents_.lineNs[line])).arg(position_ - before).arg(end - before);
-    if (several) text += tr(" · sweep %1 of %2").arg(sweep + 1).arg(contents_.sweeps.size());
+    if (several) text += tr(" · recorded sweep %1 of %2").arg(sweep + 1).arg(contents_.sweeps.size());
     label_->setText(text);
 }
 

@@ -217,13 +217,13 @@ CameraPose lookingAt(const Box3f& box, const Vector3d& forward, const Vector3d& 
 }
 
 CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose& pose, double widthByHeight) {
-    constexpr double kMostly = 0.7, kHalf = 0.5, kFilled = 0.95, kNearer = 0.85, kNearest = 0.1; // shares
+    constexpr double kMostly = 0.7, kShown = 0.7, kFilled = 0.95, kNearer = 0.85, kNearest = 0.1, kAside = 0.4; // shares
     const CameraPose whole = lookingAt(box, pose.forward(), pose.up, pose, widthByHeight);
     if (pose.parallel || cloud.normals.size() < 3 * cloud.cells()) return whole;
     const std::vector<Vector3d> points = samplePoints(cloud);
     const Vector3d sensor = cloud.sensor.cast<double>();
     CameraPose best = fromSensor(sensor, points, cloud.scannerView, pose, widthByHeight);
-    double most = kHalf * shareInPicture(points, best, widthByHeight);
+    double most = kShown * shareInPicture(points, best, widthByHeight);
     const double filled = kFilled * fillOf(cloud, best, widthByHeight).surfaces;
     const auto take = [&](const CameraPose& each) {
         const double seen = shareInPicture(points, each, widthByHeight);
@@ -232,12 +232,19 @@ CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose
         most = seen;
         best = each;
     };
+    const Vector3d aside = whole.right() * (0.5 * box.sizes().cast<double>().dot(whole.right().cwiseAbs()));
+    const Vector3d above = whole.up * (0.5 * box.sizes().cast<double>().dot(whole.up.cwiseAbs()));
     for (double share = 1.0; share > kNearest; share *= kNearer) {
         CameraPose out = whole;
-        out.position = whole.focus - whole.forward() * whole.distance() * share;
         const double angle = 2.0 * std::atan(tanHalf(whole) / share) * 180.0 / std::numbers::pi;
         out.viewAngleDeg = std::clamp(angle, kUsualViewAngleDeg, kWidestViewAngleDeg);
-        take(out);
+        for (const double x : {0.0, -kAside, kAside}) {
+            for (const double y : {0.0, -kAside, kAside}) {
+                out.focus = whole.focus + x * aside + y * above;
+                out.position = out.focus - whole.forward() * whole.distance() * share;
+                take(out);
+            }
+        }
     }
     take(fromSensor(sensor, points, {pose.right(), pose.forward(), pose.up}, pose, widthByHeight));
     return best;

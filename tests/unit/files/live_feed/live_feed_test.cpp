@@ -114,7 +114,7 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     joined.sweep.startAssumed = "The first line received is taken as line 0 of the sweep.";
     joined.sweep.endUnknown = true;
     EXPECT_EQ(healthOf(joined).end, "");
-    EXPECT_EQ(healthOf(joined).remark, "START UNSEEN");
+    EXPECT_EQ(healthOf(joined).remark, "START ASSUMED");
     EXPECT_EQ(healthOf(joined).telegrams, Condition::OutOfSpec);
     status.connection.phase = scanner::ConnectionPhase::Lost; // no lines arrive: the time of the last one is unknown
     EXPECT_EQ(healthOf(status).end, "");
