@@ -450,6 +450,29 @@ private slots:
         on.window.cab().set(false);
     }
 
+    // Above the keys of a screen of 1280 x 800, position, heading and tilt are whole.
+    void thePoseIsInSightAboveTheKeys() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        emit on.viewer.statusLine.poseRequested();
+        auto* dialog = on.window.findChild<QDialog*>("place-dialog");
+        QVERIFY(dialog != nullptr && QTest::qWaitForWindowActive(dialog));
+        auto* first = dialog->findChild<QLineEdit*>("talin-easting_m");
+        first->setFocus();
+        QTest::mouseClick(first, Qt::LeftButton);
+        const Keypad& pad = on.window.cab().keypad();
+        QTRY_VERIFY(pad.isVisible());
+        dialog->resize(dialog->width(), 800 - pad.place().height());
+        for (const char* name : {"talin-easting_m", "talin-northing_m", "talin-elevation_m", "talin-heading_deg", "inclinometer-tilt_x_deg",
+                                 "inclinometer-tilt_y_deg"}) {
+            const auto* field = dialog->findChild<QWidget*>(name);
+            QTRY_VERIFY2(field->visibleRegion().boundingRect() == field->rect(), name);
+        }
+        dialog->reject();
+        on.window.cab().set(false);
+    }
+
     void aSectionIsAtTheEndOfMeasure() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));

@@ -9,7 +9,7 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -27,7 +27,10 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kDialogWide = 460, kDialogHigh = 660;
+constexpr int kDialogWide = 78;  // letters
+constexpr int kDialogHigh = 600; // px
+// E, N and RL in a row: the fields of a pose are in sight above keys on the screen.
+constexpr int kPoseColumns = 3, kMountingColumns = 2;
 
 /// The words of pose and mounting files, and how the lists show them.
 struct ShownWord {
@@ -92,7 +95,7 @@ PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidge
         tabs_->setCornerWidget(buttons); // keys on the screen have no room below them
     else
         column->addWidget(buttons);
-    resize(QSize(low_ ? room.width() : kDialogWide, kDialogHigh).boundedTo(room));
+    resize(QSize(low_ ? room.width() : kDialogWide * fontMetrics().averageCharWidth(), kDialogHigh).boundedTo(room));
     showState({}, false);
 }
 
@@ -115,15 +118,15 @@ QWidget* PlaceDialog::posePage() {
     const auto taken = [this] { emit surveyLineTyped(line_->text(), order_->currentIndex() == 1); };
     connect(take, &QPushButton::clicked, this, taken);
     connect(line_, &QLineEdit::returnPressed, this, taken);
-    auto* form = new QFormLayout;
-    for (const PlaceField& field : poseFields()) addRow(*form, field, pose_);
-    if (low_) column->addLayout(form, 1); // first: on a low screen, as in a cab, numbers are typed
+    auto* fields = new QGridLayout;
+    for (const PlaceField& field : poseFields()) addField(*fields, kPoseColumns, field, pose_);
+    column->addLayout(fields);
     column->addWidget(
         wrappedLabel(tr("A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL "
                         "the height above the mine's zero: a higher place has a larger RL.")));
     column->addWidget(line_); // alone: its example is read whole
     column->addLayout(row);
-    if (!low_) column->addLayout(form, 1);
+    column->addStretch(1);
     return page;
 }
 
@@ -153,15 +156,17 @@ QWidget* PlaceDialog::mountingPage() {
     connect(keep, &QPushButton::clicked, this, &PlaceDialog::scannerKept);
     connect(forget_, &QPushButton::clicked, this, [this] { emit scannerForgotten(scanner_->currentData().toString()); });
     connect(file, &QPushButton::clicked, this, &PlaceDialog::fileRequested);
-    auto* form = new QFormLayout;
-    for (const PlaceField& field : mountingFields()) addRow(*form, field, mounting_);
-    column->addLayout(form, 1);
+    auto* fields = new QGridLayout;
+    for (const PlaceField& field : mountingFields()) addField(*fields, kMountingColumns, field, mounting_);
+    column->addLayout(fields);
+    column->addStretch(1);
     return page;
 }
 
-void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector<Row>& rows) {
+/// In the next place of the grid: its name, the field, and one line for its fault.
+void PlaceDialog::addField(QGridLayout& grid, int columns, const PlaceField& field, std::vector<Row>& rows) {
     auto* label = wrappedLabel(QObject::tr(field.label));
-    label->setMinimumWidth(170);
+    label->setAlignment(Qt::AlignLeft | Qt::AlignBottom); // next to the field, where others in the row have more lines
     auto* fault = new ElidedLabel; // in one line, whose place is there before: no field moves while numbers are typed
     fault->setFixedHeight(fault->fontMetrics().height());
     QSizePolicy stays = fault->sizePolicy();
@@ -206,9 +211,12 @@ void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector
         cell = edit;
         label->setBuddy(edit);
     }
-    form.setVerticalSpacing(1); // the lines of the faults keep the fields apart
-    form.addRow(label, cell);
-    form.addRow(fault);
+    const int at = static_cast<int>(rows.size()), top = at / columns * 3, left = at % columns;
+    grid.setVerticalSpacing(1); // the lines of the faults keep the fields apart
+    grid.addWidget(label, top, left);
+    grid.addWidget(cell, top + 1, left);
+    grid.addWidget(fault, top + 2, left);
+    grid.setColumnStretch(left, 1);
     rows.push_back(std::move(row));
 }
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 class QComboBox;
-class QFormLayout;
+class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -65,7 +65,7 @@ private:
     };
     [[nodiscard]] QWidget* posePage();
     [[nodiscard]] QWidget* mountingPage();
-    void addRow(QFormLayout& form, const PlaceField& field, std::vector<Row>& rows);
+    void addField(QGridLayout& grid, int columns, const PlaceField& field, std::vector<Row>& rows);
     void showTexts(const std::vector<Row>& rows, const PlaceTexts& texts);
 
     QLineEdit* line_ = nullptr;
@@ -77,7 +77,7 @@ private:
     QPushButton* keep_;
     QPushButton* remove_;
     std::vector<Row> pose_, mounting_;
-    bool low_ = false;     // the screen: texts have fewer lines, and the fields come first
+    bool low_ = false;     // the screen: texts have fewer lines, and the buttons are at the top
     bool showing_ = false; ///< texts that the program sets are not a change
     bool typed_ = false;   ///< a pose is in the form, whole or in part
 };
