@@ -201,6 +201,38 @@ private slots:
     }
 
     // Fit keeps the direction and does not go behind a wall, which would cover everything.
+    // A wall behind an opening must not look like the rocks around it. Colours of points stay: they have a meaning.
+    void fartherSurfacesFade() {
+        view_->setShaded(true);
+        auto deep = std::make_shared<Scan>(*scan_);
+        constexpr int kFarLines = 50;
+        const auto beams = static_cast<std::size_t>(deep->beams());
+        for (std::size_t k = 0; k < kFarLines * beams; ++k) deep->rangeMm[k] *= 4.0F;
+        view_->setScan(deep);
+        const auto meanGray = [&](bool far) {
+            const QImage image = view_->grabFrame(CloudView::Points::All);
+            double sum = 0.0;
+            int pixels = 0;
+            for (int x = 10; x < view_->width(); x += 8) {
+                for (int y = 10; y < view_->height(); y += 8) {
+                    const auto cell = view_->cellAt(QPointF(x, y));
+                    if (!cell || (*cell < kFarLines * beams) != far) continue;
+                    sum += qGray(image.pixel(x, y));
+                    ++pixels;
+                }
+            }
+            return pixels < 30 ? -1.0 : sum / pixels;
+        };
+        const double near = meanGray(false), far = meanGray(true);
+        QVERIFY2(far > 48.0 && far < 0.8 * near, qPrintable(QString("%1 %2").arg(far).arg(near))); // 48: the background
+        constexpr std::uint32_t kGray = 0xff797979U;
+        view_->setFaces(std::make_shared<const std::vector<std::uint32_t>>(deep->cells(), kGray));
+        const double plain = meanGray(true);
+        QVERIFY2(plain > far + 3.0, qPrintable(QString("%1 %2").arg(plain).arg(far)));
+        view_->setFaces(nullptr);
+        QVERIFY(std::abs(meanGray(true) - far) < 1.0);
+    }
+
     void fitShowsTheSidesThatTheScannerSaw() {
         view_->setScan(scan_);
         const auto fronts = [&] {

@@ -1,6 +1,7 @@
 // The VTK side of the cloud view. What is drawn over the points is in cloud_scene_marks.cpp.
 #include "ui/views/cloud/cloud_scene.h"
 
+#include "core/base/order_statistic.h"
 #include "ui/base/selected_colour.h"
 
 #include <vtkActor.h>
@@ -22,13 +23,18 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkTypeInt32Array.h>
+#include <vtkUniforms.h>
 
 #include <qopengl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -62,6 +68,38 @@ public:
 };
 
 void setColour(vtkActor* actor, const QColor& colour) { actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF()); }
+
+// Surfaces that are farther from the scanner than `fullM` fade, so that a wall seen through an opening differs from the rocks around it.
+void addFading(vtkActor* actor) {
+    vtkShaderProperty* shader = actor->GetShaderProperty();
+    const auto after = [](const char* place, const char* line) { return std::string(place) + "\n" + line + "\n"; };
+    const char *declared = "//VTK::PositionVC::Dec", *placed = "//VTK::PositionVC::Impl", *lit = "//VTK::Light::Impl";
+    shader->AddVertexShaderReplacement(declared, true, after(declared, "out float fullShareVSOutput;"), false);
+    shader->AddVertexShaderReplacement(
+        placed, true, after(placed, "fullShareVSOutput = clamp(fullM / max(distance(vertexMC.xyz, scannerMC), 1.0e-6), 0.35, 1.0);"),
+        false);
+    shader->AddFragmentShaderReplacement(declared, true, after(declared, "in float fullShareVSOutput;"), false);
+    shader->AddFragmentShaderReplacement(lit, true, after(lit, "fragOutput0.rgb = mix(farColour, fragOutput0.rgb, fullShareVSOutput);"),
+                                         false);
+}
+
+void setFading(vtkActor* actor, const Eigen::Vector3f& scanner, double fullM, const std::array<float, 3>& farColour) {
+    vtkShaderProperty* shader = actor->GetShaderProperty();
+    shader->GetVertexCustomUniforms()->SetUniform3f("scannerMC", scanner.data());
+    shader->GetVertexCustomUniforms()->SetUniformf("fullM", static_cast<float>(fullM));
+    shader->GetFragmentCustomUniforms()->SetUniform3f("farColour", farColour.data());
+}
+
+/// The distance from the scanner up to which surfaces have their full colour, m: more than half of the points are nearer.
+double fullDistanceM(const CloudGeometry& cloud) {
+    constexpr std::size_t kSampled = 2000;
+    constexpr double kBeyondMedian = 1.3;
+    const std::vector<std::uint32_t>& some = cloud.drawOrder.front();
+    std::vector<double> distancesM;
+    const std::size_t every = std::max<std::size_t>(1, some.size() / kSampled);
+    for (std::size_t n = 0; n < some.size(); n += every) distancesM.push_back((cloud.point(some[n]) - cloud.sensor).cast<double>().norm());
+    return distancesM.empty() ? 0.0 : kBeyondMedian * quantile(distancesM, 0.5);
+}
 
 // Scales towards the eye (perspective) or shifts towards it (parallel): the same pixel, a smaller depth.
 void pullNearer(vtkActor* actor, const CameraPose& pose, double share) {
@@ -161,6 +199,7 @@ std::unique_ptr<CloudScene::DrawnCloud> CloudScene::newCloud() {
     for (Layer& part : made->parts) {
         part.actor->GetProperty()->SetAmbient(kAmbient);
         part.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
+        addFading(part.actor);
         part.actor->ForceOpaqueOn(); // otherwise VTK searches all point colours for a transparent one
         part.actor->VisibilityOff();
         renderer_->AddActor(part.actor);
@@ -207,6 +246,7 @@ void CloudScene::load(DrawnCloud& into, std::shared_ptr<const CloudGeometry> clo
             part.setCells(nullptr, {});
         part.data->GetPointData()->SetNormals(cloud ? into.normals.Get() : nullptr);
     }
+    into.fullM = cloud ? fullDistanceM(*cloud) : 0.0;
     into.cloud = std::move(cloud); // only now may the floats of the previous cloud be freed
 }
 
@@ -262,6 +302,22 @@ void CloudScene::colourParts() {
     };
     colour(*now_, look_.cloud);
     for (std::size_t n = 0; n < layers_.size(); ++n) colour(*layers_[n], layerColours_[n]);
+    fadeParts();
+}
+
+/// Only the gray cloud: colours have a meaning of their own.
+void CloudScene::fadeParts() {
+    constexpr double kOfCloud = 0.12; // the rest is the background: what fades stays lighter than it
+    const auto mixed = [](double background, double cloud) { return static_cast<float>(background * (1.0 - kOfCloud) + cloud * kOfCloud); };
+    const std::array<float, 3> farColour{mixed(look_.background.redF(), look_.cloud.redF()),
+                                         mixed(look_.background.greenF(), look_.cloud.greenF()),
+                                         mixed(look_.background.blueF(), look_.cloud.blueF())};
+    const auto fade = [&farColour](DrawnCloud& cloud, bool on) {
+        const Eigen::Vector3f scanner = cloud.cloud ? cloud.cloud->sensor : Eigen::Vector3f::Zero();
+        for (Layer& part : cloud.parts) setFading(part.actor, scanner, on ? cloud.fullM : std::numeric_limits<float>::max(), farColour);
+    };
+    fade(*now_, look_.shaded && !now_->faces);
+    for (const auto& layer : layers_) fade(*layer, false);
 }
 
 void CloudScene::setLook(const CloudLook& look) {

@@ -37,7 +37,7 @@ struct CloudLook {
     double edgeSize = 4.0;  ///< device pixels
     double halo = 1.0;      ///< device pixels on each side of an edge point
     bool edges = true;
-    bool shaded = true; ///< false: all points of the cloud have the full colour
+    bool shaded = true; ///< by their slope and their distance from the scanner; false: all points of the cloud have the full colour
 };
 
 /// GUI thread only; makes no OpenGL call itself.
@@ -97,6 +97,7 @@ private:
         std::array<Layer, kCloudParts> parts;
         std::array<bool, kCloudParts> uploaded{};
         std::shared_ptr<const std::vector<std::uint32_t>> faces;
+        double fullM = 0.0; ///< from the scanner: surfaces farther away fade
     };
     [[nodiscard]] std::unique_ptr<DrawnCloud> newCloud();
     static void load(DrawnCloud& into, std::shared_ptr<const CloudGeometry> cloud);
@@ -104,6 +105,7 @@ private:
     static bool show(DrawnCloud& cloud, const Parts& parts, float size);
     void useFaces();
     void colourParts();
+    void fadeParts();
     void freeUnused();
     void showEdgeLayers();
     void drawOverLast();

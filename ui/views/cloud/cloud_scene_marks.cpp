@@ -64,6 +64,7 @@ void CloudScene::useFaces() {
         part.mapper->SetScalarVisibility(bytes != nullptr);
     }
     now_->faces = std::move(colours); // only now may the former colours be freed
+    fadeParts();
 }
 
 void CloudScene::setOutline(EdgeCells::Indices cells) {
