@@ -1061,6 +1061,16 @@ private slots:
         QVERIFY2(moved > 0, "it was at one place for all of them");
     }
 
+    // What a section asks for is not asked once it is done.
+    void aSectionsQuestionGoesWithTheRockThatIsSelected() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        on.viewer.sections.throughRock();
+        QVERIFY2(on.viewer.notice.text().contains("Select a rock first"), qPrintable(on.viewer.notice.text()));
+        on.viewer.rocks.select({picture(on).study.rocks.front().cell});
+        QVERIFY2(!on.viewer.notice.text().contains("Select a rock first"), qPrintable(on.viewer.notice.text()));
+    }
+
     // A section through a rock opens on the rock; its axes are named, and the message of an export counts what is in it.
     void aSectionThroughARockIsAboutThatRock() {
         WindowFixture on;
@@ -1130,6 +1140,9 @@ private slots:
         }
         largest->trigger();
         QCOMPARE(selectedWidth(), widths.front());
+        // Numbers follow the area: where another rock is rock 1, that is said.
+        const std::uint32_t label = picture(on).labelAt(on.viewer.rocks.selected().back());
+        QCOMPARE(on.viewer.notice.text().contains(QString("Rock %1 has the largest visible width b").arg(label)), label != 1);
         QVERIFY(on.viewer.targets.notebook().empty());
         // From behind the pile its back would be seen.
         CloudView& behind = on.viewer.views.cloud();
