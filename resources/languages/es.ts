@@ -871,7 +871,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño. Arrastrar gira la nube, dos dedos la mueven.</translation></message>
 <message><source>Distance</source><translation>Distancia</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
@@ -1328,7 +1328,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: it is a hung-up draw-bell.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: es una campana colgada.</translation></message>
 <message><source>Open the demo</source><translation>Abrir la demostración</translation></message>
-<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
+<message><source>Drag turns the cloud, the middle button moves it, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, el botón central la mueve, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
 <message><source>View from the scanner</source><translation>Ver desde el escáner</translation></message>
 <message><source>Change Edge strength first. The curve under it shows the number of edge cells for every value. Where it is flat, the edges depend little on it.</source><translation>Ajuste primero la fuerza de los bordes. La curva de abajo muestra cuántos bordes hay para cada valor; donde es plana, los bordes dependen poco del ajuste.</translation></message>
 <message><source>Show the edges panel</source><translation>Mostrar el panel de bordes</translation></message>
@@ -1549,7 +1549,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
-<message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
+<message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rock…</source><translation>Roca…</translation></message>
 <message><source>What can be done with rocks</source><translation>Qué se puede hacer con las rocas</translation></message>
@@ -1561,7 +1561,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
-<message><source>Rock, visible a × b</source><translation>Roca, a × b visible</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>

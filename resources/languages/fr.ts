@@ -871,7 +871,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Glisser tourne le nuage, deux doigts le déplacent.</translation></message>
 <message><source>Distance</source><translation>Distance</translation></message>
 <message><source>No target</source><translation>Aucune cible</translation></message>
 <message><source>less: %1</source><translation>moins : %1</translation></message>
@@ -1328,7 +1328,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: it is a hung-up draw-bell.</source><translation>Ouvrez un scan ou connectez le scanner. La démo n'a besoin ni de l'un ni de l'autre : c'est un soutirage bloqué.</translation></message>
 <message><source>Open the demo</source><translation>Ouvrir la démo</translation></message>
-<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Glisser tourne le nuage, la molette zoome. Un clic marque une cellule dans le nuage, l'image de distances et la carte des arêtes ; sa fiche donne distance et coordonnées.</translation></message>
+<message><source>Drag turns the cloud, the middle button moves it, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Glisser tourne le nuage, le bouton du milieu le déplace, la molette zoome. Un clic marque une cellule dans le nuage, l'image de distances et la carte des arêtes ; sa fiche donne distance et coordonnées.</translation></message>
 <message><source>View from the scanner</source><translation>Voir depuis le scanner</translation></message>
 <message><source>Change Edge strength first. The curve under it shows the number of edge cells for every value. Where it is flat, the edges depend little on it.</source><translation>Réglez d'abord la force des arêtes. La courbe en dessous montre le nombre d'arêtes pour chaque valeur ; là où elle est plate, les arêtes dépendent peu du réglage.</translation></message>
 <message><source>Show the edges panel</source><translation>Afficher le panneau des arêtes</translation></message>
@@ -1549,7 +1549,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
-<message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
+<message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Rock…</source><translation>Bloc…</translation></message>
 <message><source>What can be done with rocks</source><translation>Ce qu'on peut faire avec les blocs</translation></message>
@@ -1561,7 +1561,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
-<message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>

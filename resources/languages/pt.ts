@@ -871,7 +871,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui. Arrastar gira a nuvem, dois dedos a movem.</translation></message>
 <message><source>Distance</source><translation>Distância</translation></message>
 <message><source>No target</source><translation>Nenhum alvo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
@@ -1328,7 +1328,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: it is a hung-up draw-bell.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: é um sino bloqueado.</translation></message>
 <message><source>Open the demo</source><translation>Abrir a demonstração</translation></message>
-<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastar gira a nuvem, a roda amplia. Um clique marca uma célula na nuvem, na imagem de distâncias e no mapa de bordas; sua ficha dá distância e coordenadas.</translation></message>
+<message><source>Drag turns the cloud, the middle button moves it, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastar gira a nuvem, o botão do meio a move, a roda amplia. Um clique marca uma célula na nuvem, na imagem de distâncias e no mapa de bordas; sua ficha dá distância e coordenadas.</translation></message>
 <message><source>View from the scanner</source><translation>Ver a partir do scanner</translation></message>
 <message><source>Change Edge strength first. The curve under it shows the number of edge cells for every value. Where it is flat, the edges depend little on it.</source><translation>Ajuste primeiro a força das bordas. A curva abaixo mostra quantas bordas há para cada valor; onde ela é plana, as bordas dependem pouco do ajuste.</translation></message>
 <message><source>Show the edges panel</source><translation>Mostrar o painel de bordas</translation></message>
@@ -1549,7 +1549,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
-<message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>
+<message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Rock…</source><translation>Rocha…</translation></message>
 <message><source>What can be done with rocks</source><translation>O que se pode fazer com as rochas</translation></message>
@@ -1561,7 +1561,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
-<message><source>Rock, visible a × b</source><translation>Rocha, a × b visível</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>

@@ -296,7 +296,7 @@ private slots:
                               "1 of 1",
                               "5.566 m",
                               "± 0.018",
-                              "Rock, visible a × b",
+                              "Rock, visible",
                               "–",
                               "touch Rocks to measure it",
                               {{"X", "2.642"}, {"Y", "2.880"}, {"Z", "3.964"}},
@@ -304,7 +304,7 @@ private slots:
                               {{"Resolves", "55 mm"}, {"Surface", "57° ± 1 off the beam"}}};
         for (const bool rock : {false, true}) {
             if (rock) {
-                numbers.rock = "Rock 12, visible a × b";
+                numbers.rock = "Rock 12, visible";
                 numbers.size = "1.29 × 0.88 m";
                 numbers.sizeRemark = "± 0.05 m · candidate - geometry only, one viewpoint";
             }

@@ -233,7 +233,7 @@ private slots:
         QVERIFY(std::abs(meanGray(true) - far) < 1.0);
     }
 
-    void fitShowsTheSidesThatTheScannerSaw() {
+    void fitShowsAllOfTheCloud() {
         view_->setScan(scan_);
         const auto fronts = [&] {
             const CloudGeometry& cloud = *view_->geometryOfCloud();
@@ -258,25 +258,21 @@ private slots:
         view_->zoomToFit();
         QVERIFY(view_->camera().forward().isApprox(right.forward()));
         QVERIFY2(view_->shareInPicture() > 0.99, qPrintable(QString::number(view_->shareInPicture()))); // the end of the drift too
-        // Turned there by the mouse, it is only a direction.
-        view_->setCamera(turned(right, right.focus, right.up, 0.05, 0.0));
-        const Eigen::Vector3d forward = view_->camera().forward();
-        view_->zoomToFit();
-        QVERIFY2(fronts() > 0.6, qPrintable(QString::number(fronts())));
-        QVERIFY(view_->camera().forward().isApprox(forward));
-        keep(view_->grabFrame(), "cloud_fit_right");
-        // From wherever the scanner's view was turned to, Fit shows at least 70 % of the points of that view.
+        // From wherever the view was turned to, Fit keeps the direction and shows all of the cloud.
         view_->viewFromScanner();
         const CameraPose scanners = view_->camera();
-        const double least = 0.7 * view_->shareInPicture() - 0.05; // of other samples of the points
-        for (const double rightRad : {0.3, 0.8, 1.6, 3.0}) {
+        for (const double rightRad : {0.05, 0.3, 0.8, 1.6, 3.0}) {
             for (const double upRad : {-0.6, 0.0, 0.4}) {
                 view_->setCamera(turned(scanners, scanners.focus, scanners.up, rightRad, upRad));
-                view_->zoomToFit();
-                QVERIFY2(view_->shareInPicture() >= least,
-                         qPrintable(QString("%1 %2 %3").arg(rightRad).arg(upRad).arg(view_->shareInPicture())));
+                const Eigen::Vector3d forward = view_->camera().forward();
+                for (int n = 0; n < 2; ++n) { // once more changes nothing
+                    view_->zoomToFit();
+                    QVERIFY2(view_->shareInPicture() > 0.99 && view_->camera().forward().isApprox(forward),
+                             qPrintable(QString("%1 %2 %3").arg(rightRad).arg(upRad).arg(view_->shareInPicture())));
+                }
             }
         }
+        // Zoomed and moved, the scanner's view is what it was.
         view_->setCamera(zoomed(scanners, scanners.focus, 2.0));
         view_->zoomToFit();
         QVERIFY(fronts() > 0.9 && view_->camera() == scanners);

@@ -525,6 +525,10 @@ private slots:
         ReportWords bare = words;
         bare.rocks = false;
         QVERIFY(made("with.html", words).find("id=\"rocks\"") != std::string::npos);
+        // Their table has the names of the targets on them.
+        on.viewer.views.pin(on.viewer.rocks.picture()->study.rocks.front().cell);
+        on.viewer.targets.rename(on.viewer.targets.active()->number, "Berta <1>");
+        QVERIFY(made("named.html", words).find(">1 Berta &lt;1&gt;</td>") != std::string::npos);
         QVERIFY(made("without.html", bare).find("id=\"rocks\"") == std::string::npos);
         // What is not a PNG picture is refused, and nothing is written.
         ReportWords wrong = words;

@@ -992,6 +992,9 @@ private slots:
         QVERIFY(named(1, "Berta").startsWith("Name of target 1"));
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{2});
         QCOMPARE(on.viewer.targets.notebook().targets.front().name, std::string("Berta"));
+        on.viewer.rocks.select({picture(on).rock(1)->cell});
+        const QString card = on.viewer.rocksPanel.card().text();
+        QVERIFY2(card.startsWith("Rock 1 Berta\n"), qPrintable(card));
     }
 
     // In a low window the card of a target is longer than its panel: the list is in sight without scrolling.

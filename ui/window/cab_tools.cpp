@@ -40,7 +40,7 @@ void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapT
 QString metres(double m, int decimals) { return QString::number(m, 'f', decimals); }
 
 void addSize(TargetNumbers& values, const rocks::Rock& rock) {
-    values.rock = CabMode::tr("Rock %1, visible a × b").arg(rock.label);
+    values.rock = CabMode::tr("Rock %1, visible").arg(rock.label);
     values.size = CabMode::tr("%1 × %2 m").arg(metres(rock.longestCaliperM, 2), metres(rock.shortestCaliperM, 2));
     values.sizeTolerance = CabMode::tr("± %1 m").arg(metres(shownTolerance(rock.toleranceM, 2), 2));
     values.sizeRemark = (rock.apart.empty() ? QString() : partsText(rock) + " · ") + QObject::tr(rocks::kRockCaveat);
@@ -299,7 +299,7 @@ TargetNumbers CabMode::numbers() const {
     const TargetSurroundings around = targets.around(target->cell);
     values.distance = distanceText(cell);
     values.tolerance = toleranceText(cell);
-    values.rock = tr("Rock, visible a × b");
+    values.rock = tr("Rock, visible");
     values.size = QStringLiteral("–");
     if (around.rock != nullptr) {
         addSize(values, *around.rock);

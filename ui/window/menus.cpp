@@ -307,7 +307,7 @@ std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCo
             measureMenu(viewer),
             submenu("&Help", {ofDesk(command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); })),
                               command("&Manual", "F1", commands.manual), ofDesk(command("&Keys and Mouse", "H; ?", showKeys)),
-                              command("&Tour", "", commands.tour),
+                              ofDesk(command("&Tour", "", commands.tour)), // it shows what a cab does not have
                               ofDesk(command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.preferences); })),
                               command("&About EdgeScan", "", [&window] { showAbout(&window, checkGl().renderer); })})};
 }

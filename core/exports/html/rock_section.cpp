@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace edgescan::exports {
@@ -124,7 +125,17 @@ std::vector<const rocks::Rock*> listedRocks(const rocks::Study& study) {
     return largest;
 }
 
-std::string tableOf(const rocks::Study& study) {
+/// Of several targets with a name on one rock the last one, as in the table of the window.
+std::string nameOf(const rocks::Rock& rock, const rocks::Faces& faces, const inspect::Notebook* notebook) {
+    std::string name;
+    if (notebook == nullptr) return name;
+    for (const inspect::PinnedTarget& target : notebook->targets) {
+        if (!target.name.empty() && target.cell < faces.labels.size() && faces.labels[target.cell] == rock.label) name = target.name;
+    }
+    return name;
+}
+
+std::string tableOf(const rocks::Study& study, const rocks::Faces& faces, const inspect::Notebook* notebook) {
     const Scan& scan = *study.segmentation->inputs.scan;
     const std::vector<const rocks::Rock*> largest = listedRocks(study);
     const rocks::RockRows rows(study, files::usualFrame(scan));
@@ -134,10 +145,12 @@ std::string tableOf(const rocks::Study& study) {
     }
     for (const rocks::Rock* rock : largest) {
         const rocks::RockRow row = rows.of(*rock);
+        std::string name = nameOf(*rock, faces, notebook); // after its number, the first column
         body += "<tr>";
         for (const rocks::RockColumn& column : rocks::rockColumns(rows.frame())) {
             if (column.title != nullptr)
-                body += "<td class=\"number\" data-name=\"" + htmlText(column.title) + "\">" + htmlText(column.text(row)) + "</td>";
+                body += "<td class=\"number\" data-name=\"" + htmlText(column.title) + "\">" + htmlText(column.text(row)) +
+                        (name.empty() ? "" : " " + htmlText(std::exchange(name, {}))) + "</td>";
         }
         body += "</tr>\n";
     }
@@ -225,12 +238,13 @@ std::string picturesOf(const edges::Detection& detection, const rocks::Study& st
 
 } // namespace
 
-std::string rockSection(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces) {
+std::string rockSection(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces,
+                        const inspect::Notebook* notebook) {
     const rocks::SizeCurve curve = rocks::sizeCurve(study.rocks, study.settings.oversizeM);
     std::string html = "<h2>Rocks</h2>\n" + countsOf(study, curve);
     html += picturesOf(detection, study, faces);
     if (curve.rocks() > 0) html += "<h2>Sizes of the visible rocks</h2>\n" + sizeDrawing(curve);
-    return html + "<h2>The rocks with the largest visible width b</h2>\n" + tableOf(study);
+    return html + "<h2>The rocks with the largest visible width b</h2>\n" + tableOf(study, faces, notebook);
 }
 
 Json rockFaceData(const rocks::Study& study) {

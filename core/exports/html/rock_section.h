@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
+#include "core/inspect/measure/notebook.h"
 #include "core/rocks/attributes/faces.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,8 +14,9 @@ namespace edgescan::exports {
 /// Most rows of the table. If there are more rocks, the largest (visible width b) are listed and the page says so.
 inline constexpr std::size_t kMostRockRows = 25;
 
-/// Markup. `faces`: rockFaces() of the study.
-[[nodiscard]] std::string rockSection(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces);
+/// Markup. `faces`: rockFaces() of the study. `notebook`: its targets with a name name the rocks of the table; may be null.
+[[nodiscard]] std::string rockSection(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces,
+                                      const inspect::Notebook* notebook);
 
 /// Data for the script of the rotating view: the colours, and for each rock its colour, whether it is hatched, and a sentence.
 [[nodiscard]] nlohmann::ordered_json rockFaceData(const rocks::Study& study);

@@ -341,7 +341,7 @@ std::string scanPage(const edges::Detection& detection, const PageWords& words, 
         "not measured.</p>\n";
     body += warningsOf(record) + remarkOf(words) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) +
             (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook, kMostPagePixels)) +
-            (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces)) +
+            (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces, notes.notebook)) +
             (notes.change == nullptr ? std::string() : changeSection(detection, *notes.change, notes.earlier, kMostPagePixels)) +
             completenessOf(scan, record) + settingsOf(detection) + againOf(detection, record, words) + "</main>\n" +
             dataOf(detection, view, rocks);

@@ -250,17 +250,17 @@ void Rocks::selectPinned() {
 
 void Rocks::setTargets(const RockNames& targets, const std::vector<inspect::PinnedTarget>& pinned) {
     pinnedTargets_ = pinned;
-    RockNames names;
+    names_.clear();
     for (const inspect::PinnedTarget& target : pinned) {
-        if (!target.name.empty()) names.emplace_back(target.cell, shownName(exactText(target.name)));
+        if (!target.name.empty()) names_.emplace_back(target.cell, shownName(exactText(target.name)));
     }
-    table_.setNames(names);
+    table_.setNames(names_);
     if (std::exchange(targets_, targets) != targets) showCard();
 }
 
 void Rocks::showCard() {
     if (picture_)
-        panel_.card().show(*picture_, selected_, behind() || engine_.placePending(), targets_);
+        panel_.card().show(*picture_, selected_, behind() || engine_.placePending(), targets_, names_);
     else
         panel_.card().hide();
 }

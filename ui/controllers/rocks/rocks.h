@@ -195,7 +195,7 @@ private:
     std::shared_ptr<const RockPicture> picture_;
     std::shared_ptr<const edges::Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;
-    RockNames targets_;
+    RockNames targets_, names_;
     std::vector<inspect::PinnedTarget> pinnedTargets_;
     bool largestWanted_ = false; // as soon as the rocks are known
     std::optional<std::size_t> pinned_;

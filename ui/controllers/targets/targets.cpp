@@ -145,7 +145,10 @@ void Targets::followPicture() {
             panel_.showNote(tr("▲ Not stored: the targets of this scan were refused."));
             notice_.showError(kept.error());
         }
-        if (!notebook_.empty()) emit pinned();
+        if (!notebook_.empty()) {
+            if (stored_) panel_.showNote({}); // its own list, which is not taken for a loss
+            emit pinned();
+        }
     }
     scan_ = engine_.picture()->detection->scan;
     stream_ = engine_.picture()->source.stream;

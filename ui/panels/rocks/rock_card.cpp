@@ -132,7 +132,8 @@ RockCard::RockCard(QWidget* parent)
     hide();
 }
 
-void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale, const RockNames& targets) {
+void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale, const RockNames& targets,
+                    const RockNames& names) {
     setVisible(!cells.empty());
     if (cells.empty()) return;
     for (const auto& [name, value] : rows_) {
@@ -142,7 +143,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     const rocks::Rock* rock = picture.rockAt(cells.back());
     isRock_ = rock != nullptr;
     if (isRock_)
-        showRock(picture, *rock, targets);
+        showRock(picture, *rock, targets, picture.nameOf(rock->label, names));
     else
         showNoRock(picture, cells.back());
     if (cells.size() > 1) title_->setText(tr("%1, and %2 more selected").arg(title_->text()).arg(cells.size() - 1));
@@ -160,9 +161,9 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     rockOrNot_->setToolTip(isRock_ ? tr("This is a wall, a floor or something else (N)") : tr("This is a rock (N)"));
 }
 
-void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets) {
+void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets, const QString& name) {
     swatch_->setPixmap(QPixmap::fromImage(rockSwatch(picture, rock, kSwatchSide)));
-    title_->setText(tr("Rock %1").arg(rock.label));
+    title_->setText(tr("Rock %1").arg(rock.label) + (name.isEmpty() ? QString() : " " + name)); // as in the table
     spans_->setText(tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
     spans_->show();
     setRow(0, tr("visible spans a × b"), tr("± %1").arg(metres(shownTolerance(rock.toleranceM, 2))));

@@ -24,8 +24,9 @@ public:
 
     /// `cells`: the selected cells; the card describes the last one. Hidden without a selection. `stale`: the numbers belong to an older
     /// picture.
-    /// `targets`: the operator's targets by cell, each with its number and name.
-    void show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale, const RockNames& targets);
+    /// `targets`: the operator's targets by cell, each with its number and name; `names`: the names alone.
+    void show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale, const RockNames& targets,
+              const RockNames& names);
     /// All texts of the card, row by row.
     [[nodiscard]] QString text() const;
 
@@ -48,7 +49,7 @@ signals:
 
 private:
     static constexpr std::size_t kRows = 10;
-    void showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets);
+    void showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets, const QString& name);
     void showNoRock(const RockPicture& picture, std::size_t cell);
     void setRow(std::size_t row, const QString& name, const QString& value);
 

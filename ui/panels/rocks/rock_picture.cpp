@@ -55,6 +55,14 @@ Paints paintsOf(const RockPicture& picture) {
 
 const rocks::Rock* RockPicture::rockAt(std::size_t cell) const { return rock(labelAt(cell)); }
 
+QString RockPicture::nameOf(std::uint32_t label, const RockNames& names) const {
+    QString name;
+    for (const auto& [cell, given] : names) {
+        if (labelAt(cell) == label) name = given;
+    }
+    return name;
+}
+
 const rocks::Region* RockPicture::regionAt(std::size_t cell) const {
     const Grid<std::uint32_t>& leaf = study.segmentation->segment;
     if (cell >= leaf.size() || leaf[cell] == rocks::kNoSegment) return nullptr;

@@ -58,15 +58,6 @@ void RockTableModel::setNames(const RockNames& names) {
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
 }
 
-/// Of several targets on one rock the last one.
-QString RockTableModel::nameOf(std::uint32_t label) const {
-    QString name;
-    for (const auto& [cell, given] : names_) {
-        if (picture_->labelAt(cell) == label) name = given;
-    }
-    return name;
-}
-
 int RockTableModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() || !picture_ ? 0 : static_cast<int>(picture_->study.rocks.size());
 }
@@ -77,7 +68,8 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     if (!picture_ || !index.isValid()) return {};
     const rocks::Rock& rock = picture_->study.rocks[static_cast<std::size_t>(index.row())];
     const rocks::RockColumn& column = columns()[static_cast<std::size_t>(index.column())];
-    const QString name = index.column() == 0 && (role == Qt::DisplayRole || role == Qt::ToolTipRole) ? nameOf(rock.label) : QString();
+    const QString name =
+        index.column() == 0 && (role == Qt::DisplayRole || role == Qt::ToolTipRole) ? picture_->nameOf(rock.label, names_) : QString();
     if (role == Qt::ToolTipRole && index.column() == 0) {
         const QString parts = partsText(rock);
         const QString tip = name + (name.isEmpty() || parts.isEmpty() ? "" : "\n") + parts;

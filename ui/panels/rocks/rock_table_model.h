@@ -34,7 +34,6 @@ public:
 private:
     [[nodiscard]] static QString briefly(const QString& head);
     [[nodiscard]] static QString inTwoLines(const QString& head);
-    [[nodiscard]] QString nameOf(std::uint32_t label) const;
 
     std::shared_ptr<const RockPicture> picture_;
     RockNames names_;

@@ -25,7 +25,8 @@ TourStep tourStep(int step) {
         return {Tour::tr("Open a scan or connect the scanner. The demo needs neither: it is a hung-up draw-bell."),
                 Tour::tr("Open the demo")};
     case 1:
-        return {Tour::tr("Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has "
+        return {Tour::tr("Drag turns the cloud, the middle button moves it, the wheel zooms. A click marks a cell in cloud, range image "
+                         "and edge map; its card has "
                          "distance and coordinates."),
                 Tour::tr("View from the scanner")};
     case 2:

@@ -4,7 +4,6 @@
 #include "core/base/order_statistic.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -42,56 +41,6 @@ std::vector<Vector3d> samplePoints(const CloudGeometry& cloud) {
         if (points.size() > 5000) break;
     }
     return points;
-}
-
-/// Shares of a picture, 0 .. 1.
-struct Fill {
-    double surfaces = 0.0; ///< of the picture: there is a point
-    double fronts = 1.0;   ///< of those: the nearest surface shows the side that the scanner saw
-};
-
-Fill fillOf(const CloudGeometry& cloud, const CameraPose& pose, double widthByHeight) {
-    constexpr int kAcross = 20;
-    constexpr std::size_t kEnough = 20000; // points
-    struct Seen {
-        double depth = 0.0; // 0: nothing
-        bool front = false;
-    };
-    std::array<Seen, std::size_t{kAcross} * kAcross> picture{};
-    const Vector3d forward = pose.forward(), right = pose.right();
-    const double tanV = tanHalf(pose);
-    std::size_t asked = 0;
-    for (const auto& part : cloud.drawOrder) {
-        for (const std::uint32_t k : part) {
-            const Vector3d way = cloud.point(k).cast<double>() - pose.position;
-            const double depth = way.dot(forward);
-            if (depth < kNearestM) continue;
-            const double x = way.dot(right) / (depth * tanV * widthByHeight), y = way.dot(pose.up) / (depth * tanV);
-            if (std::max(std::abs(x), std::abs(y)) >= 1.0) continue;
-            Seen& seen = picture[static_cast<std::size_t>((x + 1.0) / 2.0 * kAcross) * kAcross +
-                                 static_cast<std::size_t>((y + 1.0) / 2.0 * kAcross)];
-            const Vector3d normal(cloud.normals[3 * k], cloud.normals[3 * k + 1], cloud.normals[3 * k + 2]);
-            if (seen.depth == 0.0 || depth < seen.depth) seen = {depth, normal.dot(way) < 0.0};
-        }
-        asked += part.size();
-        if (asked > kEnough) break;
-    }
-    const auto some = std::ranges::count_if(picture, [](const Seen& seen) { return seen.depth > 0.0; });
-    const auto fronts = std::ranges::count_if(picture, [](const Seen& seen) { return seen.front; });
-    if (some == 0) return {};
-    return {static_cast<double>(some) / static_cast<double>(picture.size()), static_cast<double>(fronts) / static_cast<double>(some)};
-}
-
-/// Share of the points that are in the picture; 1 without points.
-double shareInPicture(const std::vector<Vector3d>& points, const CameraPose& pose, double widthByHeight) {
-    const Vector3d forward = pose.forward(), right = pose.right();
-    const double tanV = tanHalf(pose);
-    const auto isIn = [&](const Vector3d& point) {
-        const Vector3d way = point - pose.position;
-        const double reach = std::max(0.0, way.dot(forward)) * tanV;
-        return std::abs(way.dot(right)) < reach * widthByHeight && std::abs(way.dot(pose.up)) < reach;
-    };
-    return points.empty() ? 1.0 : static_cast<double>(std::ranges::count_if(points, isIn)) / static_cast<double>(points.size());
 }
 
 /// From the sensor in the directions of the frame, pulled back a little if the points need it.
@@ -214,40 +163,6 @@ CameraPose lookingAt(const Box3f& box, const Vector3d& forward, const Vector3d& 
     }
     out.position = out.focus - forward * distance * kMargin;
     return out;
-}
-
-CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose& pose, double widthByHeight) {
-    constexpr double kMostly = 0.7, kShown = 0.7, kFilled = 0.95, kNearer = 0.85, kNearest = 0.1, kAside = 0.4; // shares
-    const CameraPose whole = lookingAt(box, pose.forward(), pose.up, pose, widthByHeight);
-    if (pose.parallel || cloud.normals.size() < 3 * cloud.cells()) return whole;
-    const std::vector<Vector3d> points = samplePoints(cloud);
-    const Vector3d sensor = cloud.sensor.cast<double>();
-    CameraPose best = fromSensor(sensor, points, cloud.scannerView, pose, widthByHeight);
-    double most = kShown * shareInPicture(points, best, widthByHeight);
-    const double filled = kFilled * fillOf(cloud, best, widthByHeight).surfaces;
-    const auto take = [&](const CameraPose& each) {
-        const double seen = shareInPicture(points, each, widthByHeight);
-        if (seen <= most) return;
-        if (const Fill fill = fillOf(cloud, each, widthByHeight); fill.fronts < kMostly || fill.surfaces < filled) return;
-        most = seen;
-        best = each;
-    };
-    const Vector3d aside = whole.right() * (0.5 * box.sizes().cast<double>().dot(whole.right().cwiseAbs()));
-    const Vector3d above = whole.up * (0.5 * box.sizes().cast<double>().dot(whole.up.cwiseAbs()));
-    for (double share = 1.0; share > kNearest; share *= kNearer) {
-        CameraPose out = whole;
-        const double angle = 2.0 * std::atan(tanHalf(whole) / share) * 180.0 / std::numbers::pi;
-        out.viewAngleDeg = std::clamp(angle, kUsualViewAngleDeg, kWidestViewAngleDeg);
-        for (const double x : {0.0, -kAside, kAside}) {
-            for (const double y : {0.0, -kAside, kAside}) {
-                out.focus = whole.focus + x * aside + y * above;
-                out.position = out.focus - whole.forward() * whole.distance() * share;
-                take(out);
-            }
-        }
-    }
-    take(fromSensor(sensor, points, {pose.right(), pose.forward(), pose.up}, pose, widthByHeight));
-    return best;
 }
 
 CameraPose lookingAtFrom(const Vector3d& place, const Box3f& box, const Vector3d& up, const CameraPose& lens, double widthByHeight) {

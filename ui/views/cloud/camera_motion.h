@@ -46,10 +46,6 @@ struct CameraPose {
 /// Looks along `forward`, at the distance at which the box fits a view of this width / height.
 [[nodiscard]] CameraPose lookingAt(const Box3f& box, const Eigen::Vector3d& forward, const Eigen::Vector3d& up, const CameraPose& lens,
                                    double widthByHeight);
-/// The same, but not from where the backs of surfaces cover the picture, as behind the wall of a funnel: from a nearer place with a wider
-/// lens, or from the sensor, whichever shows the most points. Where all of them show less than 70 % of those of the scanner's view, or
-/// leave more of the picture empty: that view.
-[[nodiscard]] CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose& pose, double widthByHeight);
 /// lookingAt(), along the line of sight from a place and not from behind it: what is seen from there stays in sight. A box that is too
 /// large for the usual lens gets a wider one.
 [[nodiscard]] CameraPose lookingAtFrom(const Eigen::Vector3d& place, const Box3f& box, const Eigen::Vector3d& up, const CameraPose& lens,

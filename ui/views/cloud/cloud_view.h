@@ -176,8 +176,7 @@ public slots:
     void viewBottom();
     void viewIsometric();
     void resetView(); ///< the scanner's view, without clipping
-    /// All but single far points; keeps the direction: one of the views by name always, another if anything but the backs of walls is seen
-    /// in it. Once more, before anything moves: all points, also if the backs of walls are seen.
+    /// All but single far points, in the direction of the camera. Where only zoomed or moved, the scanner's view is first what it was.
     void zoomToFit();
     /// CloudScene::keepReady().
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
@@ -273,7 +272,6 @@ private:
     };
     [[nodiscard]] FreeBox intoFreeArea(const Box3f& box) const;
     [[nodiscard]] std::optional<QPointF> pixelIn(const ScreenView& view, const Eigen::Vector3f& point) const;
-    void fitPlates(const Box3f& all, const std::function<CameraPose(const FreeBox&, const CameraPose& lens)>& pose);
     /// The focus is in the middle of the free area.
     [[nodiscard]] CameraPose besidePlates(const CameraPose& pose) const;
     void drag(QPointF at);
@@ -325,7 +323,6 @@ private:
     CameraPose pose_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // centre of rotation
     Eigen::Vector3d asked_ = Eigen::Vector3d::Zero();  // direction of the last view by name
-    CameraPose fitted_;                                // of the last zoomToFit()
     CloudClip clip_;
     bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, shaded_ = true, byClass_ = false, wheelReversed_ = false;
     double pointSize_ = 2.0;

@@ -48,18 +48,13 @@ CloudGeometry CloudView::extent() const {
 
 void CloudView::look(const Vector3d& forward, const Vector3d& up) { look(forward, up, extent().mainBounds); }
 
-void CloudView::look(const Vector3d& forward, const Vector3d& up, const Box3f& all) {
-    if (!cloud_ || all.isEmpty()) return;
-    fitPlates(all, [&](const FreeBox& into, const CameraPose& lens) { return lookingAt(into.box, forward, up, lens, into.aspect); });
-    asked_ = forward;
-}
-
 /// Into the whole view; if plates cover too much of the cloud then, into the part of the view between them.
-void CloudView::fitPlates(const Box3f& all, const std::function<CameraPose(const FreeBox&, const CameraPose&)>& pose) {
+void CloudView::look(const Vector3d& forward, const Vector3d& up, const Box3f& all) {
     constexpr double kMostCovered = 0.07; // share of the cloud's area in the picture
     constexpr int kPatch = 16;            // px
+    if (!cloud_ || all.isEmpty()) return;
     const CameraPose before = pose_;
-    pose_ = pose({all, aspect()}, before);
+    pose_ = lookingAt(all, forward, up, before, aspect());
     const auto isFree = freePixels();
     std::set<std::pair<int, int>> seen, covered;
     for (const Sample& each : samples()) {
@@ -68,8 +63,11 @@ void CloudView::fitPlates(const Box3f& all, const std::function<CameraPose(const
         seen.emplace(patch.x(), patch.y());
         if (!isFree(*each.pixel)) covered.emplace(patch.x(), patch.y());
     }
-    if (static_cast<double>(covered.size()) > kMostCovered * static_cast<double>(seen.size()))
-        pose_ = besidePlates(pose(intoFreeArea(all), before));
+    if (static_cast<double>(covered.size()) > kMostCovered * static_cast<double>(seen.size())) {
+        const FreeBox into = intoFreeArea(all);
+        pose_ = besidePlates(lookingAt(into.box, forward, up, before, into.aspect));
+    }
+    asked_ = forward;
     centre_ = pose_.focus;
     applyCamera();
 }
@@ -141,16 +139,9 @@ void CloudView::zoomToFit() {
     const Box3f all = extent().wideBounds;
     if (!cloud_ || all.isEmpty()) return;
     const CameraPose before = pose_;
-    if (pose_.forward().isApprox(asked_, 1e-6)) return look(pose_.forward(), pose_.up, all);
-    if (pose_.forward().isApprox(cloud_->scannerView.forward, 1e-6))
-        viewFromScanner();
-    else
-        fitPlates(all, [&](const FreeBox& into, const CameraPose& lens) { return fitted(*cloud_, into.box, lens, into.aspect); });
-    const auto isHere = [this](const CameraPose& pose) {
-        return pose.position.isApprox(pose_.position) && pose.forward().isApprox(pose_.forward());
-    };
-    if (isHere(before) && isHere(fitted_)) look(pose_.forward(), pose_.up, all);
-    fitted_ = pose_;
+    const bool isScanners = pose_.forward().isApprox(cloud_->scannerView.forward, 1e-6) && !pose_.forward().isApprox(asked_, 1e-6);
+    if (isScanners) viewFromScanner();
+    if (!isScanners || pose_ == before) look(pose_.forward(), pose_.up, all);
 }
 
 void CloudView::zoomToCells(const CellIndices& cells) {
