@@ -1559,6 +1559,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
 <message><source>Redo: %1</source><translation>Rehacer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
+<message><source>in B</source><translation>en B</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>

@@ -1559,6 +1559,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
 <message><source>Redo: %1</source><translation>Rétablir : %1</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
+<message><source>in B</source><translation>dans B</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>

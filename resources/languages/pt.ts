@@ -1559,6 +1559,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
 <message><source>Redo: %1</source><translation>Refazer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
+<message><source>in B</source><translation>em B</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>

@@ -25,6 +25,7 @@
 #include <QComboBox>
 #include <QCommandLinkButton>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
@@ -78,6 +79,32 @@ private slots:
     void cleanup() {
         useLanguage("en");
         useTheme(*qApp, false);
+    }
+
+    // A comparison opens another scan: the side says what became of the targets, and counts edges of B as those of B while A is shown.
+    void aComparisonSaysWhatBelongsToWhichScan() {
+        QDir().mkpath(QString::fromStdString((folder_ / "kept").string()));
+        WindowFixture on(QString::fromStdString((folder_ / "kept" / "viewer.ini").string())); // targets are stored with settings only
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, QSize(1280, 800));
+        on.viewer.views.pin(100 * 240 + 120);
+        on.viewer.comparing.openDemoPair();
+        const ChangeLegend& legend = on.viewer.changeLegend;
+        QVERIFY(eventually([&] { return legend.isVisible() && !legend.counted(ChangeRow::Nearer).isEmpty(); }));
+        const auto& labels = on.window.findChild<NumbersSide*>()->findChildren<QLabel*>();
+        QVERIFY(eventually([&] {
+            return std::ranges::any_of(labels, [](const QLabel* each) {
+                return each->isVisible() && each->text().startsWith("Targets and measurements of the scan before: 1.");
+            });
+        }));
+        const auto* found = on.window.findChild<QLabel*>("stepper-found");
+        QVERIFY2(found->text().endsWith("\nEdges"), qPrintable(found->text()));
+        on.viewer.comparing.flip(true);
+        QTRY_VERIFY2(found->text().endsWith("\nin B"), qPrintable(found->text()));
+        on.viewer.comparing.flip(false);
+        QTRY_VERIFY2(found->text().endsWith("\nEdges"), qPrintable(found->text()));
+        on.window.cab().set(false);
     }
 
     // Redo is next to Undo on every screen, and both are whole.

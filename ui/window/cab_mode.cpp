@@ -171,6 +171,7 @@ void CabMode::follow() {
         showNumbers();
     });
     connect(&window_.viewer().views, &LinkedViews::flippedChanged, this, [this] {
+        showSettings();
         showNumbers();
         showCorner();
     });

@@ -13,6 +13,7 @@
 #include "ui/panels/cab/tool_column.h"
 #include "ui/panels/cab/zoom_buttons.h"
 #include "ui/panels/targets/target_words.h"
+#include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -212,7 +213,8 @@ void CabMode::showSettings() {
     };
     add(first);
     if (const auto& picture = window_.viewer().engine.picture())
-        shown.back().found = countText(picture->detection->edges->size()) + '\n' + EdgeLegend::tr("Edges"); // as in the legend
+        shown.back().found = countText(picture->detection->edges->size()) + '\n' +
+                             (window_.viewer().views.flipped() ? tr("in B") : EdgeLegend::tr("Edges")); // as in the legend
     for (const edges::Parameter& p : edges::parameters()) {
         if (p.usedBy(settings) && !p.several && &p != &first) add(p);
     }
@@ -287,6 +289,7 @@ TargetNumbers CabMode::numbers() const {
     values.measures = static_cast<int>(targets.notebook().measures.size());
     values.only = (chosen || (rock == nullptr && target != nullptr)) && values.targets + values.measures == 1;
     values.measuring = window_.viewer().measures.kind().has_value();
+    values.note = window_.viewer().targetsPanel.note();
     if (chosen || rock != nullptr || target == nullptr) return values;
     values.title = (target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20)) +
                    QString::fromUtf8("\u00a0▾"); // a tap on it opens its menu

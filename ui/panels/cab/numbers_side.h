@@ -24,7 +24,7 @@ class Stepper;
 struct TargetNumbers {
     QString title, place;                                   ///< "Target 1", "of 3"
     QString distance, tolerance;                            ///< "4.911 m", "± 0.009"
-    QString rock, size, sizeRemark;                         ///< "Rock 4, visible a × b", "2.51 × 1.83 m", "candidate …"
+    QString rock, size, sizeRemark;                         ///< "Rock 4, visible", "2.51 × 1.83 m", "candidate …"
     std::vector<std::pair<QString, QString>> coordinates{}; ///< in large type as well
     QString warned{};                                       ///< lines with ▲
     std::vector<std::pair<QString, QString>> rows{};
@@ -37,6 +37,7 @@ struct TargetNumbers {
     QString distanceName{};  ///< "Throat Width"; empty: "Distance"
     QString sizeTolerance{}; ///< "± 0.10 m"
     bool locked = false;     ///< a lock is next to the place
+    QString note{};          ///< without an entry: what is known about those of the scan before
     bool ofRock = false;     ///< its size is above the coordinates: a low screen shows it at once
 };
 
