@@ -26,8 +26,7 @@ TourStep tourStep(int step) {
                 Tour::tr("Open the demo")};
     case 1:
         return {Tour::tr("Drag turns the cloud, the middle button moves it, the wheel zooms. A click marks a cell in cloud, range image "
-                         "and edge map; its card has "
-                         "distance and coordinates."),
+                         "and edge map; its card has distance and coordinates."),
                 Tour::tr("View from the scanner")};
     case 2:
         return {Tour::tr("Change Edge strength first. The curve under it shows the number of edge cells for every value. Where it is flat, "
