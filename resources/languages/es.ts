@@ -1564,6 +1564,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
+<message><source>Rock</source><translation>Roca</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
@@ -1969,7 +1970,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contornos en coordenadas mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
-<message><source>Rock</source><translation>Roca</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
 <message><source>visible length a [m]</source><translation>largo visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Mayor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>

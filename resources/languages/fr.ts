@@ -1564,6 +1564,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
+<message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
@@ -1969,7 +1970,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contours en coordonnées de la mine</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
-<message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
 <message><source>visible length a [m]</source><translation>longueur visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Plus grande étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>

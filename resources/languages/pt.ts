@@ -1564,6 +1564,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
+<message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
@@ -1969,7 +1970,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contornos em coordenadas da mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
-<message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
 <message><source>visible length a [m]</source><translation>comprimento visível a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Maior extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>

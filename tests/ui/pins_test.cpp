@@ -557,7 +557,10 @@ private slots:
         QVERIFY(at(50, 43) == MarkName({false, 7}) && at(90, 57) == MarkName({false, 8}) && at(151, 91) == MarkName({true, 3}));
         QVERIFY(!at(35, 50) && at(35, 50, true) == MarkName({false, 7}));
         QVERIFY(!at(100, 90) && !at(300, 300, true)); // the line, and what is far from all
-        marks.targets.front().isTarget = false;       // a remark, as "✓ edge"
+        QVERIFY(at(70, 25, true) == MarkName({false, 7, true}));
+        marks.targets.front().active = true; // a tap next to its label chose it again, and nothing else happened
+        QVERIFY(!at(70, 25, true) && at(65, 35, true) == MarkName({false, 7, true}));
+        marks.targets.front().isTarget = false; // a remark, as "✓ edge"
         QVERIFY(!at(65, 35) && !at(50, 43) && at(90, 57) == MarkName({false, 8}));
     }
 

@@ -398,8 +398,15 @@ std::optional<MarkName> markAt(const ScreenMarks& marks, const std::vector<MarkT
         return !mark.isMeasure &&
                std::ranges::none_of(marks.targets, [&](const auto& each) { return each.isTarget && each.cell == mark.which; });
     };
+    const auto isChosen = [&](const MarkName& mark) {
+        return mark.isMeasure
+                   ? std::ranges::any_of(marks.measures, [&](const auto& each) { return each.active && each.index == mark.which; })
+                   : std::ranges::any_of(marks.targets, [&](const auto& each) { return each.active && each.cell == mark.which; });
+    };
     for (const MarkTag& tag : tags) {
-        if (!isRemark(tag.of)) take({tag.of.isMeasure, tag.of.which, true}, QLineF(nearestOn(tag, at), at).length());
+        const double away = QLineF(nearestOn(tag, at), at).length();
+        if (isRemark(tag.of) || (away > 0.0 && isChosen(tag.of))) continue; // next to the label of the chosen one, a place is meant
+        take({tag.of.isMeasure, tag.of.which, true}, away);
     }
     for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) {
         if (target->isTarget) take({false, target->cell}, fromRing(target->place.at, kMarkRing));

@@ -310,6 +310,7 @@ TargetNumbers CabMode::numbers() const {
         values.sizeRemark = !around.rocksShown  ? tr("tap Rocks to measure it")
                             : around.rocksKnown ? tr("no rock here")
                                                 : tr("being computed …");
+        if (around.rocksShown && around.rocksKnown) values.rock = tr("Rock");
     }
     if (!target->note.empty()) values.rows.emplace_back(tr("Note"), shownName(exactText(target->note)));
     if (cell.probe.state != CellState::Valid) return values;

@@ -247,22 +247,26 @@ bool SectionPlot::coversLine(const QRectF& box) const {
     });
 }
 
-/// The number of the chosen rock: above or below its highest point, as near as it covers neither a line nor the texts. Returns its box.
+/// The number of the chosen rock: above, below or at the side of its highest point, as near as it covers neither a line nor the texts.
+/// Returns its box.
 QRectF SectionPlot::drawNumber(QPainter& painter, const std::vector<QRectF>& texts) const {
     const auto top = topOfChosen();
     if (!top) return {};
     const QString words = tr("rock %1").arg(rocks_.chosen);
     const QFontMetrics letters = painter.fontMetrics();
-    QRectF box(0, 0, letters.horizontalAdvance(words) + 12, letters.height() + 6);
+    QRectF box(0, 0, letters.horizontalAdvance(words) + 16, letters.height() + 6);
     const double left = std::clamp(top->x() - box.width() / 2, 2.0, std::max(2.0, width() - box.width() - 2));
-    const auto isFree = [&](double y) {
-        box.moveTopLeft({left, y});
+    const auto isFree = [&](double x, double y) {
+        box.moveTopLeft({x, y});
         return QRectF(rect()).contains(box) && !coversLine(box) &&
                std::ranges::none_of(texts, [&](const QRectF& each) { return each.intersects(box); });
     };
     const double above = top->y() - box.height() - kOutline, below = top->y() + kOutline;
     bool found = false;
-    for (double away = 0.0; !found && away < height(); away += box.height() / 2) found = isFree(above - away) || isFree(below + away);
+    for (double away = 0.0; !found && away < height() + width(); away += box.height() / 2) {
+        for (const double aside : {0.0, -away, away})
+            found = found || isFree(left + aside, above - away) || isFree(left + aside, below + away) || isFree(left + aside, above);
+    }
     if (!found) box.moveTopLeft({left, std::max(0.0, above)});
     drawLabel(painter, box.toRect().adjusted(6, 3, -6, -3), Qt::AlignCenter, words);
     return box;
