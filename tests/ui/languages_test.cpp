@@ -526,11 +526,13 @@ private slots:
                     .endsWith("0.5."));
         inspect::RegistrationResult how;
         how.by = inspect::RegistrationBasis::Surfaces;
-        const std::string by = inspect::registrationText(Scan{}, how);
+        const std::string by = inspect::registrationText(how);
         QVERIFY2(coreWords(by) != QString::fromStdString(by), by.c_str());
         QVERIFY(by.find("no pose") == 0);
         how.by = inspect::RegistrationBasis::Poses;
-        QVERIFY2(inspect::registrationText(Scan{}, how).find("pose") == std::string::npos, "of the demo, which has no pose");
+        QVERIFY2(inspect::registrationText(how).find("pose") == std::string::npos, "of the demo, which has no pose");
+        how.inMine = true;
+        QCOMPARE(inspect::registrationText(how), std::string("lined up by their poses"));
     }
 
     void noNoteOfTheWindowNamesAFlag() {

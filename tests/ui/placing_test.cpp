@@ -107,6 +107,23 @@ private slots:
         QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
     }
 
+    // Who types without a click types the first field, and Tab goes to the next.
+    void whatIsTypedBeforeAFieldIsChosenIsTheEasting() {
+        PlaceForm on;
+        QVERIFY(on.showWith(scan_) && on.ready() && QTest::qWaitForWindowActive(on.placing.dialog()));
+        QWidget* dialog = on.placing.dialog();
+        const auto typed = [dialog](const QString& text) {
+            for (const QChar each : text)
+                QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : dialog, each.toLatin1());
+        };
+        typed("1000");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        typed("2000");
+        QCOMPARE(on.field("talin-easting_m").text(), QString("1000"));
+        QCOMPARE(on.field("talin-northing_m").text(), QString("2000"));
+        on.placing.dialog()->reject();
+    }
+
     // Neither card, list nor cab show coordinates of values that were replaced in the form, also while what is typed is unsound.
     void coordinatesAreThoseOfTheFormOrNone() {
         for (const bool cab : {false, true}) {

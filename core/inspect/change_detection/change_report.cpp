@@ -58,17 +58,16 @@ Rgb tinted(std::uint8_t gray, const Rgb& colour) {
 
 } // namespace
 
-std::string registrationText(const Scan& later, const RegistrationResult& how) {
+std::string registrationText(const RegistrationResult& how) {
     if (how.by == RegistrationBasis::OneScan) return "one scan with two settings";
     std::string text = how.by == RegistrationBasis::Surfaces ? "no pose: lined up by their surfaces"
-                       : later.placement
-                           ? "lined up by their poses"
-                           : "lined up by given positions of the scanner, not in the mine grid"; // of a simulation or --poses-3dtk
+                       : how.inMine                          ? "lined up by their poses"
+                                                             : "lined up by given positions of the scanner, not in the mine grid";
     return text + (how.sameCells ? "" : "; other cells: points moved to the grid of the later scan");
 }
 
 std::string changeText(const Scan& later, const SceneChange& change) {
-    std::string text = registrationText(later, change.earlier.how) + "\n";
+    std::string text = registrationText(change.earlier.how) + "\n";
     for (const std::string& warning : change.earlier.how.warnings) text += warning + "\n";
     text += "edges: " + counted("+ gained", change.edges.gained) + ", " + counted("- lost", change.edges.lost) + ", " +
             counted("kept", change.edges.unchanged) + ", " + counted("not seen by the other", change.edges.unknown);

@@ -16,7 +16,7 @@ namespace edgescan::inspect {
 inline constexpr Rgb kGainedColour{86, 180, 233}, kLostColour{230, 159, 0}, kUnchangedColour{0, 190, 0};
 
 /// "lined up by their poses": one line about the registration.
-[[nodiscard]] std::string registrationText(const Scan& later, const RegistrationResult& how);
+[[nodiscard]] std::string registrationText(const RegistrationResult& how);
 
 /// Counts, the quality of the registration, and the largest regions that are nearer or farther than before.
 [[nodiscard]] std::string changeText(const Scan& later, const SceneChange& change);

@@ -191,6 +191,7 @@ Result<EarlierOnGrid> earlierOnGridOf(const std::shared_ptr<const Scan>& later, 
     if (!by) return by.error();
     RegistrationResult how;
     how.by = *by;
+    how.inMine = inMine(*by, wish);
     PlacedPair pair = placedPair(later, earlier, *by, wish);
     const auto aligned = alignScans(pair.later, pair.earlier, kReachM);
     const bool bySurfaces = *by == RegistrationBasis::Surfaces || wish.bySurfaces;

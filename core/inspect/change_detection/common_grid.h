@@ -31,6 +31,7 @@ struct RegistrationRequest {
 
 struct RegistrationResult {
     RegistrationBasis by = RegistrationBasis::OneScan;
+    bool inMine = false; ///< by the placements of both scans; false for poses of the request: those of a simulation, or --poses-3dtk
     /// cell k of one scan is cell k of the other; otherwise points were moved to the cells that they fall into
     bool sameCells = true;
     std::optional<ScanAlignment> surfaces; ///< the remaining distance of the surfaces, also if they were not moved; empty for one scan

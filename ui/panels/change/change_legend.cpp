@@ -212,8 +212,7 @@ void ChangeLegend::showKept(const QString& before, const QString& now, const Com
                     : refused ? tr("not compared with the scan on the screen")
                             : tr("nothing to compare with yet:\nchange a setting, or open another scan");
     if (comparison != nullptr && !working) {
-        how = coreWords(inspect::registrationText(*comparison->asked.now->detection->scan, comparison->change.earlier.how))
-                  .replace("; ", "\n");
+        how = coreWords(inspect::registrationText(comparison->change.earlier.how)).replace("; ", "\n");
         if (comparison->change.earlier.how.outOfSpec) how = outOfSpecWords() + '\n' + how;
         if (comparison->isOfTwoScans())
             how += '\n' + tr("median difference along the beams %1 mm\na change is more than %2 mm at 5 m")

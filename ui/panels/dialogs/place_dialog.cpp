@@ -11,6 +11,7 @@
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -234,6 +235,15 @@ void PlaceDialog::showEvent(QShowEvent* event) {
         if (!event->spontaneous()) area->verticalScrollBar()->setValue(0);
     }
     QDialog::showEvent(event);
+}
+
+/// What is typed before a field was chosen goes into the first one.
+void PlaceDialog::keyPressEvent(QKeyEvent* event) {
+    const bool isText = !event->text().isEmpty() && event->text()[0].isPrint() && event->modifiers() == Qt::NoModifier;
+    QLineEdit* first = pose_.front().edit;
+    if (!isText || !first->isVisible() || !first->text().isEmpty()) return QDialog::keyPressEvent(event);
+    first->setFocus();
+    first->insert(event->text());
 }
 
 void PlaceDialog::showPose(const PlaceTexts& texts) {

@@ -198,6 +198,12 @@ TEST(LineUp, RefusesWhereOnlyOneScanHasAPlace) {
     const auto edges = edgesOf(placed);
     const auto refused = earlierOnGridOf(later, placed, edges.mask);
     ASSERT_FALSE(refused);
+    // Positions of the request are not the mine grid, whatever pose one of the scans has.
+    RegistrationRequest given;
+    given.poses = std::array{RigidTransform{}, RigidTransform{}};
+    const auto byGiven = earlierOnGridOf(placed, later, edgesOf(later).mask, given);
+    ASSERT_TRUE(byGiven) << byGiven.error().sentence();
+    EXPECT_EQ(registrationText(byGiven->how).find("lined up by given positions"), 0U);
     EXPECT_NE(refused.error().sentence().find("has none"), std::string::npos);
     RegistrationRequest wish;
     wish.bySurfaces = true;
