@@ -1238,6 +1238,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>demasiado incierto para mostrarse como roca</translation></message>
 <message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
 <message><source>Name…</source><translation>Nombre…</translation></message>
+<message><source>Section</source><translation>Sección</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
 <message><source>Cut</source><translation>Cortar</translation></message>
 <message><source>Merge</source><translation>Fusionar</translation></message>
@@ -1247,6 +1248,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Luego haga clic en la parte de la roca que es una roca aparte; la rueda toma una parte más pequeña o más grande (S)</translation></message>
 <message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Después trace una línea a través de la roca, de un lado al otro (X)</translation></message>
 <message><source>A target on this rock holds its name (F2)</source><translation>Un objetivo en esta roca lleva su nombre (F2)</translation></message>
+<message><source>The vertical plane through the rock, along its longest visible width</source><translation>El plano vertical por la roca, a lo largo de su mayor anchura visible</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, y %2 más seleccionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incierto: rayado</translation></message>
@@ -1292,7 +1294,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % de las rocas tienen un ancho visible de %2 m como máximo</translation></message>
 <message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
-<message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>Zoom to what the section is about</source><translation>Encuadrar aquello de lo que trata la sección</translation></message>

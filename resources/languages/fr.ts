@@ -1238,6 +1238,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>trop incertain pour être montré comme un bloc</translation></message>
 <message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
 <message><source>Name…</source><translation>Nom…</translation></message>
+<message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Split</source><translation>Scinder</translation></message>
 <message><source>Cut</source><translation>Couper</translation></message>
 <message><source>Merge</source><translation>Fusionner</translation></message>
@@ -1247,6 +1248,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Cliquez ensuite sur la partie du bloc qui est un bloc à part ; la molette prend une partie plus petite ou plus grande (S)</translation></message>
 <message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Puis tracez une ligne à travers le bloc, d'un côté à l'autre (X)</translation></message>
 <message><source>A target on this rock holds its name (F2)</source><translation>Une cible sur ce bloc porte son nom (F2)</translation></message>
+<message><source>The vertical plane through the rock, along its longest visible width</source><translation>Le plan vertical par le bloc, le long de sa plus grande largeur visible</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, et %2 de plus sélectionnés</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contour incertain : hachuré</translation></message>
@@ -1292,7 +1294,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % des blocs ont une largeur visible de %2 m au plus</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
-<message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Zoom to what the section is about</source><translation>Cadrer ce que la coupe doit montrer</translation></message>

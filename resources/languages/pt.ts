@@ -1238,6 +1238,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>incerto demais para ser mostrado como rocha</translation></message>
 <message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
 <message><source>Name…</source><translation>Nome…</translation></message>
+<message><source>Section</source><translation>Secção</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
 <message><source>Cut</source><translation>Cortar</translation></message>
 <message><source>Merge</source><translation>Mesclar</translation></message>
@@ -1247,6 +1248,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Depois clique na parte da rocha que é uma rocha à parte; a roda toma uma parte menor ou maior (S)</translation></message>
 <message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Depois trace uma linha através da rocha, de um lado ao outro (X)</translation></message>
 <message><source>A target on this rock holds its name (F2)</source><translation>Um alvo nesta rocha leva o seu nome (F2)</translation></message>
+<message><source>The vertical plane through the rock, along its longest visible width</source><translation>O plano vertical pela rocha, ao longo da sua maior largura visível</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, e mais %2 selecionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incerto: hachurado</translation></message>
@@ -1292,7 +1294,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % das rochas têm uma largura visível de no máximo %2 m</translation></message>
 <message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
-<message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>Zoom to what the section is about</source><translation>Enquadrar aquilo de que trata a secção</translation></message>

@@ -1072,6 +1072,8 @@ private slots:
         QVERIFY2(on.viewer.notice.text().contains("Select a rock first"), qPrintable(on.viewer.notice.text()));
         on.viewer.rocks.select({picture(on).study.rocks.front().cell});
         QVERIFY2(!on.viewer.notice.text().contains("Select a rock first"), qPrintable(on.viewer.notice.text()));
+        on.window.findChild<QPushButton*>("rock-section")->click(); // where the other commands for a rock are
+        QTRY_VERIFY(on.viewer.sections.card() != nullptr && on.viewer.sections.card()->isVisible());
     }
 
     // A section through a rock opens on the rock; its axes are named, and the message of an export counts what is in it.

@@ -100,6 +100,7 @@ Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& ta
             throughRock();
         });
     });
+    connect(&rocks_, &Rocks::sectionRequested, this, &Sections::throughRock);
     connect(&rocks_, &Rocks::selectionChanged, this, [this] {
         if (rocks_.chosen()) notice_.withdraw({askRock()}); // it was done
     });

@@ -72,6 +72,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&card, &RockCard::cutRequested, this, [this](bool on) { useTool(on ? RockTool::Cut : RockTool::None); });
     connect(&card, &RockCard::mergeRequested, this, &Rocks::mergeSelected);
     connect(&card, &RockCard::nameRequested, this, &Rocks::nameRequested);
+    connect(&card, &RockCard::sectionRequested, this, &Rocks::sectionRequested);
     connect(&card, &RockCard::markRequested, this, &Rocks::callChosen);
     connect(this, &Rocks::toolChanged, &card, [&card](RockTool tool) {
         card.split()->setChecked(tool == RockTool::Split);

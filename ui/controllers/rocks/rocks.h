@@ -132,6 +132,7 @@ signals:
     void selectionChanged();
     /// Of the selected rock.
     void nameRequested();
+    void sectionRequested();
 
 private:
     void connectViews();

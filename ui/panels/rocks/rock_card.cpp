@@ -66,8 +66,9 @@ QString whyNoRock(const rocks::Region* region) {
 
 RockCard::RockCard(QWidget* parent)
     : QFrame(parent), swatch_(new QLabel), title_(new QLabel), spans_(new QLabel), state_(new QLabel), caveat_(new QLabel),
-      close_(new QToolButton), name_(new QPushButton(tr("Name…"))), split_(new QPushButton(tr("Split"))), cut_(new QPushButton(tr("Cut"))),
-      merge_(new QPushButton(tr("Merge"))), rockOrNot_(new QPushButton(tr("Not a Rock"))) {
+      close_(new QToolButton), name_(new QPushButton(tr("Name…"))), section_(new QPushButton(tr("Section"))),
+      split_(new QPushButton(tr("Split"))), cut_(new QPushButton(tr("Cut"))), merge_(new QPushButton(tr("Merge"))),
+      rockOrNot_(new QPushButton(tr("Not a Rock"))) {
     setObjectName("rock-card");
     setFrameShape(QFrame::StyledPanel);
     QFont bold = font();
@@ -105,10 +106,12 @@ RockCard::RockCard(QWidget* parent)
     cut_->setToolTip(tr("Then draw a line through the rock, from one side to the other (X)"));
     name_->setObjectName("rock-name");
     name_->setToolTip(tr("A target on this rock holds its name (F2)"));
+    section_->setObjectName("rock-section");
+    section_->setToolTip(tr("The vertical plane through the rock, along its longest visible width"));
     merge_->setToolTip(tr("The selected rocks are one; Ctrl+click selects several (M)"));
     auto* buttons = new FlowLayout;
     buttons->setSpacing(4);
-    for (QPushButton* button : {split_, cut_, merge_, rockOrNot_, name_}) {
+    for (QPushButton* button : {split_, cut_, merge_, rockOrNot_, name_, section_}) {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + kAroundText);
         buttons->addWidget(button);
@@ -125,6 +128,7 @@ RockCard::RockCard(QWidget* parent)
 
     connect(close_, &QToolButton::clicked, this, &RockCard::closeRequested);
     connect(name_, &QPushButton::clicked, this, &RockCard::nameRequested);
+    connect(section_, &QPushButton::clicked, this, &RockCard::sectionRequested);
     connect(split_, &QPushButton::clicked, this, &RockCard::splitRequested);
     connect(cut_, &QPushButton::clicked, this, &RockCard::cutRequested);
     connect(merge_, &QPushButton::clicked, this, &RockCard::mergeRequested);
@@ -153,7 +157,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("a rock by hand: marked or cut");
     state_->setText(state);
     state_->setVisible(!state.isEmpty());
-    for (QPushButton* button : {split_, cut_, name_}) button->setEnabled(isRock_);
+    for (QPushButton* button : {split_, cut_, name_, section_}) button->setEnabled(isRock_);
     merge_->setEnabled(cells.size() > 1);
     const rocks::Region* region = picture.regionAt(cells.back());
     rockOrNot_->setEnabled(region != nullptr);

@@ -44,6 +44,7 @@ signals:
     void cutRequested(bool on);
     void mergeRequested();
     void nameRequested();
+    void sectionRequested();
     /// The operator marks it as a rock, or as not a rock.
     void markRequested(bool rock);
 
@@ -61,6 +62,7 @@ private:
     QLabel* caveat_;
     QToolButton* close_;
     QPushButton* name_;
+    QPushButton* section_;
     QPushButton* split_;
     QPushButton* cut_;
     QPushButton* merge_;
