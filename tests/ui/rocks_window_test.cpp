@@ -14,6 +14,7 @@
 #include "ui/panels/section/section_plot.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
+#include "ui/panels/tuning/edge_legend.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/tool_bar.h"
 
@@ -1062,6 +1063,21 @@ private slots:
             moved += card.x() > left ? 1 : 0;
         }
         QVERIFY2(moved > 0, "it was at one place for all of them");
+    }
+
+    // Its classes say nothing about a cloud whose edges are under the rocks.
+    void theLegendOfEdgesIsFoldedUnderRocks() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bell_));
+        const auto& legend = on.viewer.legend;
+        QTRY_VERIFY(on.viewer.views.cloud().atRest() && legend.height() > 120);
+        const int open = legend.height();
+        on.viewer.rocks.setShown(true);
+        QVERIFY(settled(on));
+        QTRY_VERIFY2(2 * legend.height() < open, qPrintable(QString("%1 of %2").arg(legend.height()).arg(open)));
+        on.viewer.rocks.setShown(false);
+        QTRY_COMPARE(legend.height(), open);
     }
 
     // What a section asks for is not asked once it is done.

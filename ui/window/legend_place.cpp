@@ -61,13 +61,15 @@ QRect changeIn(const CloudView& cloud, const Comparing& comparing) {
     return place.isNull() ? place : place.adjusted(-kRing, -kRing, kRing - 1, kRing - 1).intersected(cloud.rect());
 }
 
-/// Of the targets in view.
+/// Of the targets and the ends of measurements in view.
 std::vector<QRect> ringsIn(const CloudView& cloud) {
     std::vector<QRect> rings;
-    for (const TargetMark& target : cloud.marks().targets) {
-        const auto at = cloud.pixelOf(static_cast<std::uint32_t>(target.cell));
+    const auto add = [&](std::size_t cell) {
+        const auto at = cloud.pixelOf(static_cast<std::uint32_t>(cell));
         if (at) rings.emplace_back(at->toPoint() - QPoint(kRing, kRing), QSize(2 * kRing, 2 * kRing));
-    }
+    };
+    for (const TargetMark& target : cloud.marks().targets) add(target.cell);
+    for (const MeasureMark& measure : cloud.marks().measures) std::ranges::for_each(measure.cells, add);
     return rings;
 }
 

@@ -240,8 +240,9 @@ int EdgeLegend::leastOpen() const { return brief_ ? kLowForGloves : kLow; }
 bool EdgeLegend::canOpen() const { return parentWidget() != nullptr && parentWidget()->height() >= leastOpen(); }
 
 void EdgeLegend::fitInto(int height) {
-    constexpr int kForOthers = 140; // px
-    const bool low = height < leastOpen(), roomy = height >= leastOpen() + kForOthers;
+    constexpr int kForOthers = 140;                                   // px
+    const bool low = height < leastOpen() || (isCovered_ && !brief_); // the classes of edges that rocks cover are in the images only
+    const bool roomy = height >= leastOpen() + kForOthers;
     if (low == low_ && roomy == roomy_) return;
     low_ = low;
     roomy_ = roomy;
