@@ -1,8 +1,10 @@
 // Sessions of a sweep that is being recorded.
 #include "core/base/sha256.h"
 #include "core/inspect/session_file/viewer_state.h"
+#include "core/scan/grid/scan_time.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace edgescan::inspect {
@@ -22,7 +24,9 @@ ScanHead scanHead(const Scan& scan, int lines) {
 }
 
 bool isSweepOf(const SessionScan& scan, const Scan& sweep) {
-    return sweep.beams() == scan.identity.beams && scanHead(sweep, scan.head.lines) == scan.head;
+    const double startS = startOfScan(sweep).value_or(0.0);
+    const bool otherStart = scan.startS > 0.0 && startS > 0.0 && std::abs(startS - scan.startS) > kSameStartS;
+    return !otherStart && sweep.beams() == scan.identity.beams && scanHead(sweep, scan.head.lines) == scan.head;
 }
 
 ViewerState cutTo(ViewerState state, std::size_t cells) {

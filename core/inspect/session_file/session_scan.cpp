@@ -91,13 +91,14 @@ SessionScan fileScan(const fs::path& path, ReadingOptions reading, const Noteboo
     reading.pose = absolutePath(reading.pose).string();
     reading.calibration = absolutePath(reading.calibration).string();
     reading.progress = nullptr;
-    return {SessionScan::Kind::File, absolutePath(path), identity, {}, std::move(reading)};
+    return {SessionScan::Kind::File, absolutePath(path), identity, {}, 0.0, std::move(reading)};
 }
 
 nlohmann::ordered_json sessionScanJson(const SessionScan& scan, const fs::path& folder) {
     nlohmann::ordered_json json{{"kind", kScanKinds[static_cast<std::size_t>(scan.kind)]}};
     if (hasPath(scan.kind)) json["path"] = pathJson(scan.path, folder);
     if (scan.kind == SessionScan::Kind::Recording) json["head"] = {{"lines", scan.head.lines}, {"sha256", scan.head.sha256}};
+    if (scan.startS > 0.0) json["head"]["start_s"] = scan.startS;
     json["sha256"] = scan.identity.sha256;
     json["name"] = scan.identity.name;
     json["lines"] = scan.identity.lines;
@@ -118,6 +119,7 @@ Result<PlacedSessionScan> sessionScanFrom(JsonFields fields, const fs::path& fol
     if (scan.kind == SessionScan::Kind::Recording) {
         JsonFields head = fields.object("head");
         scan.head = {static_cast<int>(head.wholeNumber("lines", 1, kMostSide)), head.text("sha256")};
+        scan.startS = head.number("start_s", 0.0);
         head.done();
     }
     scan.path = pathThere(placed.places);

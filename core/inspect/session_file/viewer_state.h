@@ -37,10 +37,13 @@ struct SessionScan {
     std::filesystem::path path; ///< absolute; empty for the demo
     NotebookScan identity;      ///< for a recording that is still being written: without a hash, and with the number of lines at that time
     ScanHead head;              ///< only for a recording
+    double startS = 0.0;        ///< only for a recording: of its sweep, s since 1970; 0: not known
     ReadingOptions reading;     ///< paths of pose and calibration are absolute; without progress
 };
 
-/// That a scan is the sweep of a recording that `scan` names.
+/// Sweeps of one scanner start later than that after each other, s. A sweep's own start differs less between scanner and recording.
+inline constexpr double kSameStartS = 0.3;
+/// That a scan is the sweep of a recording that `scan` names: by its first ranges, and by its start where both are known.
 [[nodiscard]] bool isSweepOf(const SessionScan& scan, const Scan& sweep);
 
 /// For a file, and for a recording that was being written.

@@ -4,6 +4,7 @@
 #include "core/base/sha256.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
+#include "core/scan/grid/scan_time.h"
 #include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
 #include "ui/base/save_question.h"
@@ -102,6 +103,7 @@ std::optional<inspect::SessionScan> Sessions::scanTaken() const {
     of.kind = inspect::SessionScan::Kind::Recording;
     of.identity.sha256.clear(); // of a file that grows
     of.head = inspect::scanHead(scan);
+    of.startS = startOfScan(scan).value_or(0.0);
     return of;
 }
 

@@ -22,12 +22,6 @@
 #include <utility>
 
 namespace edgescan::ui {
-namespace {
-
-constexpr double kSameStartS = 0.3; // s: sweeps of one scanner start later than that after each other
-
-} // namespace
-
 Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Preferences& preferences,
                  QUndoStack& undo)
     : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
@@ -164,7 +158,7 @@ void Targets::findSweep() {
     for (const auto& [key, sweep] : sweeps_) {
         if (scan_->beams() != sweep.beams || stream_ == sweep.stream) continue; // the next sweep of a scanner is another
         later = later || scan_->lines() < sweep.head.lines;
-        if (std::abs(startOfScan(*scan_).value_or(0.0) - sweep.startS) > kSameStartS ||
+        if (std::abs(startOfScan(*scan_).value_or(0.0) - sweep.startS) > inspect::kSameStartS ||
             inspect::scanHead(*scan_, sweep.head.lines) != sweep.head)
             continue;
         notebook_ = others_[key];

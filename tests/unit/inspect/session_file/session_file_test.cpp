@@ -1,5 +1,6 @@
 // Session files: a written session is read back unchanged, and a damaged one is never partly loaded.
 #include "core/inspect/session_file/session_file.h"
+#include "core/scan/grid/acquisition.h"
 
 #include "core/base/whole_file.h"
 #include "tests/support/damage.h"
@@ -108,6 +109,18 @@ TEST(SessionFile, ARecordingThatLostItsEndKeepsWhatIsStillThere) {
     EXPECT_EQ(scanHead(longer, 16), before.scan.head);
     longer.rangeMm[3] += 1.0F;
     EXPECT_NE(scanHead(longer, 16), before.scan.head);
+    // Of two sweeps with the same ranges, the start decides.
+    before.scan.identity.beams = scan.beams();
+    before.scan.startS = 1.7e9;
+    const auto timed = sessionFromText(sessionText(before, "/sessions", ""), "/sessions", "test");
+    ASSERT_TRUE(bool(timed)) << timed.error().sentence();
+    EXPECT_EQ(timed->state.scan.startS, 1.7e9);
+    for (const auto& [startS, isIt] : {std::pair(1.7e9 + 0.1, true), {1.7e9 + 40.0, false}}) {
+        Acquisition acquisition;
+        acquisition.lineTimesS = {startS};
+        scan.acquisition = std::make_shared<const Acquisition>(std::move(acquisition));
+        EXPECT_EQ(isSweepOf(before.scan, scan), isIt);
+    }
     // Cells that were lost are named no more.
     const ViewerState whole = cutTo(before, 120000);
     EXPECT_EQ(sessionText(whole, "/sessions", ""), sessionText(before, "/sessions", ""));
