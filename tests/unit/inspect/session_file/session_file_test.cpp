@@ -110,16 +110,19 @@ TEST(SessionFile, ARecordingThatLostItsEndKeepsWhatIsStillThere) {
     longer.rangeMm[3] += 1.0F;
     EXPECT_NE(scanHead(longer, 16), before.scan.head);
     // Of two sweeps with the same ranges, the start decides.
-    before.scan.identity.beams = scan.beams();
-    before.scan.startS = 1.7e9;
-    const auto timed = sessionFromText(sessionText(before, "/sessions", ""), "/sessions", "test");
-    ASSERT_TRUE(bool(timed)) << timed.error().sentence();
-    EXPECT_EQ(timed->state.scan.startS, 1.7e9);
+    SessionScan timed = before.scan;
+    timed.identity.beams = scan.beams();
+    timed.startS = 1.7e9;
+    ViewerState stored = before;
+    stored.scan.startS = timed.startS;
+    const auto again = sessionFromText(sessionText(stored, "/sessions", ""), "/sessions", "test");
+    ASSERT_TRUE(bool(again)) << again.error().sentence();
+    EXPECT_EQ(again->state.scan.startS, timed.startS);
     for (const auto& [startS, isIt] : {std::pair(1.7e9 + 0.1, true), {1.7e9 + 40.0, false}}) {
         Acquisition acquisition;
         acquisition.lineTimesS = {startS};
         scan.acquisition = std::make_shared<const Acquisition>(std::move(acquisition));
-        EXPECT_EQ(isSweepOf(before.scan, scan), isIt);
+        EXPECT_EQ(isSweepOf(timed, scan), isIt);
     }
     // Cells that were lost are named no more.
     const ViewerState whole = cutTo(before, 120000);
