@@ -6,6 +6,7 @@
 #include "core/edges/gray/gray.h"
 #include "core/exports/rock_files.h"
 #include "core/exports/rock_outlines.h"
+#include "core/exports/rock_report.h"
 #include "core/exports/section_files.h"
 #include "core/exports/target_files.h"
 #include "core/files/formats/formats.h"
@@ -41,16 +42,11 @@ Files grayImageFile(const ExportInput& in) {
 Files rangeImage(const ExportInput& in) { return one(in, containers::png16Bytes(rangePicture(in.scan), in.path.string(), in.record)); }
 Files wholeScan(const ExportInput& in) { return files::scanFiles(in.scan, in.path, in.save); }
 
-rocks::NamedCells namedCells(const ExportOptions& options) {
-    rocks::NamedCells names;
-    if (!options.targets) return names;
-    for (const inspect::PinnedTarget& target : *options.targets) names.emplace_back(target.cell, target.name);
-    return names;
-}
+rocks::NamedCells rockNames(const ExportOptions& options) { return options.targets ? namedCells(*options.targets) : rocks::NamedCells(); }
 Files rockReport(const ExportInput& in) {
-    return one(in, reportBytes(*in.options.rocks, in.options.frame, namedCells(in.options), in.path, in.record));
+    return one(in, reportBytes(*in.options.rocks, in.options.frame, rockNames(in.options), in.path, in.record));
 }
-Files rockTable(const ExportInput& in) { return one(in, tableBytes(*in.options.rocks, in.options.frame, namedCells(in.options), in.path)); }
+Files rockTable(const ExportInput& in) { return one(in, tableBytes(*in.options.rocks, in.options.frame, rockNames(in.options), in.path)); }
 Files rockLabelPicture(const ExportInput& in) {
     const auto picture = labelPicture(*in.options.rocks, in.path.string());
     if (!picture) return picture.error();

@@ -64,6 +64,12 @@ struct CsvText {
 
 std::string labelsSha256(const Grid<std::uint32_t>& labels) { return sha256Hex(std::as_bytes(std::span(labels.cells))); }
 
+rocks::NamedCells namedCells(std::span<const inspect::PinnedTarget> targets) {
+    rocks::NamedCells names;
+    for (const inspect::PinnedTarget& target : targets) names.emplace_back(target.cell, target.name);
+    return names;
+}
+
 Json rocksReport(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names) {
     const Scan& scan = *study.segmentation->inputs.scan;
     const rocks::UpDirection up = rocks::upOf(scan);

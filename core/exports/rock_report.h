@@ -1,6 +1,7 @@
 // Rocks as JSON and as a table (docs/reference/command-line.md, "JSON of rocks").
 #pragma once
 
+#include "core/inspect/measure/notebook.h"
 #include "core/rocks/attributes/rock_columns.h"
 #include "core/rocks/attributes/study.h"
 #include "core/rocks/attributes/why_border.h"
@@ -8,11 +9,15 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <span>
 #include <string>
 
 namespace edgescan::exports {
 
 inline constexpr const char* kRocksSchema = "edgescan-rocks/1";
+
+/// The names of targets, for the rows of the rocks that they are on.
+[[nodiscard]] rocks::NamedCells namedCells(std::span<const inspect::PinnedTarget> targets);
 
 /// The same for the same scan, settings and edits, independent of time and folder. Frames other than Scanner need a scan with a placement.
 [[nodiscard]] nlohmann::ordered_json rocksReport(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names = {});

@@ -302,7 +302,7 @@ TargetNumbers CabMode::numbers() const {
     const TargetSurroundings around = targets.around(target->cell);
     values.distance = distanceText(cell);
     values.tolerance = toleranceText(cell);
-    values.rock = tr("Rock, visible");
+    values.rock = around.rocksShown && around.rocksKnown ? tr("Rock") : tr("Rock, visible");
     values.size = QStringLiteral("–");
     if (around.rock != nullptr) {
         addSize(values, *around.rock);
@@ -310,7 +310,6 @@ TargetNumbers CabMode::numbers() const {
         values.sizeRemark = !around.rocksShown  ? tr("tap Rocks to measure it")
                             : around.rocksKnown ? tr("no rock here")
                                                 : tr("being computed …");
-        if (around.rocksShown && around.rocksKnown) values.rock = tr("Rock");
     }
     if (!target->note.empty()) values.rows.emplace_back(tr("Note"), shownName(exactText(target->note)));
     if (cell.probe.state != CellState::Valid) return values;

@@ -6,6 +6,7 @@
 #include "core/exports/html/html.h"
 #include "core/exports/html/numbered_picture.h"
 #include "core/exports/html/scan_pictures.h"
+#include "core/exports/rock_report.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/rocks/attributes/rock_columns.h"
 #include "core/rocks/attributes/size_curve.h"
@@ -125,32 +126,22 @@ std::vector<const rocks::Rock*> listedRocks(const rocks::Study& study) {
     return largest;
 }
 
-/// Of several targets with a name on one rock the last one, as in the table of the window.
-std::string nameOf(const rocks::Rock& rock, const rocks::Faces& faces, const inspect::Notebook* notebook) {
-    std::string name;
-    if (notebook == nullptr) return name;
-    for (const inspect::PinnedTarget& target : notebook->targets) {
-        if (!target.name.empty() && target.cell < faces.labels.size() && faces.labels[target.cell] == rock.label) name = target.name;
-    }
-    return name;
-}
-
-std::string tableOf(const rocks::Study& study, const rocks::Faces& faces, const inspect::Notebook* notebook) {
+std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook) {
     const Scan& scan = *study.segmentation->inputs.scan;
     const std::vector<const rocks::Rock*> largest = listedRocks(study);
-    const rocks::RockRows rows(study, files::usualFrame(scan));
+    const rocks::RockRows rows(study, files::usualFrame(scan), notebook != nullptr ? namedCells(notebook->targets) : rocks::NamedCells());
     std::string html = "<div class=\"wide\"><table id=\"rocks\">\n<thead><tr>", body;
     for (const rocks::RockColumn& column : rocks::rockColumns(rows.frame())) {
         if (column.title != nullptr) html += "<th class=\"number\">" + htmlText(column.title) + "</th>";
     }
     for (const rocks::Rock* rock : largest) {
         const rocks::RockRow row = rows.of(*rock);
-        std::string name = nameOf(*rock, faces, notebook); // after its number, the first column
+        std::string names = row.names; // after its number, the first column
         body += "<tr>";
         for (const rocks::RockColumn& column : rocks::rockColumns(rows.frame())) {
             if (column.title != nullptr)
                 body += "<td class=\"number\" data-name=\"" + htmlText(column.title) + "\">" + htmlText(column.text(row)) +
-                        (name.empty() ? "" : " " + htmlText(std::exchange(name, {}))) + "</td>";
+                        (names.empty() ? "" : " " + htmlText(std::exchange(names, {}))) + "</td>";
         }
         body += "</tr>\n";
     }
@@ -244,7 +235,7 @@ std::string rockSection(const edges::Detection& detection, const rocks::Study& s
     std::string html = "<h2>Rocks</h2>\n" + countsOf(study, curve);
     html += picturesOf(detection, study, faces);
     if (curve.rocks() > 0) html += "<h2>Sizes of the visible rocks</h2>\n" + sizeDrawing(curve);
-    return html + "<h2>The rocks with the largest visible width b</h2>\n" + tableOf(study, faces, notebook);
+    return html + "<h2>The rocks with the largest visible width b</h2>\n" + tableOf(study, notebook);
 }
 
 Json rockFaceData(const rocks::Study& study) {

@@ -19,7 +19,7 @@ namespace edgescan::inspect {
 /// The basis of the registration.
 enum class RegistrationBasis : std::uint8_t {
     OneScan,  ///< both are the same scan with different settings
-    Poses,    ///< both have a placement
+    Poses,    ///< both have a placement, or the request has poses
     Surfaces, ///< only their surfaces: at least one has no placement
 };
 

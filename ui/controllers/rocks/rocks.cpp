@@ -251,17 +251,22 @@ void Rocks::selectPinned() {
 
 void Rocks::setTargets(const RockNames& targets, const std::vector<inspect::PinnedTarget>& pinned) {
     pinnedTargets_ = pinned;
-    names_.clear();
-    for (const inspect::PinnedTarget& target : pinned) {
-        if (!target.name.empty()) names_.emplace_back(target.cell, shownName(exactText(target.name)));
-    }
-    table_.setNames(names_);
+    table_.setNames(names());
     if (std::exchange(targets_, targets) != targets) showCard();
+}
+
+/// Of the targets that have one.
+RockNames Rocks::names() const {
+    RockNames names;
+    for (const inspect::PinnedTarget& target : pinnedTargets_) {
+        if (!target.name.empty()) names.emplace_back(target.cell, shownName(exactText(target.name)));
+    }
+    return names;
 }
 
 void Rocks::showCard() {
     if (picture_)
-        panel_.card().show(*picture_, selected_, behind() || engine_.placePending(), targets_, names_);
+        panel_.card().show(*picture_, selected_, behind() || engine_.placePending(), targets_, names());
     else
         panel_.card().hide();
 }

@@ -168,6 +168,7 @@ private:
     [[nodiscard]] bool completesCut(std::vector<QPoint>& cells);
     void takeStroke(std::vector<QPoint> cells);
     void takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut);
+    [[nodiscard]] RockNames names() const;
     void takeJoin(const rocks::CutLine& stroke);
     void takeRegion(const std::vector<QPoint>& cells);
     void choosePieceAt(std::size_t cell);
@@ -196,7 +197,7 @@ private:
     std::shared_ptr<const RockPicture> picture_;
     std::shared_ptr<const edges::Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;
-    RockNames targets_, names_;
+    RockNames targets_;
     std::vector<inspect::PinnedTarget> pinnedTargets_;
     bool largestWanted_ = false; // as soon as the rocks are known
     std::optional<std::size_t> pinned_;

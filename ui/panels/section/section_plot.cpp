@@ -258,8 +258,8 @@ QRectF SectionPlot::drawNumber(QPainter& painter, const std::vector<QRectF>& tex
     const double left = std::clamp(top->x() - box.width() / 2, 2.0, std::max(2.0, width() - box.width() - 2));
     const auto isFree = [&](double x, double y) {
         box.moveTopLeft({x, y});
-        return QRectF(rect()).contains(box) && !coversLine(box) &&
-               std::ranges::none_of(texts, [&](const QRectF& each) { return each.intersects(box); });
+        return QRectF(rect()).contains(box) && std::ranges::none_of(texts, [&](const QRectF& each) { return each.intersects(box); }) &&
+               !coversLine(box);
     };
     const double above = top->y() - box.height() - kOutline, below = top->y() + kOutline;
     bool found = false;
