@@ -1563,9 +1563,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>in B</source><translation>en B</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
+<message><source>Rock</source><translation>Roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
-<message><source>Rock</source><translation>Roca</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>

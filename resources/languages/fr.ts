@@ -1563,9 +1563,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>in B</source><translation>dans B</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
+<message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
-<message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>

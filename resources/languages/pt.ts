@@ -1563,9 +1563,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>in B</source><translation>em B</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
+<message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
-<message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
