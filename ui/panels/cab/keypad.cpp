@@ -127,6 +127,10 @@ bool Keypad::eventFilter(QObject* watched, QEvent* event) {
         if (field != nullptr && field->hasFocus()) openFor(*field); // closed by its key, and tapped again
     } else if (event->type() == QEvent::MouseButtonRelease && watched->isWidgetType()) {
         selectWhole(*static_cast<QWidget*>(watched));
+    } else if (event->type() == QEvent::Show && qobject_cast<QFileDialog*>(watched) != nullptr) {
+        auto* files = static_cast<QFileDialog*>(watched); // it has its place a little later
+        QMetaObject::invokeMethod(
+            files, [this, files] { openAbove(*files); }, Qt::QueuedConnection);
     } else if (event->type() == QEvent::Hide && (watched == field_ || watched == moved_)) {
         close();
         if (watched == moved_) giveBackRoom(); // it opens again as it was
@@ -151,48 +155,69 @@ void Keypad::make(QWidget& window) {
     pages->addWidget(page("keypad-letters", kLetterRows, size));
 }
 
+void Keypad::makeFor(QWidget& window) {
+    if (keys_ != nullptr && keys_->parentWidget() == &window) return;
+    if (keys_ != nullptr) keys_->deleteLater();
+    make(window);
+}
+
 void Keypad::openFor(QWidget& field) {
     closedFor_ = nullptr;
     if (field_ == &field && isVisible()) return keys_->raise();
     field_ = &field;
-    if (keys_ == nullptr || keys_->parentWidget() != field.window()) {
-        if (keys_ != nullptr) keys_->deleteLater();
-        make(*field.window());
-    }
+    makeFor(*field.window());
     setCapitals(false);
     showPage(!isNumber(field));
     keys_->show();
     QMetaObject::invokeMethod(keys_, &QWidget::raise, Qt::QueuedConnection); // a dialog raises itself after it got the focus
 }
 
-/// At the bottom of the screen, or at its top if the field is there. A dialog moves above the keys. If it is too high for that, it stays on
-/// the screen, and the keys are where its field is not.
-void Keypad::dock() {
-    const QWidget& window = *field_->window();
-    const QRect room = field_->screen()->availableGeometry();
-    const auto edit = [this] { return QRect(field_->mapToGlobal(QPoint()), field_->size()); };
+/// The keys of a dialog of files come when the operator has seen its buttons: it opens where it is not in their way. It moved when they
+/// came, and Cancel was then where Save had been.
+void Keypad::openAbove(QFileDialog& files) {
+    if (!files.isVisible()) return;
+    makeFor(files);
+    showPage(true);
+    makeRoom(files, usualPlace(files), QRect());
+}
+
+/// At the bottom of the screen of `window`, in its middle.
+QRect Keypad::usualPlace(const QWidget& window) const {
+    const QRect room = window.screen()->availableGeometry();
     QRect place(QPoint(), keys_->size());
     place.moveCenter(room.center());
     place.moveBottom(room.bottom());
+    return place;
+}
+
+/// The dialog goes above the keys at `place`, as high as the room there if it can be. If it is too high for that, it stays on the screen,
+/// as far from the screen's upper or lower end as its `field` (on the screen) needs.
+void Keypad::makeRoom(QDialog& dialog, const QRect& place, const QRect& field) {
+    const QRect room = dialog.screen()->availableGeometry();
+    const int around = dialog.frameGeometry().height() - dialog.height();
+    dialog.resize(dialog.width(), std::clamp(place.top() - room.top() - around,
+                                             std::min(dialog.minimumSizeHint().height(), dialog.height()), dialog.height()));
+    const int height = dialog.frameGeometry().height();
+    int top = std::max(room.top(), place.top() - height);
+    if (top + height > place.top()) {
+        const QRect moved = field.translated(0, top - dialog.frameGeometry().top());
+        const int lowest = std::max(room.top(), room.bottom() + 1 - height);
+        if (moved.bottom() >= place.top()) top = std::clamp(top + room.top() + place.height() + kKeyGap - moved.top(), room.top(), lowest);
+    }
+    dialog.move(dialog.frameGeometry().left(), top);
+}
+
+/// At the bottom of the screen, or at its top if the field is there. A dialog moves above the keys.
+void Keypad::dock() {
+    const auto edit = [this] { return QRect(field_->mapToGlobal(QPoint()), field_->size()); };
+    QRect place = usualPlace(*field_);
     auto* dialog = qobject_cast<QDialog*>(field_->window());
-    if (dialog != nullptr && window.frameGeometry().bottom() >= place.top()) {
+    if (dialog != nullptr && dialog->frameGeometry().bottom() >= place.top()) {
         if (std::exchange(moved_, dialog) != dialog) before_ = dialog->geometry();
-        // As high as the room above the keys, if it can be.
-        const int around = window.frameGeometry().height() - window.height();
-        dialog->resize(window.width(), std::clamp(place.top() - room.top() - around,
-                                                  std::min(window.minimumSizeHint().height(), window.height()), window.height()));
-        const int height = window.frameGeometry().height();
-        int top = std::max(room.top(), place.top() - height);
-        if (top + height > place.top()) { // as far from the upper or the lower end of the screen as its field needs
-            const QRect field = edit().translated(0, top - window.frameGeometry().top());
-            const int lowest = std::max(room.top(), room.bottom() + 1 - height);
-            if (field.bottom() >= place.top())
-                top = std::clamp(top + room.top() + place.height() + kKeyGap - field.top(), room.top(), lowest);
-        }
-        dialog->move(window.frameGeometry().left(), top);
+        makeRoom(*dialog, place, edit());
     }
     scrollTo(*field_);
-    if (place.intersects(edit())) place.moveTop(room.top());
+    if (place.intersects(edit())) place.moveTop(field_->screen()->availableGeometry().top());
     keys_->move(place.topLeft());
 }
 

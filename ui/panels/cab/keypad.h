@@ -5,6 +5,8 @@
 #include <QPointer>
 #include <QWidget>
 
+class QDialog;
+class QFileDialog;
 class QToolButton;
 
 namespace edgescan::ui {
@@ -12,7 +14,8 @@ namespace edgescan::ui {
 /// GUI thread only. While it is on, keys open at the bottom of the screen for each field that gets the focus or is tapped, and close with
 /// the focus, with their own key, with Escape and with the dialog. Enter goes to the next field of a dialog; in its last one it closes
 /// them. A tap selects the text of a field of one line. The dialog of the field moves up, so that its buttons stay in sight, and back when
-/// a key closes the keys or it is closed itself. The keys act on that field like a keyboard and never take the focus.
+/// a key closes the keys or it is closed itself; one of files, whose keys come by a tap, opens above their place. The keys act on that
+/// field like a keyboard and never take the focus.
 class Keypad : public QObject {
     Q_OBJECT
 public:
@@ -38,12 +41,16 @@ private:
     void closeByKey();
     [[nodiscard]] QWidget* nextField() const;
     void dock();
+    void openAbove(QFileDialog& files);
+    [[nodiscard]] QRect usualPlace(const QWidget& window) const;
+    static void makeRoom(QDialog& dialog, const QRect& place, const QRect& field);
     void giveBackRoom();
     void type(const QString& text);
     void press(int key, const QString& text = {});
     void showPage(bool letters);
     void setCapitals(bool on);
     void make(QWidget& window);
+    void makeFor(QWidget& window);
     [[nodiscard]] QWidget* page(const char* name, const QStringList& rows, int size);
 
     QPointer<QWidget> field_;
