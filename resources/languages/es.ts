@@ -519,7 +519,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Measure a distance first: a section goes through its two ends.</source><translation>Mida primero una distancia: la sección pasa por sus dos extremos.</translation></message>
 <message><source>Select a rock first: show the rocks and click on the face of one.</source><translation>Seleccione primero una roca: muestre las rocas y haga clic en la cara de una.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>El plano de la sección no corta ninguna superficie: elija otras dos celdas.</translation></message>
-<message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
+<message><source>Vertical plane, true scale; dash-dotted in the views.</source><translation>Plano vertical, escala real; en las vistas, línea de trazo y punto.</translation></message>
 <message><source>Rocks have their colours.</source><translation>Las rocas tienen sus colores.</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sin pose: arriba es el z del escáner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Las rocas aún se están calculando: exporte de nuevo la sección en un momento.</translation></message>

@@ -519,7 +519,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Measure a distance first: a section goes through its two ends.</source><translation>Mesurez d'abord une distance : la coupe passe par ses deux extrémités.</translation></message>
 <message><source>Select a rock first: show the rocks and click on the face of one.</source><translation>Sélectionnez d'abord un bloc : affichez les blocs et cliquez sur la face de l'un d'eux.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>Le plan de la coupe ne rencontre aucune surface : choisissez deux autres cellules.</translation></message>
-<message><source>Vertical plane, true scale.</source><translation>Plan vertical, échelle vraie.</translation></message>
+<message><source>Vertical plane, true scale; dash-dotted in the views.</source><translation>Plan vertical, échelle vraie ; trait mixte dans les vues.</translation></message>
 <message><source>Rocks have their colours.</source><translation>Les blocs ont leurs couleurs.</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ pas de pose : le haut est le z du scanner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Les blocs sont encore en cours de calcul : exportez de nouveau la coupe dans un instant.</translation></message>

@@ -519,7 +519,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Measure a distance first: a section goes through its two ends.</source><translation>Meça primeiro uma distância: a secção passa pelas suas duas extremidades.</translation></message>
 <message><source>Select a rock first: show the rocks and click on the face of one.</source><translation>Selecione primeiro uma rocha: mostre as rochas e clique na face de uma.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>O plano da secção não encontra nenhuma superfície: escolha outras duas células.</translation></message>
-<message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
+<message><source>Vertical plane, true scale; dash-dotted in the views.</source><translation>Plano vertical, escala real; traço-ponto nas vistas.</translation></message>
 <message><source>Rocks have their colours.</source><translation>As rochas têm suas cores.</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sem pose: para cima é o z do scanner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>As rochas ainda estão sendo calculadas: exporte de novo a seção em um momento.</translation></message>

@@ -666,7 +666,8 @@ private slots:
         QImage picture(200, 100, QImage::Format_RGB32);
         QPainter painter(&picture);
         ScreenMarks marks;
-        marks.targets = {{{QPointF(100, 50)}, "1", true}, {{QPointF(-60, 50)}, "2", false}, {{QPointF(90, 160)}, "3", false}};
+        marks.targets = {
+            {QPointF(100, 50), false, "1", true}, {QPointF(-60, 50), false, "2", false}, {QPointF(90, 160), false, "3", false}};
         const auto tags = drawScreenMarks(painter, picture.rect(), marks);
         QCOMPARE(static_cast<int>(tags.size()), 1);
         QVERIFY(tags.front().left() > 100);

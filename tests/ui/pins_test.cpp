@@ -92,9 +92,7 @@ private slots:
             CellMarks of;
             of.measures.push_back({.cells = {0, 1}, .links = {{0, 1}}, .label = "M1 Throat 2.34 m ± 0.05", .active = true, .brief = brief});
             of.targets.push_back({2, "1 keystone · 19.11 m · rock 3", brief, true});
-            const auto placeOf = [](std::size_t cell) {
-                return std::optional(MarkPlace{QPointF(20.0 + 30.0 * static_cast<double>(cell), 40)});
-            };
+            const auto placeOf = [](std::size_t cell) { return std::optional(QPointF(20.0 + 30.0 * static_cast<double>(cell), 40)); };
             const auto tags = drawScreenMarks(painter, picture.rect(), screenMarks(of, placeOf, true));
             QCOMPARE(tags.size(), std::size_t(*brief == 0 ? 0 : 2));
             for (const MarkTag& tag : tags) QVERIFY(QRectF(picture.rect()).contains(tag) && tag.width() < 50.0);
@@ -128,7 +126,7 @@ private slots:
         const QRectF plate(0, 150, 140, 150), text(100, 0, 200, 30);
         ScreenMarks marks;
         const std::vector<QPointF> places{{200, 100}, {225, 90}, {240, 105}, {60, 200}, {160, 35}};
-        for (const QPointF& at : places) marks.targets.push_back({{at}, "4 · 19.11 m", false});
+        for (const QPointF& at : places) marks.targets.push_back({at, false, "4 · 19.11 m", false});
         const auto tags = drawScreenMarks(painter, picture.rect(), marks, {plate}, {text});
         QCOMPARE(tags.size(), places.size() - 1);
         for (const QRectF& tag : tags) {
@@ -154,7 +152,7 @@ private slots:
                 CellMarks of;
                 for (std::size_t n = 0; n < places.size(); ++n)
                     of.targets.push_back({n, QString("%1 keystone · 4.91 m · rock 3").arg(n + 1), QString::number(n + 1), n == 3});
-                const ScreenMarks marks = screenMarks(of, [&](std::size_t cell) { return std::optional(MarkPlace{places[cell]}); });
+                const ScreenMarks marks = screenMarks(of, [&](std::size_t cell) { return std::optional(places[cell]); });
                 const auto tags = drawScreenMarks(painter, picture.rect(), marks);
                 if (qEnvironmentVariableIsSet("EDGESCAN_LOOK"))
                     picture.save(QString("%1/tags-%2-%3-%4.png")
@@ -199,13 +197,11 @@ private slots:
         QPainter painter(&picture);
         CellMarks of;
         for (std::size_t n = 0; n < 3; ++n) of.targets.push_back({n, "keystone · 19.11 m", QString::number(n + 1), n == 2});
-        const auto placeOf = [](std::size_t cell) {
-            return std::optional(MarkPlace{QPointF(30.0 + 30.0 * static_cast<double>(cell), 30)});
-        };
+        const auto placeOf = [](std::size_t cell) { return std::optional(QPointF(30.0 + 30.0 * static_cast<double>(cell), 30)); };
         const auto tags = drawScreenMarks(painter, picture.rect(), screenMarks(of, placeOf));
         QCOMPARE(tags.size(), std::size_t(3));
         for (const MarkTag& tag : tags) {
-            for (std::size_t n = 0; n < 3; ++n) QVERIFY(!QRectF(placeOf(n)->at - QPointF(9, 9), QSizeF(18, 18)).intersects(tag));
+            for (std::size_t n = 0; n < 3; ++n) QVERIFY(!QRectF(*placeOf(n) - QPointF(9, 9), QSizeF(18, 18)).intersects(tag));
         }
         QVERIFY2(std::ranges::any_of(tags, [](const MarkTag& tag) { return tag.width() < 40.0; }), "the test can fail");
     }
@@ -218,7 +214,7 @@ private slots:
         ScreenMarks marks;
         std::vector<QPointF> places;
         for (int n = 0; n < 16; ++n) places.emplace_back(112 + 14 * (n % 4), 72 + 14 * (n / 4));
-        for (const QPointF& at : places) marks.targets.push_back({{at}, "12 · 4.91 m", false});
+        for (const QPointF& at : places) marks.targets.push_back({at, false, "12 · 4.91 m", false});
         auto tags = drawScreenMarks(painter, picture.rect(), marks);
         std::ranges::reverse(tags);
         QCOMPARE(tags.size(), places.size());
@@ -272,7 +268,7 @@ private slots:
                     {{2 * n, 2 * n + 1}, {{0, 1}}, "0.534 m ± 0.021 m", {}, n == chosen, "M" + QString::number(n + 1)});
             const auto placeOf = [](std::size_t cell) {
                 const double far = cell >= 8 ? 300.0 : 6.0 * static_cast<double>(cell / 2);
-                return std::optional(MarkPlace{QPointF(100.0 + 40.0 * static_cast<double>(cell % 2), 100.0 + far)});
+                return std::optional(QPointF(100.0 + 40.0 * static_cast<double>(cell % 2), 100.0 + far));
             };
             QStringList words;
             for (const auto& measure : screenMarks(marks, placeOf).measures) words << measure.label;
@@ -287,7 +283,7 @@ private slots:
     // A length in a small image has its line only: its label would cover the image, and the cloud has it.
     void aSmallViewHasNoLabelsOfLengths() {
         const CellMarks marks{{}, {{{1, 2}, {{0, 1}}, "1.402 m"}}};
-        const auto placeOf = [](std::size_t cell) { return std::optional(MarkPlace{QPointF(10.0 * static_cast<double>(cell), 5.0)}); };
+        const auto placeOf = [](std::size_t cell) { return std::optional(QPointF(10.0 * static_cast<double>(cell), 5.0)); };
         QCOMPARE(screenMarks(marks, placeOf).measures.front().label, QString("1.402 m"));
         QVERIFY(screenMarks(marks, placeOf, true).measures.front().label.isEmpty());
         QCOMPARE(screenMarks(marks, placeOf, true).measures.front().lines.size(), std::size_t{1});
@@ -300,7 +296,7 @@ private slots:
             picture.fill(Qt::gray);
             QPainter painter(&picture);
             const CellMarks marks{{}, {{{0, 1}, {{0, 1}}, QString(), {}, active}}};
-            const auto placeOf = [](std::size_t cell) { return std::optional(MarkPlace{QPointF(cell == 0 ? 20.0 : 100.0, 30.0)}); };
+            const auto placeOf = [](std::size_t cell) { return std::optional(QPointF(cell == 0 ? 20.0 : 100.0, 30.0)); };
             (void)drawScreenMarks(painter, picture.rect(), screenMarks(marks, placeOf));
             return qGray(picture.pixel(at));
         };
@@ -313,7 +309,7 @@ private slots:
         QImage picture(150, 40, QImage::Format_RGB32);
         QPainter painter(&picture);
         ScreenMarks marks;
-        for (int n = 0; n < 5; ++n) marks.targets.push_back({{QPointF(30.0 + 4 * n, 25)}, QString("%1 · 19.11 m").arg(n + 1), n == 4});
+        for (int n = 0; n < 5; ++n) marks.targets.push_back({QPointF(30.0 + 4 * n, 25), false, QString("%1 · 19.11 m").arg(n + 1), n == 4});
         marks.measures = {{{}, {}, "1.402 m", QPointF(60, 20)}};
         marks.measures[0].lines = {QLineF(50, 20, 70, 20)};
         const auto tags = drawScreenMarks(painter, picture.rect(), marks);
@@ -549,7 +545,7 @@ private slots:
     // The label counts more than what is near it; a finger need not hit a ring.
     void aMarkIsHitWhereItIsDrawn() {
         ScreenMarks marks;
-        marks.targets = {{{QPointF(50, 50)}, "1", false, 7}, {{QPointF(90, 50)}, "2", true, 8}};
+        marks.targets = {{QPointF(50, 50), false, "1", false, 7}, {QPointF(90, 50), false, "2", true, 8}};
         marks.measures = {{{QLineF(50, 90, 150, 90)}, {QPointF(50, 90), QPointF(150, 90)}, "1 m", QPointF(100, 90), false, 3}};
         const std::vector<MarkTag> tags{{QRectF(60, 30, 40, 15), {false, 7}}, {QRectF(100, 70, 40, 15), {true, 3}}};
         const auto at = [&](double x, double y, bool finger = false) { return markAt(marks, tags, QPointF(x, y), finger); };

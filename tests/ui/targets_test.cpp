@@ -416,6 +416,23 @@ private slots:
         SectionPlot& plot = on.viewer.sections.card()->plot();
         QTRY_VERIFY(plot.section() != nullptr);
         QVERIFY(plot.section()->lines.size() >= 2);
+        // Each view shows where it is, until it is closed.
+        QCOMPARE(gray.marks().cut.size(), plot.section()->lines.size());
+        QCOMPARE(on.viewer.cloud.marks().cut, gray.marks().cut);
+        for (std::size_t n = 0; n < plot.section()->lines.size(); ++n) {
+            for (const inspect::SectionVertex& vertex : plot.section()->lines[n])
+                QVERIFY(std::ranges::count(gray.marks().cut[n], vertex.cell) > 0);
+        }
+        const auto isDrawn = [](QWidget& view) {
+            const QImage drawn = view.grab().toImage().convertToFormat(QImage::Format_RGB32);
+            for (int y = 0; y < drawn.height(); ++y) {
+                for (int x = 0; x < drawn.width(); ++x) {
+                    if (drawn.pixel(x, y) == QColor(255, 220, 110).rgb()) return true;
+                }
+            }
+            return false;
+        };
+        QVERIFY(isDrawn(gray));
         const QPointF one = plot.placeOf({1.0, 0.0}) - plot.placeOf({0.0, 0.0}),
                       other = plot.placeOf({0.0, 1.0}) - plot.placeOf({0.0, 0.0});
         QVERIFY(std::abs(one.x() + other.y()) < 1e-6 && one.x() > 0);
@@ -458,6 +475,7 @@ private slots:
         QCOMPARE(perM(), fitted);
         press("section-close");
         QVERIFY(!on.viewer.sections.card()->isVisible());
+        QVERIFY(gray.marks().cut.empty() && on.viewer.cloud.marks().cut.empty() && !isDrawn(gray));
         on.viewer.sections.throughMeasurement();
         QTRY_VERIFY(on.viewer.sections.card()->isVisible());
         on.viewer.notice.hide();

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace edgescan::ui {
@@ -22,6 +23,7 @@ constexpr double kMouseReach = 2.0;            // px around what is drawn
 constexpr double kFingerReach = 10.0;
 constexpr double kOnePlace = 48.0;         // px: labels of measurements that are nearer would be a heap
 constexpr std::size_t kMostFreeRings = 40; // no tag covers a ring; among more of them it would be far from its own
+const QColor kCut(255, 220, 110);          // along a section
 const QColor kMeasured(120, 190, 255);     // the line being measured; its dark halo separates it from the cloud
 
 QFont boldFont(const QPainter& painter) {
@@ -243,13 +245,13 @@ void shortenHeaps(std::vector<ScreenMarks::Measure>& shown) {
 }
 
 void drawTarget(QPainter& painter, const ScreenMarks::Target& target) {
-    const Qt::PenStyle style = target.place.hidden ? Qt::DotLine : Qt::SolidLine;
+    const Qt::PenStyle style = target.hidden ? Qt::DotLine : Qt::SolidLine;
     painter.setBrush(Qt::NoBrush);
     strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 4.0), QPen(Qt::white, 2.0, style),
-                [&] { painter.drawEllipse(target.place.at, kMarkRing, kMarkRing); });
+                [&] { painter.drawEllipse(target.at, kMarkRing, kMarkRing); });
     painter.setPen(QPen(Qt::black, 1.0));
     painter.setBrush(Qt::white);
-    painter.drawEllipse(target.place.at, 2.0, 2.0);
+    painter.drawEllipse(target.at, 2.0, 2.0);
 }
 
 void drawMeasure(QPainter& painter, const ScreenMarks::Measure& measure) {
@@ -299,24 +301,44 @@ void drawMove(QPainter& painter, const QLineF& move) {
 
 } // namespace
 
-ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t)>& placeOf, bool small) {
+namespace {
+
+/// A new part begins after a cell out of view.
+void addCut(std::vector<QPolygonF>& parts, const std::vector<std::size_t>& line, const PlaceOfCell& placeOf) {
+    QPolygonF part;
+    const auto end = [&] {
+        if (part.size() > 1) parts.push_back(std::exchange(part, {}));
+        part.clear();
+    };
+    for (const std::size_t cell : line) {
+        if (const auto place = placeOf(cell))
+            part << *place;
+        else
+            end();
+    }
+    end();
+}
+
+} // namespace
+
+ScreenMarks screenMarks(const CellMarks& marks, const PlaceOfCell& placeOf, bool small, const std::function<bool(std::size_t)>& isHidden) {
     ScreenMarks shown;
     for (const MeasureMark& measure : marks.measures) {
         ScreenMarks::Measure drawn;
         drawn.index = static_cast<std::size_t>(&measure - marks.measures.data());
-        std::vector<std::optional<MarkPlace>> places;
+        std::vector<std::optional<QPointF>> places;
         for (const std::size_t cell : measure.cells) {
             places.push_back(placeOf(cell));
-            if (places.back()) drawn.ends.push_back(places.back()->at);
+            if (places.back()) drawn.ends.push_back(*places.back());
         }
         for (const auto& [a, b] : measure.links) {
             if (a >= places.size() || b >= places.size() || !places[a] || !places[b]) continue;
-            drawn.lines.emplace_back(places[a]->at, places[b]->at);
+            drawn.lines.emplace_back(*places[a], *places[b]);
         }
         if (!drawn.lines.empty()) drawn.labelAt = drawn.lines.front().center();
         for (std::size_t n = 0; n < measure.clicked.size() && n < places.size(); ++n) {
             const auto click = measure.clicked[n] == measure.cells[n] ? std::nullopt : placeOf(measure.clicked[n]);
-            if (click && places[n]) shown.moves.emplace_back(click->at, places[n]->at);
+            if (click && places[n]) shown.moves.emplace_back(*click, *places[n]);
         }
         drawn.active = measure.active;
         if (!small || measure.active) drawn.label = measure.label;
@@ -330,10 +352,12 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
         const QString& words = small && !target.active ? target.brief : target.tag;
         const auto place = placeOf(target.cell);
         if (!place) continue;
-        shown.targets.push_back({*place, words, target.active, target.cell, target.isTarget, target.brief});
+        shown.targets.push_back(
+            {*place, isHidden && isHidden(target.cell), words, target.active, target.cell, target.isTarget, target.brief});
         const auto click = target.clicked ? placeOf(*target.clicked) : std::nullopt;
-        if (click) shown.moves.emplace_back(click->at, place->at);
+        if (click) shown.moves.emplace_back(*click, *place);
     }
+    for (const std::vector<std::size_t>& line : marks.cut) addCut(shown.cut, line, placeOf);
     // The chosen one is drawn over the others.
     std::ranges::stable_partition(shown.measures, [](const ScreenMarks::Measure& measure) { return !measure.active; });
     std::stable_partition(shown.targets.begin(), shown.targets.end(), [](const ScreenMarks::Target& target) { return !target.active; });
@@ -344,6 +368,8 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
                                      const std::vector<QRectF>& texts) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
+    for (const QPolygonF& part : marks.cut)
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 4.0), QPen(kCut, 1.6, Qt::DashDotLine), [&] { painter.drawPolyline(part); });
     for (const QLineF& move : marks.moves) drawMove(painter, move);
     for (const ScreenMarks::Measure& measure : marks.measures) drawMeasure(painter, measure);
     for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);
@@ -356,7 +382,7 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
     taken.insert(taken.end(), texts.begin(), texts.end());
     std::vector<QPointF> rings;
     for (const ScreenMarks::Target& target : marks.targets) {
-        if (seen(target.place.at)) rings.push_back(target.place.at);
+        if (seen(target.at)) rings.push_back(target.at);
     }
     if (rings.size() <= kMostFreeRings) {
         const QPointF corner(kRingReach, kRingReach);
@@ -370,8 +396,8 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
     {
         Tags tags(painter, place, taken, rings, lines);
         for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
-            if (seen(target->place.at)) // a tag without its mark would name another place
-                tags.place({false, target->cell}, target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active,
+            if (seen(target->at)) // a tag without its mark would name another place
+                tags.place({false, target->cell}, target->at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active,
                            target->brief);
         }
         for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) { // the chosen one first
@@ -409,7 +435,7 @@ std::optional<MarkName> markAt(const ScreenMarks& marks, const std::vector<MarkT
         take({tag.of.isMeasure, tag.of.which, true}, away);
     }
     for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) {
-        if (target->isTarget) take({false, target->cell}, fromRing(target->place.at, kMarkRing));
+        if (target->isTarget) take({false, target->cell}, fromRing(target->at, kMarkRing));
     }
     for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) {
         for (const QPointF& end : measure->ends) take({true, measure->index}, fromRing(end, measure->active ? kMarkRing : kEndDot));

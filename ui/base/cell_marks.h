@@ -4,6 +4,7 @@
 #include <QLineF>
 #include <QPainter>
 #include <QPointF>
+#include <QPolygonF>
 #include <QRectF>
 #include <QString>
 
@@ -41,8 +42,10 @@ struct MeasureMark {
 struct CellMarks {
     std::vector<TargetMark> targets;
     std::vector<MeasureMark> measures;
+    std::vector<std::vector<std::size_t>> cut{}; ///< cells along the section that is open, one line for each surface
 
     bool operator==(const CellMarks&) const = default;
+    [[nodiscard]] bool empty() const { return targets.empty() && measures.empty() && cut.empty(); }
 };
 
 /// One of the marks.
@@ -54,18 +57,14 @@ struct MarkName {
     bool operator==(const MarkName&) const = default;
 };
 
-/// Where a cell is on the screen of a view.
-struct MarkPlace {
-    QPointF at;
-    bool hidden = false; ///< another surface hides it
-
-    bool operator==(const MarkPlace&) const = default;
-};
+/// Where a cell is, in pixels of a view; empty: out of view.
+using PlaceOfCell = std::function<std::optional<QPointF>(std::size_t cell)>;
 
 /// The part of the marks that a view shows, in pixels of the view.
 struct ScreenMarks {
     struct Target {
-        MarkPlace place;
+        QPointF at;
+        bool hidden = false; ///< another surface hides it
         QString tag;
         bool active = false;
         std::size_t cell = 0;
@@ -86,9 +85,10 @@ struct ScreenMarks {
     std::vector<Target> targets;
     std::vector<Measure> measures;
     std::vector<QLineF> moves; ///< from a click to the cell that it meant
+    std::vector<QPolygonF> cut;
 
     bool operator==(const ScreenMarks&) const = default;
-    [[nodiscard]] bool empty() const { return targets.empty() && measures.empty(); }
+    [[nodiscard]] bool empty() const { return targets.empty() && measures.empty() && cut.empty(); }
 };
 
 /// The place of a tag in a view.
@@ -96,15 +96,15 @@ struct MarkTag : QRectF {
     MarkName of;
 };
 
-/// `placeOf` returns an empty value for a cell out of view. A line is drawn only if both its ends are in view. `small`: the view has little
-/// space for text, so lengths are without their labels.
-[[nodiscard]] ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t cell)>& placeOf,
-                                      bool small = false);
+/// A line is drawn only if both its ends are in view. `small`: the view has little space for text, so lengths are without their labels.
+/// `isHidden`: another surface hides the cell of a target; null: the view hides none.
+[[nodiscard]] ScreenMarks screenMarks(const CellMarks& marks, const PlaceOfCell& placeOf, bool small = false,
+                                      const std::function<bool(std::size_t cell)>& isHidden = {});
 
 /// White rings with black outline, centre dot and tag; lines with their labels, the chosen one thicker, with a white rim and with rings at
-/// its ends; a thin line from a tag that is away from its mark, or nearer to another one. Tags stay inside `place`, do not overlap, and
-/// keep off the rings, the `plates` over the view and its `texts`; a mark outside `place` or under a plate has none, and no tag is cut.
-/// Returns the tags, the upper ones first.
+/// its ends; dash-dotted lines along a section; a thin line from a tag that is away from its mark, or nearer to another one. Tags stay
+/// inside `place`, do not overlap, and keep off the rings, the `plates` over the view and its `texts`; a mark outside `place` or under a
+/// plate has none, and no tag is cut. Returns the tags, the upper ones first.
 std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks,
                                      const std::vector<QRectF>& plates = {}, const std::vector<QRectF>& texts = {});
 

@@ -19,12 +19,14 @@
 #include "ui/views/image/image_view.h"
 
 #include <QDir>
+#include <QDockWidget>
 #include <QMenu>
 #include <QPushButton>
 
 #include <algorithm>
-#include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace edgescan::ui {
 
@@ -51,27 +53,57 @@ Eigen::AlignedBox2d boxOf(const inspect::Section& section, std::uint32_t rock) {
     return box;
 }
 
-/// As large as leaves most of the window in sight.
-QSize usualSize(const SectionCard& card, const QWidget& window) {
-    constexpr double kWide = 0.45, kHigh = 0.45; // of the window
-    const QSize least(560, 360), part(static_cast<int>(kWide * window.width()), static_cast<int>(kHigh * window.height()));
-    return card.sizeHint().boundedTo(part.expandedTo(least));
+std::vector<std::vector<std::size_t>> cellsOf(const inspect::Section& section) {
+    std::vector<std::vector<std::size_t>> lines;
+    for (const inspect::SectionLine& line : section.lines) {
+        auto& cells = lines.emplace_back();
+        for (const inspect::SectionVertex& vertex : line) {
+            if (cells.empty() || cells.back() != vertex.cell) cells.push_back(vertex.cell);
+        }
+    }
+    return lines;
 }
 
-/// In the lower part of the window: notes are at its top, such as that of an export. Where it covers the least of what is cut.
-void placeBelowNotes(SectionCard& card, const QWidget& window, const QRect& cut) {
-    const QRect room(window.mapToGlobal(QPoint()), window.size());
+/// As large as leaves most of the window and half of the cloud in sight.
+QSize usualSize(const SectionCard& card, const QWidget& window, const QSize& cloud) {
+    constexpr double kPart = 0.45; // of the window
+    const QSize least(560, 360),
+        most(std::min(static_cast<int>(kPart * window.width()), cloud.width() / 2), static_cast<int>(kPart * window.height()));
+    return card.sizeHint().boundedTo(most.expandedTo(least));
+}
+
+int areaOf(const QRect& rect) { return rect.isEmpty() ? 0 : rect.width() * rect.height(); }
+
+/// Below the notes of the window, such as that of an export: low in it, or in its cloud. Where it covers the least of what is cut, then of
+/// panels and tables. All on the screen.
+void placeBelowNotes(SectionCard& card, const QWidget& window, const QRect& cloud, const QRect& cut) {
     const QSize size = card.frameGeometry().size();
-    constexpr double kWideWindow = 1.8; // of its width: a window that has room for what is cut, next to it
-    const int left = room.left(), middle = room.center().x() - size.width() / 2, right = std::max(left, room.right() - size.width());
-    const int top = std::max(room.top(), room.bottom() - size.height());
-    const bool isNarrow = room.width() < kWideWindow * size.width();
-    const auto covered = [&](int x) {
-        const QRect both = QRect({x, top}, size).intersected(cut);
-        return both.isEmpty() ? 0 : both.width() * both.height();
+    constexpr double kWideRoom = 1.8; // of its width: there is room for what is cut, next to it
+    std::vector<QRect> panels;
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+        if (dock->isVisible() && !dock->isFloating()) panels.emplace_back(dock->mapToGlobal(QPoint()), dock->size());
+    }
+    constexpr int kParts = 20; // a rim of what is cut is not worth a panel
+    const auto covered = [&](const QPoint& at) {
+        const QRect place(at, size);
+        int ofPanels = 0;
+        for (const QRect& panel : panels) ofPanels += areaOf(place.intersected(panel));
+        return std::pair(kParts * areaOf(place.intersected(cut)) / std::max(1, areaOf(cut)), ofPanels);
     };
-    const std::array places = isNarrow ? std::array{middle, left, right} : std::array{left, right, middle};
-    card.move(*std::ranges::min_element(places, {}, covered), top); // the first of equal ones
+    const QRect whole(window.mapToGlobal(QPoint()), window.size());
+    std::vector<QPoint> places;
+    constexpr int kCaption = 40; // px, at the top of the cloud
+    const QRect top(cloud.topLeft(), QSize(cloud.width(), std::min(cloud.height(), size.height() + kCaption)));
+    for (const QRect& room : {whole, cloud, top}) {
+        if (room.width() < size.width() || room.height() < size.height()) continue;
+        const int y = room.bottom() - size.height();
+        const QPoint atLeft(room.left(), y), inMiddle(room.center().x() - size.width() / 2, y), atRight(room.right() - size.width(), y);
+        if (room.width() < kWideRoom * size.width())
+            places.insert(places.end(), {inMiddle, atLeft, atRight});
+        else
+            places.insert(places.end(), {atLeft, atRight, inMiddle});
+    }
+    card.move(places.empty() ? whole.topLeft() : *std::ranges::min_element(places, {}, covered)); // the first of equal ones
 }
 
 } // namespace
@@ -174,7 +206,8 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     }
     if (card_ == nullptr) {
         card_ = new SectionCard(notice_.window());
-        card_->resize(usualSize(*card_, *notice_.window()));
+        card_->resize(usualSize(*card_, *notice_.window(), views_.cloud().size()));
+        connect(card_, &SectionCard::closed, this, [this] { views_.setCut({}); });
         connect(card_->exportButton(), &QPushButton::clicked, this, &Sections::askExport);
         connect(&card_->plot(), &SectionPlot::measured, this, &Sections::showLength);
         connect(&card_->plot(), &SectionPlot::hovered, this, [this](std::size_t cell) { views_.pointAt(cell); });
@@ -187,17 +220,24 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
         card_->plot().setEnds(question.endsM[0], question.endsM[1]);
         card_->plot().setLength(question.length);
     }
-    QStringList words{tr("Vertical plane, true scale.")};
+    QStringList words{tr("Vertical plane, true scale; dash-dotted in the views.")};
     if (question.rocks) words << tr("Rocks have their colours.");
     if (section->plane.upAssumed) words << tr("▲ no pose: up is the scanner's z");
     card_->setWords(words.join(' '));
     const bool opens = !card_->isVisible();
     if (opens) emit opening();
     card_->show();
-    const CloudView& cloud = views_.cloud();
-    const QRect cut = opens && cloud.isVisible() ? placeIn(cloud, question.cells).intersected(cloud.rect()) : QRect();
-    if (opens) placeBelowNotes(*card_, *notice_.window(), cut.translated(cloud.mapToGlobal(QPoint())));
+    views_.setCut(cellsOf(*section));
+    if (opens) placeCard(question.cells);
     card_->raise();
+}
+
+void Sections::placeCard(const std::vector<std::uint32_t>& cut) {
+    const CloudView& cloud = views_.cloud();
+    if (!cloud.isVisible()) return placeBelowNotes(*card_, *notice_.window(), {}, {});
+    const QPoint corner = cloud.mapToGlobal(QPoint());
+    placeBelowNotes(*card_, *notice_.window(), QRect(corner, cloud.size()),
+                    placeIn(cloud, cut).intersected(cloud.rect()).translated(corner));
 }
 
 bool Sections::close() {

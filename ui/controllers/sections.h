@@ -64,6 +64,8 @@ private:
     void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock,
              const QString& length = {});
     void take(const Question& question, const std::shared_ptr<const inspect::Section>& section);
+    /// `cut`: the cells that the section is through.
+    void placeCard(const std::vector<std::uint32_t>& cut);
     void showLength(const inspect::SectionVertex& from, const inspect::SectionVertex& to);
     void askExport();
     [[nodiscard]] std::shared_ptr<const rocks::Study> study() const;

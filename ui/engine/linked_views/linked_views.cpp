@@ -48,8 +48,15 @@ void LinkedViews::setMarks(CellMarks marks) {
     showMarks();
 }
 
+void LinkedViews::setCut(std::vector<std::vector<std::size_t>> cut) {
+    if (cut == cut_) return;
+    cut_ = std::move(cut);
+    showMarks();
+}
+
 void LinkedViews::showMarks() {
     CellMarks shown = flipped() ? CellMarks{} : marks_;
+    if (!flipped()) shown.cut = cut_;
     if (explained_ && !flipped()) shown.targets.push_back(*explained_);
     for (ImageView* view : images_) view->setMarks(shown);
     cloud_.setMarks(shown);

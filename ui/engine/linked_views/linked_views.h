@@ -87,6 +87,8 @@ public:
     /// Sets targets and measurements in all views.
     void setMarks(CellMarks marks);
     [[nodiscard]] const CellMarks& marks() const { return marks_; }
+    /// The cells along a section, surface by surface, as a line in all views; empty: none.
+    void setCut(std::vector<std::vector<std::size_t>> cut);
     /// Sides of cells in the images (corners: x = beam, y = line), and the cells along them in the cloud, ascending; empty: no outline.
     /// It ends with its scan.
     void setOutline(const std::vector<QLine>& sides, std::vector<std::uint32_t> cells);
@@ -214,6 +216,7 @@ private:
     bool edgesAsked_ = false, onlyImage_ = false; // over the range image
     std::optional<QRect> box_;                    // of cells, as dragged
     CellMarks marks_;
+    std::vector<std::vector<std::size_t>> cut_;
     std::optional<TargetMark> explained_;
     std::optional<inspect::MeantCell> byClick_;
 };

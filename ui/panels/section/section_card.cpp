@@ -5,6 +5,7 @@
 #include "ui/panels/section/section_plot.h"
 
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -79,6 +80,11 @@ QString SectionCard::askedWords(bool found, std::size_t ends) {
 }
 
 void SectionCard::showAsked(bool found) { asked_->setText(askedWords(found, plot_->ends().size())); }
+
+void SectionCard::hideEvent(QHideEvent* event) {
+    QDialog::hideEvent(event);
+    if (!event->spontaneous()) emit closed(); // it was not only made small
+}
 
 /// With room for the longest of the words: the plot must not move under the second click.
 void SectionCard::resizeEvent(QResizeEvent* event) {

@@ -24,7 +24,11 @@ public:
     [[nodiscard]] QString words() const;
     [[nodiscard]] QPushButton* exportButton() const { return export_; }
 
+signals:
+    void closed();
+
 protected:
+    void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:

@@ -332,7 +332,7 @@ void CloudView::updateOverlay() {
     const auto told = hoveredCell_ ? hoveredCell_ : pinned ? std::nullopt : marked_;
     if (told && !tip_.isEmpty()) marks.tipAt = pixelOf(*told);
     marks.dragged = dragged_;
-    if (cloud_ && (!marks_.targets.empty() || !marks_.measures.empty())) marks.marks = marksOnScreen();
+    if (cloud_ && !marks_.empty()) marks.marks = marksOnScreen();
     if (marked_ && cloud_ && cloud_->drawable(*marked_)) {
         const ScreenView view = screenView();
         marks.ring = pixelOf(*marked_);

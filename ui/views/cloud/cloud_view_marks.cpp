@@ -118,13 +118,12 @@ std::optional<MarkName> CloudView::markUnder(QPointF pixel) const {
 const ScreenMarks& CloudView::marksOnScreen() {
     if (screenMarks_) return *screenMarks_; // moving the mouse over the points does not change them
     const ScreenView view = screenView();
-    screenMarks_ = screenMarks(marks_, [&](std::size_t cell) -> std::optional<MarkPlace> {
+    const auto isHidden = [&](std::size_t cell) {
         const auto k = static_cast<std::uint32_t>(cell);
-        const auto at = pixelOf(k);
-        if (!at) return std::nullopt;
-        const bool ask = marks_.targets.size() <= kMarksAsked || marked_ == k;
-        return MarkPlace{*at, ask && isPointHidden(*cloud_, view, k)};
-    });
+        return (marks_.targets.size() <= kMarksAsked || marked_ == k) && isPointHidden(*cloud_, view, k);
+    };
+    screenMarks_ = screenMarks(
+        marks_, [&](std::size_t cell) { return pixelOf(static_cast<std::uint32_t>(cell)); }, false, isHidden);
     return *screenMarks_;
 }
 

@@ -347,9 +347,9 @@ void ImageView::drawRings(QPainter& painter, const QRect& plate) {
     painter.setBrush(Qt::NoBrush);
     if (marked_) drawRing(painter, viewPort_->toPixel(QPointF(*marked_) + QPointF(0.5, 0.5), size())); // below the digits of the marks
     const auto beams = static_cast<std::size_t>(picture_.empty() ? 1 : picture_.image()->width());
-    const auto placeOf = [&](std::size_t cell) -> std::optional<MarkPlace> {
+    const auto placeOf = [&](std::size_t cell) -> std::optional<QPointF> {
         const QPointF at(static_cast<double>(cell % beams) + 0.5, static_cast<double>(cell / beams) + 0.5);
-        return MarkPlace{viewPort_->toPixel(at, size()), false};
+        return viewPort_->toPixel(at, size());
     };
     screenMarks_ = screenMarks(marks_, placeOf, width() < kRoomForTags);
     std::vector<QRectF> plates{QRectF(plate)}; // and buttons of a cab
