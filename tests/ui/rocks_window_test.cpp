@@ -1602,6 +1602,14 @@ private slots:
         QVERIFY(settled(on));
         const auto lines = test::fileText((folder_ / "waited.csv").string());
         QCOMPARE(static_cast<std::size_t>(std::ranges::count(lines, '\n')), picture(on).study.rocks.size() + 1);
+        // Those that were shown only for a report go when it has them.
+        ended.clear();
+        on.viewer.report.writeTo(place("alone.html"), {}, false);
+        QVERIFY(!on.viewer.rocks.shown());
+        QTRY_VERIFY_WITH_TIMEOUT(!ended.isEmpty(), kPatienceMs);
+        QVERIFY(test::fileText((folder_ / "alone.html").string()).find(" rocks, each a ") != std::string::npos);
+        on.viewer.rocks.setShown(true);
+        QVERIFY(settled(on));
         // Cancelled, and without rocks.
         rocks::RockSettings settings = on.viewer.rocks.settings();
         settings.minimumCells += 10;

@@ -72,7 +72,7 @@ void ScanReport::ask() {
     question.filters << tr("Page for any browser (*.html)") << tr("PDF (*.pdf)");
     const QString path = askWhereToSave(notice_.window(), question);
     if (path.isEmpty()) return rocks_.setShown(shown);
-    writeTo(path, words);
+    writeTo(path, words, shown);
 }
 
 std::string ScanReport::commandFor(const edges::Detection& detection, const QString& path, const ReportWords& words) const {
@@ -109,9 +109,9 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
     return (flags.empty() ? command : command + " " + flags) + missing;
 }
 
-void ScanReport::writeTo(const QString& path, const ReportWords& words) {
+void ScanReport::writeTo(const QString& path, const ReportWords& words, bool rocksStay) {
     if (!engine_.picture()) return;
-    if (words.rocks && rocks_.behind()) return rocks_.whenKnown(path, [this, path, words] { writeTo(path, words); });
+    if (words.rocks && rocks_.behind()) return rocks_.whenKnown(path, [=, this] { writeTo(path, words, rocksStay); });
     const std::shared_ptr<const RockPicture> rocks = words.rocks ? rocks_.picture() : nullptr;
     const std::shared_ptr<const edges::Detection> detection = rocks ? rocks->detection : engine_.picture()->detection;
     std::shared_ptr<const Comparison> compared = comparing_.comparison();
@@ -129,6 +129,7 @@ void ScanReport::writeTo(const QString& path, const ReportWords& words) {
         if (!logo) return notice_.showError(logo.error());
         said.logoPng = *logo;
     }
+    if (!rocksStay) rocks_.setShown(false);
     preferences_.keepFolder("exports", path);
     ++working_;
     const auto stop = std::make_shared<std::atomic<bool>>(false);

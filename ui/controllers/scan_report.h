@@ -26,8 +26,8 @@ public:
     /// Asks for site, author, remark, logo and format, and for the path.
     void ask();
     /// Writes the page about the scan on the screen, with the rocks that are shown, targets and measurements, and the changes since A; on a
-    /// separate thread. A path that ends with .pdf becomes a PDF.
-    void writeTo(const QString& path, const ReportWords& words = {});
+    /// separate thread. A path that ends with .pdf becomes a PDF. `rocksStay` false: the rocks were shown only for the report.
+    void writeTo(const QString& path, const ReportWords& words = {}, bool rocksStay = true);
     [[nodiscard]] bool working() const { return working_ > 0; }
 
 signals:
