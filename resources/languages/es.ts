@@ -434,6 +434,7 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>the pinned target</source><translation>el objetivo fijado</translation></message>
 <message><source>the nearest edge</source><translation>el borde más cercano</translation></message>
 <message><source>the near side of your click at %1</source><translation>el lado cercano de su clic en %1</translation></message>
+<message><source>the target that you clicked</source><translation>el objetivo en el que hizo clic</translation></message>
 <message><source>the cell that you clicked</source><translation>la celda en la que hizo clic</translation></message>
 <message><source>Cell: %1 (%2)</source><translation>Celda: %1 (%2)</translation></message>
 <message><source>Why: click a cell</source><translation>Por qué: haga clic en una celda</translation></message>

@@ -434,6 +434,7 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>the pinned target</source><translation>la cible épinglée</translation></message>
 <message><source>the nearest edge</source><translation>l'arête la plus proche</translation></message>
 <message><source>the near side of your click at %1</source><translation>le côté proche de votre clic à %1</translation></message>
+<message><source>the target that you clicked</source><translation>la cible que vous avez cliquée</translation></message>
 <message><source>the cell that you clicked</source><translation>la cellule que vous avez cliquée</translation></message>
 <message><source>Cell: %1 (%2)</source><translation>Cellule : %1 (%2)</translation></message>
 <message><source>Why: click a cell</source><translation>Pourquoi : cliquez sur une cellule</translation></message>

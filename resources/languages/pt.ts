@@ -434,6 +434,7 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>the pinned target</source><translation>o alvo fixado</translation></message>
 <message><source>the nearest edge</source><translation>a borda mais próxima</translation></message>
 <message><source>the near side of your click at %1</source><translation>o lado próximo do seu clique em %1</translation></message>
+<message><source>the target that you clicked</source><translation>o alvo em que você clicou</translation></message>
 <message><source>the cell that you clicked</source><translation>a célula em que você clicou</translation></message>
 <message><source>Cell: %1 (%2)</source><translation>Célula: %1 (%2)</translation></message>
 <message><source>Why: click a cell</source><translation>Por quê: clique em uma célula</translation></message>

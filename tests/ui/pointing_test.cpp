@@ -270,6 +270,15 @@ private slots:
         QTRY_VERIFY(window_->viewer().explanation.card()->isVisible());
         QVERIFY2(window_->viewer().explanation.card()->cell().endsWith("(the pinned target)"),
                  qPrintable(window_->viewer().explanation.card()->cell()));
+        // In the ring of a target, the centre means the target, and the rest what is there.
+        const WhyCard& card = *window_->viewer().explanation.card();
+        QTest::mouseClick(&gray, Qt::LeftButton, Qt::ShiftModifier, pixelOf(gray, 60, 80));
+        QVERIFY2(card.cell().endsWith("(the target that you clicked)"), qPrintable(card.cell()));
+        const QPoint inRing = pixelOf(gray, 60, 80) + QPoint(0, 7);
+        const QPoint there = *gray.cellAt(inRing);
+        QVERIFY(there != QPoint(80, 60));
+        QTest::mouseClick(&gray, Qt::LeftButton, Qt::ShiftModifier, inRing);
+        QCOMPARE(card.cell(), QString("Cell: line %1, beam %2 (the cell that you clicked)").arg(there.y()).arg(there.x()));
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixelOf(gray, 30, 40));
         QCOMPARE(targets(), std::size_t{1});
         QTest::keyClick(window_, Qt::Key_P);

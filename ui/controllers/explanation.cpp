@@ -181,7 +181,8 @@ QString Explanation::subjectText(const Question& question) const {
         case Subject::Click:
             break;
         }
-        return click.moved() ? tr("the near side of your click at %1").arg(cell(click.clicked)) : tr("the cell that you clicked");
+        if (click.moved()) return tr("the near side of your click at %1").arg(cell(click.clicked));
+        return views_.isTarget(click.cell) ? tr("the target that you clicked") : tr("the cell that you clicked");
     };
     const QString place = cell(click.cell);
     return tr("Cell: %1 (%2)").arg(place, what());

@@ -157,7 +157,8 @@ void Sections::throughMeasurement() {
     }
     const std::size_t place = targets_.chosenMeasure().value_or(measures.size() - 1);
     const auto [from, to] = inspect::linksOf(measures[place].kind).front();
-    const std::vector<std::uint32_t> ends{measures[place].cells[from], measures[place].cells[to]};
+    std::vector<std::uint32_t> ends{measures[place].cells[from], measures[place].cells[to]};
+    std::ranges::sort(ends, {}, [&](std::uint32_t k) { return views_.placeOf(k).x(); }); // left and right as in the range image
     const auto& lines = views_.gray().marks().measures;
     ask(inspect::planeThrough(*engine_.picture()->detection->scan, ends[0], ends[1]), ends, 0,
         place < lines.size() ? lines[place].label : QString());

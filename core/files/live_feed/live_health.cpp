@@ -163,7 +163,6 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
         health.lostRows = lines.lost;
         health.noReturn = noReturnOf(lines);
         health.end = endOf(status, health.liveness);
-        health.endComes = health.liveness == Liveness::Live && lines.expected > 0 && !lines.endUnknown;
         tellWindow(health, sweep);
         health.device = sweep.device.error || sweep.deviceEver.error ? Condition::Failure : Condition::Good;
         health.deviceState = health.device == Condition::Good ? "device ok"

@@ -47,7 +47,6 @@ struct LiveHealth {
     std::string deviceState; ///< "device ok", "DEVICE ERROR"
     std::string pose;        ///< "pose 12 s old"; empty without a pose
     std::string end;         ///< "27 s left", "sweep complete"; empty when it is not known
-    bool endComes = false;   ///< the time left is known, or will be after some lines
     std::string recording;   ///< "recording 1.2 MB", "RECORDING ENDED: why"; empty when none is written
     Condition recorded = Condition::Good;
 

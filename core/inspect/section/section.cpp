@@ -158,29 +158,36 @@ Result<SectionPlane> planeThroughRock(const Scan& scan, const std::vector<std::u
     const rocks::UpDirection up = rocks::upOf(scan);
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     std::vector<Eigen::Vector3d> points;
+    std::vector<std::uint32_t> beams;
     for (const std::uint32_t k : rockCells) {
         if (k >= scan.cells() || scan.state[k] != CellState::Valid) continue;
         points.push_back(tables.point(k));
+        beams.push_back(k % static_cast<std::uint32_t>(scan.beams()));
         middle += points.back();
     }
     if (points.size() < 2) return noPlane("the rock has fewer than two points");
     middle /= static_cast<double>(points.size());
     // The direction, of a half turn in steps of a degree, in which the points spread most.
     const Eigen::Vector3d first = up.up.unitOrthogonal(), second = up.up.cross(first);
-    double widest = 0.0, leftEnd = 0.0;
-    Eigen::Vector3d along = first;
+    double widest = 0.0;
+    Eigen::Vector3d along = first, start = middle;
     for (int degree = 0; degree < 180; ++degree) {
         const double angle = radians(degree);
         const Eigen::Vector3d direction = std::cos(angle) * first + std::sin(angle) * second;
         double least = HUGE_VAL, most = -HUGE_VAL;
-        for (const Eigen::Vector3d& point : points) {
-            const double at = direction.dot(point - middle);
-            least = std::min(least, at);
-            most = std::max(most, at);
+        std::uint32_t ofLeast = 0, ofMost = 0;
+        for (std::size_t n = 0; n < points.size(); ++n) {
+            const double at = direction.dot(points[n] - middle);
+            if (at < least) std::tie(least, ofLeast) = std::pair(at, beams[n]);
+            if (at > most) std::tie(most, ofMost) = std::pair(at, beams[n]);
         }
-        if (most - least > widest) std::tie(widest, leftEnd, along) = std::tuple(most - least, least, direction);
+        if (most - least <= widest) continue;
+        widest = most - least;
+        const bool turned = ofLeast > ofMost;
+        start = middle + (turned ? most : least) * direction;
+        along = turned ? Eigen::Vector3d(-direction) : direction;
     }
-    return planeAlong(middle + leftEnd * along, along, up);
+    return planeAlong(start, along, up);
 }
 
 Section sectionOf(const edges::Detection& detection, const SectionPlane& plane, const Grid<std::uint32_t>* rockOf) {

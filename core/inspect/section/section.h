@@ -24,7 +24,8 @@ struct SectionPlane {
 /// The plane through the points of two cells and the vertical; the first is at (0, 0), the second to its right. If one is above the other,
 /// the plane goes through the scanner too. Error: a cell does not exist or has no range, or both are one point.
 [[nodiscard]] Result<SectionPlane> planeThrough(const Scan& scan, std::uint32_t from, std::uint32_t to);
-/// The vertical plane through a rock, along its longest visible width. `rockCells`: its cells. Error: fewer than two points.
+/// The vertical plane through a rock, along its longest visible width; what is at the left in the range image is at the left of the plot.
+/// `rockCells`: its cells. Error: fewer than two points.
 [[nodiscard]] Result<SectionPlane> planeThroughRock(const Scan& scan, const std::vector<std::uint32_t>& rockCells);
 
 struct SectionVertex {

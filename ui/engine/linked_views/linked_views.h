@@ -87,6 +87,7 @@ public:
     /// Sets targets and measurements in all views.
     void setMarks(CellMarks marks);
     [[nodiscard]] const CellMarks& marks() const { return marks_; }
+    [[nodiscard]] bool isTarget(std::size_t cell) const;
     /// The cells along a section, surface by surface, as a line in all views; empty: none.
     void setCut(std::vector<std::vector<std::size_t>> cut);
     /// Sides of cells in the images (corners: x = beam, y = line), and the cells along them in the cloud, ascending; empty: no outline.

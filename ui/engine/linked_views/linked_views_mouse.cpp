@@ -101,10 +101,13 @@ bool LinkedViews::refusesClicks(QWidget& view) const {
     return true;
 }
 
+bool LinkedViews::isTarget(std::size_t cell) const {
+    return std::ranges::any_of(marks_.targets, [cell](const TargetMark& mark) { return mark.isTarget && mark.cell == cell; });
+}
+
 void LinkedViews::openMenuAt(const QPoint& position, std::optional<std::size_t> cell) {
-    const auto isTarget = [&](const TargetMark& mark) { return mark.isTarget && mark.cell == *cell; };
     if (!cell || flipped()) return openMenu(position, std::nullopt);
-    openMenu(position, std::ranges::any_of(marks_.targets, isTarget) ? inspect::exactly(*cell) : meant(*cell));
+    openMenu(position, isTarget(*cell) ? inspect::exactly(*cell) : meant(*cell));
 }
 
 void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click) {
@@ -130,9 +133,12 @@ void LinkedViews::clickAt(std::size_t cell) {
 }
 
 /// A click on a target, or on its label, chooses it. Tools take the cell of a target where its ring is clicked, and otherwise what is
-/// behind the mark: a label may be far from its cell, and moves.
+/// behind the mark: a label may be far from its cell, and moves. Why explains what is in the ring unless its centre is clicked.
 void LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> behind) {
     if (pinsOnClick_ && choosesOnly_ && !mark.isMeasure && tool_ == Tool::Pin) return pin(mark.which);
+    constexpr double kCentre = 4.0; // px
+    const auto apart = tool_ == Tool::Why && !mark.isMeasure && behind ? pixelsBetween(mark.which, *behind) : std::nullopt;
+    if (apart && *apart > kCentre) return clickAt(*behind);
     if (pinsOnClick_ && !mark.isMeasure && (tool_ == Tool::Pin || !mark.byLabel)) return click(inspect::exactly(mark.which));
     const bool whole = mark.which < marks_.measures.size() && !marks_.measures[mark.which].label.isEmpty();
     if (whole && tool_ == Tool::Pin && pinsOnClick_) return emit measureClicked(mark.which);

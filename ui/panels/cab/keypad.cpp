@@ -16,6 +16,7 @@
 #include <QScreen>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWindow>
 
 #include <algorithm>
 #include <utility>
@@ -59,6 +60,13 @@ bool isNumber(const QWidget& field) {
 
 /// Its list needs the room of the keys, and the name of a new file is proposed.
 bool isOfFiles(const QWidget& field) { return qobject_cast<const QFileDialog*>(field.window()) != nullptr; }
+
+/// The window manager's frame, which it may have added after the window was shown: QWidget::frameGeometry() then lacks it.
+QMargins rimOf(const QDialog& dialog) { return dialog.windowHandle() != nullptr ? dialog.windowHandle()->frameMargins() : QMargins(); }
+
+bool isAboveScreen(const QDialog& dialog) {
+    return dialog.geometry().top() - rimOf(dialog).top() < dialog.screen()->availableGeometry().top();
+}
 
 /// The next key replaces it: a finger can neither place the text cursor nor mark a part. Several lines stay as they are.
 void selectWhole(QWidget& tapped) {
@@ -127,6 +135,8 @@ bool Keypad::eventFilter(QObject* watched, QEvent* event) {
         if (field != nullptr && field->hasFocus()) openFor(*field); // closed by its key, and tapped again
     } else if (event->type() == QEvent::MouseButtonRelease && watched->isWidgetType()) {
         selectWhole(*static_cast<QWidget*>(watched));
+    } else if (event->type() == QEvent::Move && watched == moved_ && isVisible()) {
+        if (const auto* dialog = qobject_cast<QDialog*>(watched); isAboveScreen(*dialog)) dock();
     } else if (event->type() == QEvent::Show && qobject_cast<QFileDialog*>(watched) != nullptr) {
         auto* files = static_cast<QFileDialog*>(watched); // it has its place a little later
         QMetaObject::invokeMethod(
@@ -194,17 +204,18 @@ QRect Keypad::usualPlace(const QWidget& window) const {
 /// as far from the screen's upper or lower end as its `field` (on the screen) needs.
 void Keypad::makeRoom(QDialog& dialog, const QRect& place, const QRect& field) {
     const QRect room = dialog.screen()->availableGeometry();
-    const int around = dialog.frameGeometry().height() - dialog.height();
-    dialog.resize(dialog.width(), std::clamp(place.top() - room.top() - around,
-                                             std::min(dialog.minimumSizeHint().height(), dialog.height()), dialog.height()));
-    const int height = dialog.frameGeometry().height();
+    const QMargins rim = rimOf(dialog);
+    const int around = rim.top() + rim.bottom();
+    const int high =
+        std::clamp(place.top() - room.top() - around, std::min(dialog.minimumSizeHint().height(), dialog.height()), dialog.height());
+    const int height = high + around, before = dialog.geometry().top() - rim.top();
     int top = std::max(room.top(), place.top() - height);
     if (top + height > place.top()) {
-        const QRect moved = field.translated(0, top - dialog.frameGeometry().top());
+        const QRect moved = field.translated(0, top - before);
         const int lowest = std::max(room.top(), room.bottom() + 1 - height);
         if (moved.bottom() >= place.top()) top = std::clamp(top + room.top() + place.height() + kKeyGap - moved.top(), room.top(), lowest);
     }
-    dialog.move(dialog.frameGeometry().left(), top);
+    dialog.setGeometry(dialog.geometry().left(), top + rim.top(), dialog.width(), high);
 }
 
 /// At the bottom of the screen, or at its top if the field is there. A dialog moves above the keys.
@@ -212,7 +223,8 @@ void Keypad::dock() {
     const auto edit = [this] { return QRect(field_->mapToGlobal(QPoint()), field_->size()); };
     QRect place = usualPlace(*field_);
     auto* dialog = qobject_cast<QDialog*>(field_->window());
-    if (dialog != nullptr && dialog->frameGeometry().bottom() >= place.top()) {
+    const bool isInWay = dialog != nullptr && dialog->geometry().marginsAdded(rimOf(*dialog)).bottom() >= place.top();
+    if (dialog != nullptr && (isInWay || isAboveScreen(*dialog))) {
         if (std::exchange(moved_, dialog) != dialog) before_ = dialog->geometry();
         makeRoom(*dialog, place, edit());
     }

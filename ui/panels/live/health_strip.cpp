@@ -105,6 +105,8 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     // Of a sweep that is not shown: Hold would give the strip another row.
     showText(noReturn_, brief_ || notFollowing ? std::string() : health.noReturn);
     badge(remark_, signOf(health.telegrams), coreWords(health.remark));
+    // In the next sweep it may be another one; a wider one took a row more.
+    remark_->setMinimumWidth(present && !brief_ && !health.remark.empty() ? remark_->widthFor(coreWords("FIRST ANGLE ASSUMED")) : 0);
     QStringList remarks;
     for (const std::string& sentence : health.remarks) remarks << coreSentence(scannersWarning(shownText(sentence)));
     remark_->setToolTip(remarks.join('\n'));
@@ -113,7 +115,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     badge(device_, signOf(health.device), coreWords(health.deviceState), health.device != files::Condition::Good);
     showText(pose_, health.lines.empty() || brief_ || notFollowing ? std::string() : health.pose);
     showText(end_, narrow && notFollowing ? std::string() : health.end);
-    const bool ends = health.endComes && present && !brief_; // it has its place before it is known
+    const bool ends = health.rows > 0 && present && !brief_; // it has its place before it is known
     end_->setMinimumWidth(ends ? end_->fontMetrics().horizontalAdvance(coreWords("119 s left")) : 0);
     end_->setVisible(ends || !end_->text().isEmpty());
     // While nothing is wrong with it, the recording is shown next to its button; in a cab, which has no room there, here.

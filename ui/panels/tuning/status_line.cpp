@@ -7,6 +7,7 @@
 #include "core/edges/settings/presets.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/placement.h"
+#include "core/scan/grid/scan.h"
 #include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
@@ -42,6 +43,26 @@ QString rangeText(const edges::Probe& probe) {
     if (probe.state == CellState::Valid) return QObject::tr("range %1 m").arg(number(probe.rangeMm / 1000.0, 3));
     if (probe.state == CellState::DeviceStatus) return QObject::tr("device status %1").arg(number(probe.rangeMm, 0));
     return cellStateText(probe.state);
+}
+
+/// As long as the coordinates of this scan's cells: what is next to them has its place from the start.
+edges::Probe longestProbe(const Scan& scan) {
+    edges::Probe probe;
+    probe.state = CellState::Valid;
+    probe.rangeMm = static_cast<double>(rangeLimits(scan).maxMm);
+    const double reachM = probe.rangeMm / 1000.0;
+    probe.pointM = Eigen::Vector3d::Constant(-reachM);
+    if (scan.placement) {
+        const auto longer = [reachM](double at) { return std::abs(at - reachM) > std::abs(at + reachM) ? at - reachM : at + reachM; };
+        probe.mineM = scan.placement->originEnhM.unaryExpr(longer);
+    }
+    probe.line = scan.lines() - 1;
+    probe.beam = scan.beams() - 1;
+    probe.gray = 255;
+    if (std::holds_alternative<PolarGeometry>(scan.geometry)) probe.lineDeg = probe.beamDeg = -179.999;
+    probe.edge = true;
+    probe.kind = edges::DepthEdge::Concave;
+    return probe;
 }
 
 } // namespace
@@ -240,24 +261,32 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     return QStatusBar::eventFilter(watched, event);
 }
 
+QString StatusLine::mainOf(const ProbeTexts& words, Cell cell) {
+    const QString whose = cell == Cell::Pointer ? QString() : (cell == Cell::Pin ? tr("Pinned:") : QString("A:")) + " ";
+    return whose + words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
+}
+
 void StatusLine::showProbe(const std::optional<edges::Probe>& probe, Cell cell) {
     const ProbeTexts words = probe ? probeWords(*probe) : ProbeTexts{};
-    const QString whose = !probe || cell == Cell::Pointer ? QString() : (cell == Cell::Pin ? tr("Pinned:") : QString("A:")) + " ";
-    probeMain_ = whose + words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
+    probeMain_ = probe ? mainOf(words, cell) : QString();
     probeMore_ = words.cell;
-    if (probe)
-        ofPin_ |= cell == Cell::Pin;
-    else if (std::exchange(ofPin_, false)) // the pin is gone: what it left no room for comes back
-        longestProbe_ = longestCell_ = 0;
-    // Widgets at the right must not appear and disappear with mouse movements.
-    longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
-    longestCell_ = std::max(longestCell_, QFontMetrics(probe_->font()).horizontalAdvance(probeShown()));
+    reserve(probeMain_, probeMore_);
     fit();
     probe_->setToolTip(probeShown()); // whole, where a narrow window leaves parts out
 }
 
+/// Widgets at the right must not move, appear and disappear with the mouse.
+void StatusLine::reserve(const QString& main, const QString& more) {
+    const QFontMetrics letters(probe_->font());
+    longestProbe_ = std::max(longestProbe_, letters.horizontalAdvance(main));
+    longestCell_ = std::max(longestCell_, letters.horizontalAdvance(main + "  " + more));
+}
+
 void StatusLine::showPlace(const Scan& scan, bool growing) {
     longestProbe_ = longestCell_ = 0;
+    const ProbeTexts longest = probeWords(longestProbe(scan));
+    reserve(mainOf(longest, Cell::Pin), longest.cell);
+    reserve(probeMain_, probeMore_);
     const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
     const bool part = !growing && incomplete != scan.warnings.end();
     const QString howMuch = part ? "✕ " + coreSentence(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();

@@ -84,6 +84,8 @@ private:
     void showFact(Fact fact, const QString& words, const QString& brief, bool always);
     void fit();
     [[nodiscard]] QString probeIn(int room) const;
+    [[nodiscard]] static QString mainOf(const ProbeTexts& words, Cell cell);
+    void reserve(const QString& main, const QString& more);
     void paintWork();
 
     QWidget* strip_;
@@ -93,8 +95,7 @@ private:
     std::array<FactLabel, kFacts> factLabels_;
     std::vector<QWidget*> pinnedWidgets_;
     QString probeMain_, probeMore_;
-    int longestProbe_ = 0, longestCell_ = 0; // px; longest texts of this scan, without and with the cell
-    bool ofPin_ = false;                     // one of them may be of a pinned cell
+    int longestProbe_ = 0, longestCell_ = 0; // px, of the longest texts of this scan: without and with the cell
     QToolButton* noPose_;
     QWidget* work_;
     QLabel* stage_;

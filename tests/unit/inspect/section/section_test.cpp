@@ -8,10 +8,12 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <random>
+#include <variant>
 
 namespace edgescan::inspect {
 namespace {
@@ -147,6 +149,15 @@ TEST(Section, APlaneThatIsNoPlaneIsRefused) {
     const auto plane = planeThroughRock(scan, rock);
     ASSERT_TRUE(plane);
     EXPECT_NEAR(plane->across.dot(plane->up), 0.0, 1e-12);
+    // Left and right as in the range image, whichever way its beams turn.
+    const CartesianTables points(scan);
+    EXPECT_GT((points.point(114) - points.point(105)).dot(plane->across), 0.0);
+    Scan other = scan;
+    std::ranges::reverse(std::get<PolarGeometry>(other.geometry).beamDeg);
+    const auto turned = planeThroughRock(other, rock);
+    ASSERT_TRUE(turned);
+    const CartesianTables seen(other);
+    EXPECT_GT((seen.point(114) - seen.point(105)).dot(turned->across), 0.0);
 }
 
 } // namespace
