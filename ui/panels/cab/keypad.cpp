@@ -61,11 +61,13 @@ bool isNumber(const QWidget& field) {
 /// Its list needs the room of the keys, and the name of a new file is proposed.
 bool isOfFiles(const QWidget& field) { return qobject_cast<const QFileDialog*>(field.window()) != nullptr; }
 
-/// The window manager's frame, which it may have added after the window was shown: QWidget::frameGeometry() then lacks it.
+/// The window manager's frame. It comes after the field has the focus, and QWidget::frameGeometry() lacks it then.
 QMargins rimOf(const QDialog& dialog) { return dialog.windowHandle() != nullptr ? dialog.windowHandle()->frameMargins() : QMargins(); }
 
-bool isAboveScreen(const QDialog& dialog) {
-    return dialog.geometry().top() - rimOf(dialog).top() < dialog.screen()->availableGeometry().top();
+QRect frameOf(const QDialog& dialog) { return dialog.geometry().marginsAdded(rimOf(dialog)); }
+
+bool isBetween(const QDialog& dialog, const QRect& keys) {
+    return frameOf(dialog).top() >= dialog.screen()->availableGeometry().top() && frameOf(dialog).bottom() < keys.top();
 }
 
 /// The next key replaces it: a finger can neither place the text cursor nor mark a part. Several lines stay as they are.
@@ -135,9 +137,10 @@ bool Keypad::eventFilter(QObject* watched, QEvent* event) {
         if (field != nullptr && field->hasFocus()) openFor(*field); // closed by its key, and tapped again
     } else if (event->type() == QEvent::MouseButtonRelease && watched->isWidgetType()) {
         selectWhole(*static_cast<QWidget*>(watched));
-    } else if (event->type() == QEvent::Move && watched == moved_ && isVisible()) {
-        if (const auto* dialog = qobject_cast<QDialog*>(watched); isAboveScreen(*dialog)) dock();
-    } else if (event->type() == QEvent::Show && qobject_cast<QFileDialog*>(watched) != nullptr) {
+    } else if ((event->type() == QEvent::Move || event->type() == QEvent::WindowActivate) && watched == moved_ && isVisible()) {
+        if (frameOf(*qobject_cast<QDialog*>(watched)).top() < keys_->screen()->availableGeometry().top()) dock();
+    } else if ((event->type() == QEvent::Show || event->type() == QEvent::WindowActivate) &&
+               qobject_cast<QFileDialog*>(watched) != nullptr) {
         auto* files = static_cast<QFileDialog*>(watched); // it has its place a little later
         QMetaObject::invokeMethod(
             files, [this, files] { openAbove(*files); }, Qt::QueuedConnection);
@@ -188,7 +191,7 @@ void Keypad::openAbove(QFileDialog& files) {
     if (!files.isVisible()) return;
     makeFor(files);
     showPage(true);
-    makeRoom(files, usualPlace(files), QRect());
+    if (!isBetween(files, usualPlace(files))) makeRoom(files, usualPlace(files), QRect());
 }
 
 /// At the bottom of the screen of `window`, in its middle.
@@ -208,7 +211,7 @@ void Keypad::makeRoom(QDialog& dialog, const QRect& place, const QRect& field) {
     const int around = rim.top() + rim.bottom();
     const int high =
         std::clamp(place.top() - room.top() - around, std::min(dialog.minimumSizeHint().height(), dialog.height()), dialog.height());
-    const int height = high + around, before = dialog.geometry().top() - rim.top();
+    const int height = high + around, before = frameOf(dialog).top();
     int top = std::max(room.top(), place.top() - height);
     if (top + height > place.top()) {
         const QRect moved = field.translated(0, top - before);
@@ -223,8 +226,7 @@ void Keypad::dock() {
     const auto edit = [this] { return QRect(field_->mapToGlobal(QPoint()), field_->size()); };
     QRect place = usualPlace(*field_);
     auto* dialog = qobject_cast<QDialog*>(field_->window());
-    const bool isInWay = dialog != nullptr && dialog->geometry().marginsAdded(rimOf(*dialog)).bottom() >= place.top();
-    if (dialog != nullptr && (isInWay || isAboveScreen(*dialog))) {
+    if (dialog != nullptr && !isBetween(*dialog, place)) {
         if (std::exchange(moved_, dialog) != dialog) before_ = dialog->geometry();
         makeRoom(*dialog, place, edit());
     }
