@@ -414,9 +414,13 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>Su fuerza es %1. Un borde alcanza la Fuerza del borde %2 en un lugar, y %3 en el resto.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Su fuerza %1 supera la Fuerza del borde %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Su fuerza %1 es menor que la Fuerza del borde %2, pero continúa un borde que llega a %3 en la línea %4, haz %5. A una celda así le basta %6.</translation></message>
-<message><source>Nothing was measured here.</source><translation>Aquí no se midió nada.</translation></message>
+<message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>La superficie cambia aquí, pero tanto o más en la celda vecina, línea %1, haz %2: un borde tiene una celda de ancho.</translation></message>
+<message><source>Their strengths are %1 and %2.</source><translation>Sus fuerzas son %1 y %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La superficie cambia demasiado poco aquí para ser un borde.</translation></message>
 <message><source>The surface changes here, but another cell of it is the edge.</source><translation>La superficie cambia aquí, pero otra celda de ese cambio es el borde.</translation></message>
+<message><source>The surface changes here, but no place of this change is strong enough for an edge.</source><translation>La superficie cambia aquí, pero ningún lugar de este cambio basta para un borde.</translation></message>
+<message><source>The surface changes here, but this edge is shorter than the minimum length.</source><translation>La superficie cambia aquí, pero este borde es más corto que la longitud mínima.</translation></message>
+<message><source>Nothing was measured here.</source><translation>Aquí no se midió nada.</translation></message>
 <message><source>One surface ends here in front of another.</source><translation>Aquí termina una superficie delante de otra.</translation></message>
 <message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>La superficie se dobla hacia fuera aquí, como en la esquina de una roca.</translation></message>
 <message><source>The surface bends inwards here, as where two rocks meet.</source><translation>La superficie se dobla hacia dentro aquí, como donde se tocan dos rocas.</translation></message>
@@ -815,6 +819,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>removal of measurement M%1</source><translation>supresión de la medición M%1</translation></message>
 <message><source>rock %1</source><translation>roca %1</translation></message>
 <message><source>end %1 is target %2</source><translation>el extremo %1 es el objetivo %2</translation></message>
+<message><source>moved here from line %1, beam %2</source><translation>movido aquí desde línea %1, haz %2</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>

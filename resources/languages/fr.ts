@@ -414,9 +414,13 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>Sa force est %1. Une arête atteint la Force de l'arête %2 à un endroit, et %3 sur le reste.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Sa force %1 dépasse la Force de l'arête %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Sa force %1 est sous la Force de l'arête %2, mais elle continue une arête qui atteint %3 à la ligne %4, faisceau %5. À une telle cellule, %6 suffit.</translation></message>
-<message><source>Nothing was measured here.</source><translation>Rien n'a été mesuré ici.</translation></message>
+<message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>La surface change ici, mais autant ou plus dans la cellule voisine, ligne %1, faisceau %2 : une arête a une cellule de large.</translation></message>
+<message><source>Their strengths are %1 and %2.</source><translation>Leurs forces sont %1 et %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La surface change trop peu ici pour être une arête.</translation></message>
 <message><source>The surface changes here, but another cell of it is the edge.</source><translation>La surface change ici, mais une autre cellule de ce changement est l'arête.</translation></message>
+<message><source>The surface changes here, but no place of this change is strong enough for an edge.</source><translation>La surface change ici, mais aucun endroit de ce changement ne suffit pour une arête.</translation></message>
+<message><source>The surface changes here, but this edge is shorter than the minimum length.</source><translation>La surface change ici, mais cette arête est plus courte que la longueur minimale.</translation></message>
+<message><source>Nothing was measured here.</source><translation>Rien n'a été mesuré ici.</translation></message>
 <message><source>One surface ends here in front of another.</source><translation>Une surface se termine ici devant une autre.</translation></message>
 <message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>La surface se plie vers l'extérieur ici, comme au coin d'un bloc.</translation></message>
 <message><source>The surface bends inwards here, as where two rocks meet.</source><translation>La surface se plie vers l'intérieur ici, comme là où deux blocs se touchent.</translation></message>
@@ -815,6 +819,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>removal of measurement M%1</source><translation>suppression de la mesure M%1</translation></message>
 <message><source>rock %1</source><translation>bloc %1</translation></message>
 <message><source>end %1 is target %2</source><translation>l'extrémité %1 est la cible %2</translation></message>
+<message><source>moved here from line %1, beam %2</source><translation>déplacée ici depuis ligne %1, faisceau %2</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>

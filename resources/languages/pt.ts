@@ -414,9 +414,13 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>A força é %1. Uma borda atinge a Força da borda %2 em um lugar, e %3 no resto.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>A sua força %1 está acima da Força da borda %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>A sua força %1 está abaixo da Força da borda %2, mas continua uma borda que chega a %3 na linha %4, feixe %5. Para uma célula assim basta %6.</translation></message>
-<message><source>Nothing was measured here.</source><translation>Nada foi medido aqui.</translation></message>
+<message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>A superfície muda aqui, mas tanto ou mais na célula vizinha, linha %1, feixe %2: uma borda tem uma célula de largura.</translation></message>
+<message><source>Their strengths are %1 and %2.</source><translation>As suas forças são %1 e %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>A superfície muda pouco demais aqui para ser uma borda.</translation></message>
 <message><source>The surface changes here, but another cell of it is the edge.</source><translation>A superfície muda aqui, mas outra célula dessa mudança é a borda.</translation></message>
+<message><source>The surface changes here, but no place of this change is strong enough for an edge.</source><translation>A superfície muda aqui, mas nenhum lugar desta mudança basta para uma borda.</translation></message>
+<message><source>The surface changes here, but this edge is shorter than the minimum length.</source><translation>A superfície muda aqui, mas esta borda é mais curta que o comprimento mínimo.</translation></message>
+<message><source>Nothing was measured here.</source><translation>Nada foi medido aqui.</translation></message>
 <message><source>One surface ends here in front of another.</source><translation>Uma superfície termina aqui à frente de outra.</translation></message>
 <message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>A superfície dobra para fora aqui, como no canto de uma rocha.</translation></message>
 <message><source>The surface bends inwards here, as where two rocks meet.</source><translation>A superfície dobra para dentro aqui, como onde duas rochas se tocam.</translation></message>
@@ -815,6 +819,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>removal of measurement M%1</source><translation>remoção da medição M%1</translation></message>
 <message><source>rock %1</source><translation>rocha %1</translation></message>
 <message><source>end %1 is target %2</source><translation>a ponta %1 é o alvo %2</translation></message>
+<message><source>moved here from line %1, beam %2</source><translation>movido para cá desde linha %1, feixe %2</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>

@@ -996,6 +996,30 @@ private slots:
         on.viewer.rocks.select({picture(on).rock(1)->cell});
         const QString card = on.viewer.rocksPanel.card().text();
         QVERIFY2(card.startsWith("Rock 1 Berta\n"), qPrintable(card));
+        // A second target on it has a name too: both are the rock's, as in the files.
+        const std::uint32_t first = on.viewer.targets.notebook().targets.front().cell;
+        std::uint32_t other = first + 1;
+        while (picture(on).labelAt(other) != 1) ++other;
+        on.viewer.views.pinByClick(inspect::exactly(other));
+        on.viewer.targets.rename(on.viewer.targets.active()->number, "hole 7");
+        QCOMPARE(on.viewer.rocksPanel.card().text().section('\n', 0, 0), QString("Rock 1 Berta; hole 7"));
+    }
+
+    // Of a target that is on the edge next to the click, the card was silent.
+    void theCardOfATargetSaysThatItWasMoved() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        const edges::Detection& detection = *on.picture().detection;
+        int tried = 0;
+        for (const std::uint32_t k : *detection.edges) {
+            const inspect::MeantCell meant = inspect::meantEdge(*detection.scan, *detection.mask, k);
+            if (!meant.moved() || meant.cell == inspect::meantCell(*detection.scan, k).cell || ++tried > 5) continue;
+            QCOMPARE(on.viewer.views.meant(k).cell, meant.cell);
+            on.viewer.views.pinByClick(meant);
+            QTRY_VERIFY2(on.viewer.targetsPanel.card().text().contains("\nClicked: "), qPrintable(on.viewer.targetsPanel.card().text()));
+            on.viewer.targets.removeAll();
+        }
+        QVERIFY(tried > 0);
     }
 
     // In a low window the card of a target is longer than its panel: the list is in sight without scrolling.

@@ -368,6 +368,38 @@ private slots:
         QVERIFY2(text.contains("\nEdge: "), qPrintable(text));
     }
 
+    // It said of a cell above the threshold, next to a stronger one, that the surface changes too little there.
+    void theAnswerOfWhyAgreesWithItsVerdict() {
+        edges::Settings settings;
+        settings.minimumLength = 30;
+        settings.sensitivity = 0.5;
+        use(settings);
+        const edges::Detection& detection = *window_->viewer().engine.picture()->detection;
+        const std::vector<std::pair<QString, QString>> same{{"an edge is one cell wide", "an edge is one cell wide"},
+                                                            {" does not exceed ", "too little"},
+                                                            {" is below ", "too little"},
+                                                            {"no chain of such cells", "no place of this change"},
+                                                            {"fewer than the minimum length", "shorter than the minimum length"},
+                                                            {"which is the nearer cell", "another cell of it"}};
+        std::vector<int> asked(same.size(), 0);
+        for (std::size_t k = 0; k < detection.mask->size(); ++k) {
+            if (detection.scan->state[k] != CellState::Valid || (*detection.mask)[k] != 0 || k % 3 != 0) continue;
+            const QString verdict = QString::fromStdString(edges::whyCell(detection, k).verdict);
+            const auto found = std::ranges::find_if(same, [&](const auto& pair) { return verdict.contains(pair.first); });
+            if (found == same.end() || asked[found - same.begin()]++ > 2) continue;
+            window_->viewer().explanation.explain(inspect::exactly(k), Explanation::Subject::NearestEdge);
+            const WhyCard& card = *window_->viewer().explanation.card();
+            const QString place = QString("line %1, beam %2:").arg(k / 160).arg(k % 160);
+            QTRY_VERIFY2(card.text().startsWith(place), qPrintable(card.text()));
+            const auto* plain = card.findChild<QLabel*>("why-plain");
+            QVERIFY2(plain->text().contains(found->second), qPrintable(plain->text() + " / " + card.verdict()));
+        }
+        QVERIFY2(std::ranges::count(asked, 0) <= 3, "most reasons were met");
+        QVERIFY(asked[0] > 0 && asked[1] + asked[2] > 0);
+        window_->viewer().explanation.closeCard();
+        use(edges::Settings{});
+    }
+
     // The card is as large for the next cell; and it has the words of the target's card.
     void whyHasOneSizeAndTheWordsOfTheTargetsCard() {
         use(edges::Settings{});

@@ -74,13 +74,32 @@ QString enough(const edges::Why& why) {
                      .arg(number(why.lower));
 }
 
+/// The reason of the verdict (WhyWords::reasonOfNone).
+QString noEdge(const edges::Why& why) {
+    if (why.suppressedBy && (why.strength > why.lower || why.strength == 0)) {
+        const edges::CellStrength& other = *why.suppressedBy;
+        const QString where =
+            Explanation::tr(
+                "The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.")
+                .arg(other.line)
+                .arg(other.beam);
+        if (!why.depth) return where;
+        return where + ' ' + Explanation::tr("Their strengths are %1 and %2.").arg(number(why.strength), number(other.strength));
+    }
+    const bool ofNeighbour = edges::stepOfNeighbour(why) != nullptr;
+    if (why.level == edges::StrengthLevel::Below && why.strength <= why.lower && !ofNeighbour)
+        return Explanation::tr("The surface changes too little here to be an edge.") + strengths(why);
+    if (why.level == edges::StrengthLevel::Below || ofNeighbour)
+        return Explanation::tr("The surface changes here, but another cell of it is the edge.");
+    if (why.chain.empty())
+        return Explanation::tr("The surface changes here, but no place of this change is strong enough for an edge.") + strengths(why);
+    return Explanation::tr("The surface changes here, but this edge is shorter than the minimum length.");
+}
+
 /// For readers who do not know the terms of the verdict.
 QString plainWords(const edges::Why& why) {
     if (why.probe.state != CellState::Valid && !why.probe.filled) return Explanation::tr("Nothing was measured here.");
-    if (!why.probe.edge)
-        return why.level == edges::StrengthLevel::Below
-                   ? Explanation::tr("The surface changes too little here to be an edge.") + strengths(why)
-                   : Explanation::tr("The surface changes here, but another cell of it is the edge.");
+    if (!why.probe.edge) return noEdge(why);
     switch (why.probe.kind) {
     case edges::DepthEdge::Jump:
         return Explanation::tr("One surface ends here in front of another.") + enough(why);

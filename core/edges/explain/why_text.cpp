@@ -58,7 +58,6 @@ private:
     }
     [[nodiscard]] std::string lowerThreshold() const;
     [[nodiscard]] std::string upperThreshold() const;
-    [[nodiscard]] const DepthStepAtCell* stepOfNeighbour() const;
     [[nodiscard]] std::string reasonOfNone(const std::string& strength) const;
     [[nodiscard]] std::string reasonOfChain(const std::string& strength) const;
     [[nodiscard]] std::string reason() const;
@@ -128,16 +127,6 @@ std::string WhyWords::upperThreshold() const {
 }
 
 // The farther side of a jump is never an edge, however large the jump: the outline of the rock is at the nearer cell.
-const DepthStepAtCell* WhyWords::stepOfNeighbour() const {
-    if (!isDepth() || why_.strength > why_.lower) return nullptr;
-    const DepthStepAtCell* strongest = nullptr;
-    for (const DepthStepAtCell& step : why_.depth->steps) {
-        if (!step.cellIsNearer && step.strength > why_.lower && (strongest == nullptr || step.strength > strongest->strength))
-            strongest = &step;
-    }
-    return strongest;
-}
-
 std::string WhyWords::reasonOfNone(const std::string& strength) const {
     if (why_.suppressedBy && (why_.strength > why_.lower || why_.strength == 0)) {
         const CellStrength& other = *why_.suppressedBy;
@@ -145,7 +134,7 @@ std::string WhyWords::reasonOfNone(const std::string& strength) const {
                    ? say("%1 next to it is stronger (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)})
                    : say("%1 next to it is as strong (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)});
     }
-    if (const DepthStepAtCell* step = stepOfNeighbour())
+    if (const DepthStepAtCell* step = stepOfNeighbour(why_))
         return say("the step of %1 m belongs to %2, which is the nearer cell", {metres(step->stepMm), place(step->line, step->beam)});
     if (why_.level == StrengthLevel::Below) {
         const std::string text = why_.strength < why_.lower ? say("%1 is below %2", {strength, lowerThreshold()})
@@ -239,7 +228,7 @@ std::string WhyWords::supportText() const {
 std::string WhyWords::depthText() const {
     const DepthProbe& depth = *why_.depth;
     std::string text = supportText();
-    const DepthStepAtCell* decisive = stepOfNeighbour();
+    const DepthStepAtCell* decisive = stepOfNeighbour(why_);
     if (!depth.steps.empty()) text += "\n" + stepText(decisive != nullptr ? *decisive : depth.steps.front());
     if (!depth.folds.empty()) text += "\n" + foldText(depth.folds.front());
     const double together = static_cast<double>(std::abs(depth.crease.before)) * (why_.rough ? why_.rough->factor : 1.0);
@@ -310,6 +299,16 @@ std::string WhyWords::numbers() const {
 }
 
 } // namespace
+
+const DepthStepAtCell* stepOfNeighbour(const Why& why) {
+    if (!why.depth || why.strength > why.lower) return nullptr;
+    const DepthStepAtCell* strongest = nullptr;
+    for (const DepthStepAtCell& step : why.depth->steps) {
+        if (!step.cellIsNearer && step.strength > why.lower && (strongest == nullptr || step.strength > strongest->strength))
+            strongest = &step;
+    }
+    return strongest;
+}
 
 std::string whyVerdict(const Why& why, const Settings& settings, Naming naming, Translated translated) {
     return WhyWords(why, settings, naming, translated).verdict();

@@ -98,11 +98,16 @@ QString Targets::inWords(const inspect::PinnedTarget& target) const {
 
 QString Targets::clickOf(const inspect::PinnedTarget& target) const {
     if (!engine_.picture()) return {};
+    const edges::Detection& detection = *engine_.picture()->detection;
     const std::uint32_t clicked = target.clicked.value_or(target.cell);
-    if (clicked >= engine_.picture()->detection->scan->cells()) return {};
-    const inspect::MeantCell click = inspect::meantCell(*engine_.picture()->detection->scan, clicked);
-    return click.cell == target.cell ? clickText(click, *engine_.picture()->detection)
-                                     : QString(); // else the operator chose this very cell
+    if (clicked >= detection.scan->cells()) return {};
+    for (const inspect::MeantCell& click :
+         {inspect::meantEdge(*detection.scan, *detection.mask, clicked), inspect::meantCell(*detection.scan, clicked)}) {
+        if (click.cell == target.cell) return clickText(click, detection);
+    }
+    if (!target.clicked) return {};                                         // the operator chose this very cell
+    const auto beams = static_cast<std::uint32_t>(detection.scan->beams()); // by other settings
+    return tr("moved here from line %1, beam %2").arg(clicked / beams).arg(clicked % beams);
 }
 
 CellMarks Targets::marks() const {

@@ -56,11 +56,11 @@ Paints paintsOf(const RockPicture& picture) {
 const rocks::Rock* RockPicture::rockAt(std::size_t cell) const { return rock(labelAt(cell)); }
 
 QString RockPicture::nameOf(std::uint32_t label, const RockNames& names) const {
-    QString name;
+    QStringList all; // as in the files (RockRows)
     for (const auto& [cell, given] : names) {
-        if (labelAt(cell) == label) name = given;
+        if (labelAt(cell) == label) all << given;
     }
-    return name;
+    return all.join("; ");
 }
 
 const rocks::Region* RockPicture::regionAt(std::size_t cell) const {

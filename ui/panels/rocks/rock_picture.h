@@ -36,7 +36,7 @@ struct RockPicture {
     /// The rock at the cell; null outside rocks.
     [[nodiscard]] const rocks::Rock* rockAt(std::size_t cell) const;
     [[nodiscard]] const rocks::Rock* rock(std::uint32_t label) const { return label == 0 ? nullptr : &study.rocks[label - 1]; }
-    /// Of several names on one rock the last one; empty without one.
+    /// All names on the rock, as in the files (RockRows); empty without one.
     [[nodiscard]] QString nameOf(std::uint32_t label, const RockNames& names) const;
     /// The region at the cell, rock or not; null for cells that were not measured or belong to no segment.
     [[nodiscard]] const rocks::Region* regionAt(std::size_t cell) const;
