@@ -429,7 +429,6 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>The surface changes strongly here.</source><translation>La superficie cambia mucho aquí.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>No se pudo determinar la razón (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
-<message><source>Why</source><translation>Por qué</translation></message>
 <message><source>Finding the reason …</source><translation>Buscando la razón …</translation></message>
 <message><source>line %1, beam %2</source><translation>línea %1, haz %2</translation></message>
 <message><source>under the pointer</source><translation>bajo el puntero</translation></message>
@@ -443,9 +442,11 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>Cell: %1 (%2)</source><translation>Celda: %1 (%2)</translation></message>
 <message><source>Why: click a cell</source><translation>Por qué: haga clic en una celda</translation></message>
 <message><source>
-The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
-La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
+The strongest cell of its chain is marked in all views; zoomed in, the chain is framed.</source><translation>
+La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar, la cadena aparece enmarcada.</translation></message>
 <message><source>Clicked</source><translation>Clic</translation></message>
+<message><source>Why</source><translation>Por qué</translation></message>
+<message><source>strongest</source><translation>la más fuerte</translation></message>
 <message><source>the demo after the blast</source><translation>la demo tras la tronadura</translation></message>
 <message><source>%1, scan %2</source><translation>%1, escaneo %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>el primero: los demás se colocan respecto a él</translation></message>

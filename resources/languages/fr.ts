@@ -429,7 +429,6 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>The surface changes strongly here.</source><translation>La surface change fortement ici.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>La raison n'a pas pu être établie (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
-<message><source>Why</source><translation>Pourquoi</translation></message>
 <message><source>Finding the reason …</source><translation>Recherche de la raison …</translation></message>
 <message><source>line %1, beam %2</source><translation>ligne %1, faisceau %2</translation></message>
 <message><source>under the pointer</source><translation>sous le pointeur</translation></message>
@@ -443,9 +442,11 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>Cell: %1 (%2)</source><translation>Cellule : %1 (%2)</translation></message>
 <message><source>Why: click a cell</source><translation>Pourquoi : cliquez sur une cellule</translation></message>
 <message><source>
-The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
-La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
+The strongest cell of its chain is marked in all views; zoomed in, the chain is framed.</source><translation>
+La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zoomant, la chaîne est encadrée.</translation></message>
 <message><source>Clicked</source><translation>Cliqué</translation></message>
+<message><source>Why</source><translation>Pourquoi</translation></message>
+<message><source>strongest</source><translation>la plus forte</translation></message>
 <message><source>the demo after the blast</source><translation>la démo après le tir</translation></message>
 <message><source>%1, scan %2</source><translation>%1, scan %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>le premier : les autres sont placés par rapport à lui</translation></message>

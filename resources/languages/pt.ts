@@ -429,7 +429,6 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>The surface changes strongly here.</source><translation>A superfície muda muito aqui.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>Não foi possível determinar a razão (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
-<message><source>Why</source><translation>Por quê</translation></message>
 <message><source>Finding the reason …</source><translation>À procura da razão …</translation></message>
 <message><source>line %1, beam %2</source><translation>linha %1, feixe %2</translation></message>
 <message><source>under the pointer</source><translation>sob o ponteiro</translation></message>
@@ -443,9 +442,11 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>Cell: %1 (%2)</source><translation>Célula: %1 (%2)</translation></message>
 <message><source>Why: click a cell</source><translation>Por quê: clique em uma célula</translation></message>
 <message><source>
-The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
-A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a cadeia aparece emoldurada.</translation></message>
+The strongest cell of its chain is marked in all views; zoomed in, the chain is framed.</source><translation>
+A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a cadeia aparece emoldurada.</translation></message>
 <message><source>Clicked</source><translation>Clique</translation></message>
+<message><source>Why</source><translation>Por quê</translation></message>
+<message><source>strongest</source><translation>a mais forte</translation></message>
 <message><source>the demo after the blast</source><translation>a demonstração após o desmonte</translation></message>
 <message><source>%1, scan %2</source><translation>%1, varredura %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>o primeiro: os outros são posicionados em relação a ele</translation></message>

@@ -524,7 +524,12 @@ private slots:
             const EdgeTrail& trail = each->trail();
             QVERIFY(trail.cells.size() >= 4);
             QVERIFY(std::ranges::count(trail.cells, QPoint(static_cast<int>(cell % 160), static_cast<int>(cell / 160))) == 1);
-            QVERIFY(trail.strongest.has_value());
+            const auto& marks = each->marks().targets;
+            const edges::Why why = edges::whyCell(*window_->viewer().engine.picture()->detection, cell);
+            const auto top = static_cast<std::size_t>(why.chainTop->line * 160 + why.chainTop->beam);
+            QVERIFY(top == cell || std::ranges::count_if(marks, [top](const TargetMark& mark) {
+                                       return mark.cell == top && mark.tag == "strongest" && !mark.isTarget;
+                                   }) == 1);
             // The frames are drawn at the cells, but not where they would cover them.
             const auto sky = [each] {
                 const QImage drawn = each->grab().toImage();

@@ -155,8 +155,8 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
         connect(card_, &QDialog::finished, this, &Explanation::endWait);
         connect(card_, &QDialog::finished, this, [this] {
-            views_.setExplained(std::nullopt);
             asked_.reset(); // the picture is freed
+            mark({});
         });
         connect(card_, &WhyCard::nearestEdgeRequested, this, [this] {
             if (nearestEdge_) explain(inspect::exactly(*nearestEdge_), Subject::NearestEdge);
@@ -171,12 +171,12 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     const Question question{picture, click, subject};
     asked_ = question;
     card_->offerNearestEdge(0);
+    mark({});
     QVector<QPoint> others;
     for (const TargetMark& target : views_.cloud().marks().targets) {
         if (target.cell != click.cell) others << views_.onScreen(target.cell);
     }
     card_->showCell(subjectText(question), views_.onScreen(click.cell), others);
-    views_.setExplained(views_.pinned() == click.cell ? std::nullopt : std::optional(click.cell), tr("Why")); // a target has its mark
     card_->showPlain(QString());
     card_->showExplanation(tr("Finding the reason …"));
     why_.ask(question);
@@ -231,7 +231,7 @@ void Explanation::show(const Question& question, bool still, const edges::Why& w
     if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
     QString numbers = shownText(edges::whyNumbers(why, picture.detection->settings, inLanguage));
     if (still && !why.chainMembers.empty())
-        numbers += tr("\nThe strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.");
+        numbers += tr("\nThe strongest cell of its chain is marked in all views; zoomed in, the chain is framed.");
     if (const QString moved = clickText(question.click, *picture.detection); !moved.isEmpty())
         numbers += "\n" + tr("Clicked") + ": " + moved;
     nearestEdge_ = edgeNextTo(*picture.detection, why.probe.cell);
@@ -253,11 +253,22 @@ void Explanation::showTrail(const edges::Why& why) {
     EdgeTrail trail;
     for (const std::uint32_t k : why.chainMembers) trail.cells.push_back(views_.placeOf(k));
     for (const edges::CellStrength& cell : why.chain) trail.way.emplace_back(cell.beam, cell.line);
-    if (why.chainTop) trail.strongest = QPoint(why.chainTop->beam, why.chainTop->line);
     views_.setTrail(trail);
+    mark(why.chainTop ? views_.cellAt(why.chainTop->line, why.chainTop->beam) : std::nullopt);
 }
 
-void Explanation::forgetTrail() { views_.setTrail({}); }
+void Explanation::forgetTrail() {
+    views_.setTrail({});
+    mark({});
+}
+
+/// The explained cell, unless it has the mark of its target, and the strongest cell of its chain.
+void Explanation::mark(std::optional<std::size_t> strongest) {
+    std::vector<std::pair<std::size_t, QString>> marks;
+    if (asked_ && views_.pinned() != asked_->click.cell) marks.emplace_back(asked_->click.cell, tr("Why"));
+    if (strongest && asked_ && strongest != asked_->click.cell) marks.emplace_back(*strongest, tr("strongest"));
+    views_.setExplained(marks);
+}
 
 /// The lines that a sweep adds change nothing here; a setting does.
 void Explanation::followPicture() {

@@ -49,6 +49,7 @@ private:
     void forgetTrail();
     void show(const Question& question, bool still, const edges::Why& why);
     void showTrail(const edges::Why& why);
+    void mark(std::optional<std::size_t> strongest);
     void waitForClicks();
     void endWait();
 

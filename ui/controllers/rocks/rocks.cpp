@@ -85,7 +85,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     });
     connect(&sidecar_, &RockSidecar::failed, this,
             [this](const QString& sentence) { notice_.showNotice(NoticeBar::Kind::Warning, sentence); });
-    connect(&drag_, &CellDrag::drawn, this, [this](const std::vector<QPoint>& cells) { views_.setTrail({cells, cells, std::nullopt}); });
+    connect(&drag_, &CellDrag::drawn, this, [this](const std::vector<QPoint>& cells) { views_.setTrail({cells, cells}); });
     connect(&drag_, &CellDrag::finished, this, &Rocks::takeStroke);
     connect(&drag_, &CellDrag::stepped, this, &Rocks::stepPiece);
     connectViews();

@@ -57,7 +57,7 @@ void LinkedViews::setCut(std::vector<std::vector<std::size_t>> cut) {
 void LinkedViews::showMarks() {
     CellMarks shown = flipped() ? CellMarks{} : marks_;
     if (!flipped()) shown.cut = cut_;
-    if (explained_ && !flipped()) shown.targets.push_back(*explained_);
+    if (!flipped()) shown.targets.insert(shown.targets.end(), explained_.begin(), explained_.end());
     for (ImageView* view : images_) view->setMarks(shown);
     cloud_.setMarks(shown);
 }
@@ -169,7 +169,7 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
 void LinkedViews::showNewScan(bool sameCells) {
     if (!sameCells) { // cells of the old scan have no meaning in the new one
         hovered_.reset();
-        setExplained(std::nullopt);
+        setExplained({});
         pin(std::nullopt);
     }
     if (!windowKept_) setRangeWindow(std::nullopt);
@@ -292,8 +292,9 @@ void LinkedViews::setTrail(const EdgeTrail& trail) {
     for (ImageView* view : images_) view->setTrail(trail);
 }
 
-void LinkedViews::setExplained(std::optional<std::size_t> cell, const QString& words) {
-    explained_ = cell ? std::optional(TargetMark{*cell, words, "?", false, {}, false}) : std::nullopt;
+void LinkedViews::setExplained(const std::vector<std::pair<std::size_t, QString>>& cells) {
+    explained_.clear();
+    for (const auto& [cell, words] : cells) explained_.push_back({cell, words, words, false, {}, false});
     showMarks();
 }
 

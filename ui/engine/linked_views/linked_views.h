@@ -97,8 +97,8 @@ public:
     void pointAt(std::optional<std::size_t> cell);
     void flyToHovered();
     void setTrail(const EdgeTrail& trail);
-    /// Marks one cell in all views with these words, until there is another scan; empty: none.
-    void setExplained(std::optional<std::size_t> cell, const QString& words = {});
+    /// Marks cells in all views, each with its words, until there is another scan.
+    void setExplained(const std::vector<std::pair<std::size_t, QString>>& cells);
     /// x = beam, y = line.
     [[nodiscard]] QPoint placeOf(std::size_t cell) const;
 
@@ -218,7 +218,7 @@ private:
     std::optional<QRect> box_;                    // of cells, as dragged
     CellMarks marks_;
     std::vector<std::vector<std::size_t>> cut_;
-    std::optional<TargetMark> explained_;
+    std::vector<TargetMark> explained_;
     std::optional<inspect::MeantCell> byClick_;
 };
 

@@ -299,7 +299,6 @@ void ImageView::drawTrail(QPainter& painter) const {
     QPolygonF way;
     for (const QPoint& cell : trail_.way) way << viewPort_->toPixel(QPointF(cell) + QPointF(0.5, 0.5), size());
     strokeTwice(painter, dark(3.0), light(), [&] { painter.drawPolyline(way); });
-    if (trail_.strongest) drawRing(painter, viewPort_->toPixel(QPointF(*trail_.strongest) + QPointF(0.5, 0.5), size()));
 }
 
 void ImageView::drawOutline(QPainter& painter) const {

@@ -26,9 +26,8 @@ namespace edgescan::ui {
 
 /// A highlighted edge chain. Cells as QPoint: x = beam, y = line.
 struct EdgeTrail {
-    std::vector<QPoint> cells;       ///< drawn with frames, where a cell is large enough for a frame
-    std::vector<QPoint> way;         ///< from the asked cell to the strong cell that keeps it in the mask (hysteresis), drawn as a line
-    std::optional<QPoint> strongest; ///< drawn with a ring
+    std::vector<QPoint> cells; ///< drawn with frames, where a cell is large enough for a frame
+    std::vector<QPoint> way;   ///< from the asked cell to the strong cell that keeps it in the mask (hysteresis), drawn as a line
 };
 
 /// GUI thread only. Cells as QPoint: x = beam, y = line.
