@@ -1503,6 +1503,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sin pose, las coordenadas se cuentan desde el escáner, no desde la cuadrícula de la mina. Escaneo &gt; Pose y montaje… toma una.</translation></message>
 <message><source>Pinned:</source><translation>Fijado:</translation></message>
+<message><source>Pinned nearby:</source><translation>Fijado cerca:</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE TOLERANCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origen E %1 N %2 RL %3</translation></message>
 <message><source>A click opens the pose, to change or remove it.</source><translation>Un clic abre la pose, para cambiarla o quitarla.</translation></message>

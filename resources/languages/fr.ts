@@ -1503,6 +1503,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sans pose, les coordonnées comptent à partir du scanner, non de la grille de la mine. Scan &gt; Pose et montage… en prend une.</translation></message>
 <message><source>Pinned:</source><translation>Épinglée :</translation></message>
+<message><source>Pinned nearby:</source><translation>Épinglée à côté :</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS TOLÉRANCE</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
 <message><source>A click opens the pose, to change or remove it.</source><translation>Un clic ouvre la pose, pour la changer ou la retirer.</translation></message>

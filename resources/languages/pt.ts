@@ -1503,6 +1503,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sem pose, as coordenadas contam a partir do scanner, não da grade da mina. Varredura &gt; Pose e montagem… recebe uma.</translation></message>
 <message><source>Pinned:</source><translation>Fixado:</translation></message>
+<message><source>Pinned nearby:</source><translation>Fixado perto:</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DE TOLERÂNCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origem E %1 N %2 RL %3</translation></message>
 <message><source>A click opens the pose, to change or remove it.</source><translation>Um clique abre a pose, para mudá-la ou removê-la.</translation></message>

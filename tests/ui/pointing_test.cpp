@@ -209,6 +209,14 @@ private slots:
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::ShiftModifier, pixelOf(gray, line, beam + 1));
         QVERIFY2(window_->viewer().explanation.card()->cell().contains(QString("beam %1").arg(beam + 1)),
                  qPrintable(window_->viewer().explanation.card()->cell()));
+        // That of a target is about its very cell, also where the image is small.
+        gray.viewPort()->zoomAt(QPointF(beam, line), 1.0 / gray.viewPort()->cellSize().width());
+        window_->viewer().views.pinByClick(inspect::exactly(static_cast<std::size_t>(line * 160 + beam)));
+        emit gray.hoverLeft();
+        window_->viewer().explanation.explainMarked();
+        QCOMPARE(window_->viewer().explanation.card()->cell(), QString("Cell: line %1, beam %2 (the pinned target)").arg(line).arg(beam));
+        window_->viewer().targets.removeAll();
+        window_->viewer().views.clearPin();
     }
 
     // The button of the tool bar leaves no cell under the pointer: the next click says which one, and pins nothing until the card is

@@ -233,6 +233,7 @@ private slots:
             QTRY_VERIFY(name.hasFocus());
             QTest::keyClicks(&name, words);
             QTest::keyClick(&name, Qt::Key_Return);
+            QVERIFY2(!name.hasFocus(), "the next key is a command");
             QCOMPARE(targets(on)[0].name, std::string(words));
         };
         const QPoint first = list.visualItemRect(list.item(0)).center();

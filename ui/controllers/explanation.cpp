@@ -165,7 +165,9 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     if (subject == Subject::Click && click.moved() && (*picture->detection->mask)[click.clicked] != 0)
         return explain(inspect::exactly(click.clicked), Subject::Click); // an edge was clicked, so it is meant and not its near side
     // Edges are drawn wider than a cell: a pointer on one of them means it, whatever cell is under its tip. Zoomed in, it does not.
-    const auto edge = subject == Subject::NearestEdge ? std::nullopt : edgeNextTo(*picture->detection, click.cell);
+    // A target is the very cell.
+    const bool isExact = subject == Subject::NearestEdge || views_.isTarget(click.cell);
+    const auto edge = isExact ? std::nullopt : edgeNextTo(*picture->detection, click.cell);
     const auto apart = edge ? views_.pixelsBetween(click.cell, *edge) : std::nullopt;
     if (apart && *apart <= kDrawnPx) return explain(inspect::exactly(*edge), Subject::NearestEdge);
     const Question question{picture, click, subject};

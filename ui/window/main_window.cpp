@@ -334,7 +334,10 @@ void MainWindow::connectEngine() {
     connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, [this](std::optional<edges::Probe> probe) {
         using Cell = StatusLine::Cell;
         if (probe && viewer_.engine.placePending()) probe->mineM.reset();
-        viewer_.statusLine.showProbe(probe, viewer_.views.flipped() ? Cell::OfA : viewer_.views.hovered() ? Cell::Pointer : Cell::Pin);
+        viewer_.statusLine.showProbe(probe, viewer_.views.flipped()     ? Cell::OfA
+                                            : viewer_.views.hovered()   ? Cell::Pointer
+                                            : viewer_.targets.isMoved() ? Cell::MovedPin
+                                                                        : Cell::Pin);
     });
     connect(&viewer_.engine, &Engine::placePendingChanged, this, [this] { viewer_.views.probeAgain(); });
     connect(&viewer_.views, &LinkedViews::boxed, &viewer_.statusLine, &StatusLine::showBox);

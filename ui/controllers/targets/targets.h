@@ -71,6 +71,8 @@ public:
     [[nodiscard]] QString notebookFile() const;
     /// The target whose card is shown; null: none.
     [[nodiscard]] const inspect::PinnedTarget* active() const;
+    /// The chosen target is not at the cell of its click.
+    [[nodiscard]] bool isMoved() const { return active() != nullptr && active()->clicked.has_value(); }
     /// True if the cards belong to the picture on the screen and to all entries of the notebook.
     [[nodiscard]] bool settled() const;
     [[nodiscard]] const KnownTargets& known() const { return known_; }

@@ -115,6 +115,8 @@ TargetCard::TargetCard(QWidget* parent)
 
     connect(close_, &QToolButton::clicked, this, &TargetCard::closeRequested);
     connect(lock_, &QToolButton::clicked, this, &TargetCard::lockRequested);
+    for (QLineEdit* field : {name_, note_})
+        connect(field, &QLineEdit::returnPressed, field, &QWidget::clearFocus); // the next key is a command
     connect(name_, &QLineEdit::editingFinished, this, [this] {
         if (name_->isModified()) emit renamed(name_->text().simplified()); // else a longer name of a file would be cut
     });

@@ -262,7 +262,10 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QString StatusLine::mainOf(const ProbeTexts& words, Cell cell) {
-    const QString whose = cell == Cell::Pointer ? QString() : (cell == Cell::Pin ? tr("Pinned:") : QString("A:")) + " ";
+    const QString whose = cell == Cell::Pointer    ? QString()
+                          : cell == Cell::Pin      ? tr("Pinned:") + " "
+                          : cell == Cell::MovedPin ? tr("Pinned nearby:") + " "
+                                                   : QString("A: ");
     return whose + words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
 }
 
@@ -285,7 +288,7 @@ void StatusLine::reserve(const QString& main, const QString& more) {
 void StatusLine::showPlace(const Scan& scan, bool growing) {
     longestProbe_ = longestCell_ = 0;
     const ProbeTexts longest = probeWords(longestProbe(scan));
-    reserve(mainOf(longest, Cell::Pin), longest.cell);
+    reserve(mainOf(longest, Cell::MovedPin), longest.cell);
     reserve(probeMain_, probeMore_);
     const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
     const bool part = !growing && incomplete != scan.warnings.end();

@@ -35,8 +35,8 @@ public:
 
     /// Adds a widget that is shown at every width.
     void addPinned(QWidget* widget);
-    enum class Cell { Pointer, Pin, OfA };
-    /// The text says if it is the pin's, or of A while that is shown.
+    enum class Cell { Pointer, Pin, MovedPin, OfA };
+    /// The text says if it is the pin's, at the click or near it, or of A while that is shown.
     void showProbe(const std::optional<edges::Probe>& probe, Cell cell = Cell::Pointer);
     /// The content of the selected box; empty: no box.
     void showBox(const QString& words);
