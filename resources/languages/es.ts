@@ -1524,7 +1524,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos los ajustes son los del conjunto predeterminado.</translation></message>
 <message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>1 warning</source><translation>1 advertencia</translation></message>
-<message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
+<message><source>Acknowledged.</source><translation>Vistas.</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Muestra las advertencias de este escaneo y las marca como vistas. Permanecen en los registros y las capturas de pantalla.</translation></message>
 <message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
 <message><source>no point to show: all %1 points are hidden; Measure &gt; Show All shows them</source><translation>ningún punto que mostrar: los %1 puntos están ocultos; Medir &gt; Mostrar todo los muestra</translation></message>

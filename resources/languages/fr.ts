@@ -1524,7 +1524,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Tous les réglages sont ceux du jeu par défaut.</translation></message>
 <message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>1 warning</source><translation>1 avertissement</translation></message>
-<message><source>%1, acknowledged</source><translation>%1, vu</translation></message>
+<message><source>Acknowledged.</source><translation>Vus.</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Montre les avertissements de ce scan et les marque comme vus. Ils restent dans les comptes rendus et les captures d'écran.</translation></message>
 <message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
 <message><source>no point to show: all %1 points are hidden; Measure &gt; Show All shows them</source><translation>aucun point à afficher : les %1 points sont tous masqués ; Mesurer &gt; Tout afficher les montre</translation></message>

@@ -1524,7 +1524,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos os ajustes são os do conjunto padrão.</translation></message>
 <message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>1 warning</source><translation>1 aviso</translation></message>
-<message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
+<message><source>Acknowledged.</source><translation>Vistos.</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Mostra os avisos desta varredura e os marca como vistos. Eles permanecem nos registros e nas capturas de tela.</translation></message>
 <message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
 <message><source>no point to show: all %1 points are hidden; Measure &gt; Show All shows them</source><translation>nenhum ponto a mostrar: todos os %1 pontos estão ocultos; Medir &gt; Mostrar tudo os mostra</translation></message>

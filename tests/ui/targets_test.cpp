@@ -490,6 +490,37 @@ private slots:
         QCOMPARE(plot.lengthShown(), gray.marks().measures.front().label);
     }
 
+    // A key marked another row, and Del removed the target that was chosen before.
+    void theRowThatAKeyMarksIsChosen() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_) && on.activate());
+        ImageView& gray = on.viewer.views.gray();
+        for (const auto& [line, beam] : {std::pair{20, 30}, {60, 80}, {90, 30}}) click(gray, line, beam);
+        QVERIFY(known(on));
+        for (const std::size_t n : {0, 1})
+            on.viewer.targets.keepMeasure({inspect::MeasureKind::Distance, {targets(on)[n].cell, targets(on)[n + 1].cell}});
+        QListWidget& list = *on.viewer.targetsPanel.targets();
+        const auto press = [&](QListWidget& in, Qt::Key key) {
+            in.setFocus();
+            QTest::keyClick(&in, key);
+        };
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier, list.visualItemRect(list.item(2)).center());
+        for (const auto& [key, row] : {std::pair{Qt::Key_Up, 1}, {Qt::Key_Up, 0}, {Qt::Key_End, 2}, {Qt::Key_Up, 1}}) {
+            press(list, key);
+            QTRY_COMPARE(on.viewer.targets.active()->number, row + 1);
+            QCOMPARE(list.currentRow(), row);
+            QCOMPARE(*on.viewer.views.pinned(), std::size_t{targets(on)[static_cast<std::size_t>(row)].cell});
+        }
+        press(list, Qt::Key_Delete);
+        QTRY_COMPARE(targets(on).size(), std::size_t{2});
+        QVERIFY(targets(on)[0].number == 1 && targets(on)[1].number == 3);
+        QListWidget& measures = *on.viewer.targetsPanel.measures();
+        on.viewer.targets.chooseMeasure(0);
+        press(measures, Qt::Key_Down);
+        QTRY_VERIFY(on.viewer.targets.chosenMeasure() == std::size_t{1});
+        QVERIFY(gray.marks().measures[1].active && !gray.marks().measures[0].active);
+    }
+
     void aFarWallDoesNotShrinkASection() {
         auto section = std::make_shared<inspect::Section>();
         inspect::SectionLine near, far;

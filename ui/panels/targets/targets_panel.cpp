@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace edgescan::ui {
@@ -124,8 +125,8 @@ TargetsPanel::TargetsPanel(QWidget* parent)
         list->setWordWrap(true); // an uncertainty is never cut off
         list->setResizeMode(QListView::Adjust);
         list->viewport()->installEventFilter(this);
+        list->installEventFilter(this);
     }
-    targets_->installEventFilter(this);
     targets_->setItemDelegate(new TargetRows(targets_, TargetRows::Shortened::First));
     measures_->setItemDelegate(new TargetRows(measures_, TargetRows::Shortened::Last));
     copyAll_->setToolTip(tr("The positions of all targets as a table with units, for a spreadsheet"));
@@ -161,8 +162,8 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     column->addStretch(1);
     // Not currentRowChanged: a list that gets the focus sets a current row itself.
     for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated}) {
-        connect(targets_, chosen, this, [this](QListWidgetItem* item) { emit targetChosen(targets_->row(item)); });
-        connect(measures_, chosen, this, [this](QListWidgetItem* item) { emit measureChosen(measures_->row(item)); });
+        for (QListWidget* list : {targets_, measures_})
+            connect(list, chosen, this, [this, list](QListWidgetItem* item) { choose(*list, list->row(item)); });
     }
     connect(targets_, &QListWidget::itemDoubleClicked, this, [this](QListWidgetItem* item) { emit nameRequested(targets_->row(item)); });
     targets_->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -242,7 +243,12 @@ bool TargetsPanel::event(QEvent* event) {
     return done;
 }
 
-/// Another width has other lines. Return in the list of targets asks for the name.
+void TargetsPanel::choose(const QListWidget& list, int row) {
+    if (row >= 0) &list == targets_ ? emit targetChosen(row) : emit measureChosen(row);
+}
+
+/// Another width has other lines. Return in the list of targets asks for the name. A row that a key marks is chosen, as a clicked one is:
+/// Del removes what is chosen.
 bool TargetsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Resize) fitSoon();
     if (watched == targets_ && event->type() == QEvent::KeyPress && targets_->currentRow() >= 0) {
@@ -252,6 +258,11 @@ bool TargetsPanel::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
     }
+    constexpr std::array kWays{Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Home, Qt::Key_End};
+    auto* list = qobject_cast<QListWidget*>(watched);
+    if (list != nullptr && event->type() == QEvent::KeyPress && std::ranges::count(kWays, static_cast<QKeyEvent*>(event)->key()) > 0)
+        QMetaObject::invokeMethod(
+            this, [this, list] { choose(*list, list->currentRow()); }, Qt::QueuedConnection); // when it is marked
     return QWidget::eventFilter(watched, event);
 }
 

@@ -66,6 +66,7 @@ private:
     void fitSoon();
     void fit(QListWidget& list);
     void showNewest();
+    void choose(const QListWidget& list, int row);
     void showRemarks();
     void fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines);
 

@@ -40,10 +40,12 @@ void WarningButton::acknowledge() {
 void WarningButton::showState() {
     const QString count = warnings().size() == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings().size());
     const bool acknowledged = acknowledged_ && !instead_;
-    // The text repeats the meaning of the colour.
-    setText("\u26A0 " + (acknowledged ? tr("%1, acknowledged").arg(count) : count));
-    setStyleSheet(acknowledged ? QString() : QString("QToolButton { color: %1; font-weight: bold; }").arg(themeInUse().warn.name()));
-    setToolTip(tr("Shows the warnings of this scan and acknowledges them. They remain in records and screenshots."));
+    // The sign repeats the meaning of the colour. Both are as wide: what is next to it must not move under the pointer.
+    setText((acknowledged ? "\u2713 " : "\u26A0 ") + count);
+    const QString colour = acknowledged ? QString() : QString("color: %1; ").arg(themeInUse().warn.name());
+    setStyleSheet(QString("QToolButton { %1font-weight: bold; }").arg(colour));
+    setToolTip((acknowledged ? tr("Acknowledged.") + ' ' : QString()) +
+               tr("Shows the warnings of this scan and acknowledges them. They remain in records and screenshots."));
     setVisible(!warnings().isEmpty());
 }
 
