@@ -876,9 +876,11 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Previous target or measurement</source><translation>Objetivo o medición anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Objetivo o medición siguiente</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque una roca en la nube: aquí se muestran su distancia y su tamaño. Para fijar un objetivo, toque antes Fijar.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño. Arrastrar gira la nube, dos dedos la mueven.</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño. Arrastrar gira la nube, dos dedos la mueven.</translation></message>
+<message><source>The arrows above show the measurements.</source><translation>Las flechas de arriba muestran las mediciones.</translation></message>
 <message><source>Distance</source><translation>Distancia</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
@@ -1570,6 +1572,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>in B</source><translation>en B</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
+<message><source>not a target</source><translation>no es un objetivo</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>Rock</source><translation>Roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>

@@ -876,9 +876,11 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Previous target or measurement</source><translation>Cible ou mesure précédente</translation></message>
 <message><source>Next target or measurement</source><translation>Cible ou mesure suivante</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Pour poser une cible, touchez d'abord Épingler.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Glisser tourne le nuage, deux doigts le déplacent.</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Glisser tourne le nuage, deux doigts le déplacent.</translation></message>
+<message><source>The arrows above show the measurements.</source><translation>Les flèches ci-dessus montrent les mesures.</translation></message>
 <message><source>Distance</source><translation>Distance</translation></message>
 <message><source>No target</source><translation>Aucune cible</translation></message>
 <message><source>less: %1</source><translation>moins : %1</translation></message>
@@ -1570,6 +1572,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>in B</source><translation>dans B</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
+<message><source>not a target</source><translation>pas une cible</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>

@@ -876,9 +876,11 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Previous target or measurement</source><translation>Alvo ou medição anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Alvo ou medição seguinte</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho aparecem aqui. Para marcar um alvo, toque antes em Fixar.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui. Arrastar gira a nuvem, dois dedos a movem.</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui. Arrastar gira a nuvem, dois dedos a movem.</translation></message>
+<message><source>The arrows above show the measurements.</source><translation>As setas acima mostram as medições.</translation></message>
 <message><source>Distance</source><translation>Distância</translation></message>
 <message><source>No target</source><translation>Nenhum alvo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
@@ -1570,6 +1572,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>in B</source><translation>em B</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
+<message><source>not a target</source><translation>não é um alvo</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>

@@ -224,8 +224,17 @@ private slots:
         const auto* title = on.window.findChild<QLabel*>("cab-target");
         QTRY_VERIFY2(title->text().startsWith(QString("Rock %1").arg(rock.label)), qPrintable(title->text()));
         QVERIFY(on.viewer.targets.notebook().targets.empty());
+        QVERIFY2(title->text().contains("not a target"), qPrintable(title->text())); // its card looks like that of one
+        on.viewer.rocks.select({});
+        const auto asksForPin = [&] {
+            const auto labels = on.window.cab().frame().side().findChildren<QLabel*>();
+            return std::ranges::any_of(labels,
+                                       [](const QLabel* label) { return label->isVisible() && label->text().contains("tap Pin first"); });
+        };
+        QTRY_VERIFY(asksForPin());
         press(on.window, "cab-pin");
         QVERIFY(pin->isChecked());
+        QTRY_VERIFY(!asksForPin());
         tapCell(image, at);
         QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         // Its mark is chosen again by a tap, also while a tap pins nothing.

@@ -69,7 +69,8 @@ private slots:
         QCOMPARE(window.viewer().statusLine.placeShown(), QString::fromUtf8("▲ no pose"));
         QCOMPARE(window.viewer().statusLine.recordedShown(), QString());
         emit window.viewer().views.gray().clicked(30, 40);
-        QVERIFY2(window.viewer().statusLine.probeShown().startsWith("Pinned: x "), qPrintable(window.viewer().statusLine.probeShown()));
+        QVERIFY2(window.viewer().statusLine.probeShown().startsWith("Pinned nearby: x "),
+                 qPrintable(window.viewer().statusLine.probeShown()));
         QTest::mouseClick(tool(window, "no-pose"), Qt::LeftButton);
         auto* form = window.findChild<PlaceDialog*>();
         QVERIFY(form != nullptr && form->isVisible());

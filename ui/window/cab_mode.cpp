@@ -175,6 +175,7 @@ void CabMode::follow() {
         showNumbers();
         showCorner();
     });
+    connect(&window_.viewer().views, &LinkedViews::toolChanged, this, &CabMode::showNumbers); // if a tap sets a target
     connect(&window_.viewer().rocks, &Rocks::rocksShown, this, &CabMode::showNumbers);
     connect(&window_.viewer().rocks, &Rocks::selectionChanged, this, [this] {
         showNumbers();

@@ -225,10 +225,13 @@ TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
     TargetNumbers values;
     const auto others = static_cast<int>(window_.viewer().rocks.selected().size()) - 1;
     values.title = tr("Rock %1").arg(rock.label);
-    values.place = others > 0 ? tr("and %1 more selected").arg(others) : QString();
+    const RockPicture& picture = *window_.viewer().rocks.picture();
+    const bool isTarget = std::ranges::any_of(window_.viewer().targets.notebook().targets, [&](const inspect::PinnedTarget& target) {
+        return picture.labelAt(target.cell) == rock.label;
+    });
+    values.place = others > 0 ? tr("and %1 more selected").arg(others) : isTarget ? QString() : tr("not a target");
     values.distance = tr("%1 m").arg(rock.distanceM, 0, 'f', 2);
     values.tolerance = tr("median of its cells"); // which has no ± of its own
-    const RockPicture& picture = *window_.viewer().rocks.picture();
     const bool placed = picture.detection->scan->placement != nullptr;
     const rocks::RockRows rows(picture.study, placed ? CoordinateFrame::Mine : CoordinateFrame::Scanner); // the middle, as in the table
     addPlace(values, rows.of(rock).centreM, placed, window_.viewer().engine.placePending());
@@ -285,6 +288,7 @@ TargetNumbers CabMode::numbers() const {
     const rocks::Rock* const rock = chosenRock();
     const auto chosen = targets.chosenMeasure();
     TargetNumbers values = chosen ? ofMeasure(*chosen) : rock != nullptr ? ofRock(*rock) : TargetNumbers{};
+    values.choosesOnly = window_.viewer().views.choosesOnly();
     values.targets = static_cast<int>(all.size());
     values.measures = static_cast<int>(targets.notebook().measures.size());
     values.only = (chosen || (rock == nullptr && target != nullptr)) && values.targets + values.measures == 1;

@@ -195,10 +195,14 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     const bool some = !numbers.title.isEmpty(), entries = numbers.targets + numbers.measures > 0;
     hint_->setVisible(!some);
     const QString note = numbers.note.isEmpty() ? QString() : numbers.note + "\n\n";
-    hint_->setText(numbers.measuring ? tr("Tap the ends of the measurement: its length is shown here.")
-                   : entries         ? tr("Tap a target, or an arrow above: its distance and its size are shown here.")
-                             : note + tr("Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two "
-                                         "fingers move it."));
+    const QString tap = numbers.choosesOnly
+                            ? tr("Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.")
+                            : tr("Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two "
+                                 "fingers move it.");
+    hint_->setText(numbers.measuring     ? tr("Tap the ends of the measurement: its length is shown here.")
+                   : numbers.targets > 0 ? tr("Tap a target, or an arrow above: its distance and its size are shown here.")
+                   : entries             ? tr("The arrows above show the measurements.") + "\n\n" + tap
+                                         : note + tap);
     for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_}) each->setVisible(some);
     distanceName_->setText(numbers.distanceName.isEmpty() ? tr("Distance") : numbers.distanceName);
     for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(entries && !numbers.only);

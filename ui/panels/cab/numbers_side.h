@@ -28,17 +28,18 @@ struct TargetNumbers {
     std::vector<std::pair<QString, QString>> coordinates{}; ///< in large type as well
     QString warned{};                                       ///< lines with ▲
     std::vector<std::pair<QString, QString>> rows{};
-    int targets = 0;         ///< of the scan
-    int measures = 0;        ///< of the scan: the arrows go over targets and measurements
-    bool only = false;       ///< the arrows lead to nothing else
-    bool opens = false;      ///< a tap on the title opens a menu
-    bool unposed = false;    ///< the coordinates count from the scanner; a tap on the warning, else on the coordinates, opens the pose
-    bool measuring = false;  ///< a tap is an end of a measurement
-    QString distanceName{};  ///< "Throat Width"; empty: "Distance"
-    QString sizeTolerance{}; ///< "± 0.10 m"
-    bool locked = false;     ///< a lock is next to the place
-    QString note{};          ///< without an entry: what is known about those of the scan before
-    bool ofRock = false;     ///< its size is above the coordinates: a low screen shows it at once
+    int targets = 0;          ///< of the scan
+    int measures = 0;         ///< of the scan: the arrows go over targets and measurements
+    bool only = false;        ///< the arrows lead to nothing else
+    bool opens = false;       ///< a tap on the title opens a menu
+    bool unposed = false;     ///< the coordinates count from the scanner; a tap on the warning, else on the coordinates, opens the pose
+    bool measuring = false;   ///< a tap is an end of a measurement
+    QString distanceName{};   ///< "Throat Width"; empty: "Distance"
+    QString sizeTolerance{};  ///< "± 0.10 m"
+    bool locked = false;      ///< a lock is next to the place
+    QString note{};           ///< without an entry: what is known about those of the scan before
+    bool choosesOnly = false; ///< a tap sets no target
+    bool ofRock = false;      ///< its size is above the coordinates: a low screen shows it at once
 };
 
 /// One setting. `key`: its key in the parameter table.

@@ -175,11 +175,12 @@ void StatusLine::showFact(Fact fact, const QString& words, const QString& brief,
 /// From left to right in the order of importance. Facts that do not fit get a shorter text and are then dropped, starting at the right end.
 /// The place of the cell, its verdict, the mine grid, changed settings and warnings move to a second line before they are dropped.
 void StatusLine::fit() {
+    if (!isVisible()) return; // in a cab it has neither its letters nor its width
     const int withoutWork = strip_->width() - kBetween;
     const int whole = withoutWork - (work_->isHidden() ? 0 : work_->sizeHint().width() + kBetween);
     const QFontMetrics letters(probe_->font());
-    const int left = std::max(letters.horizontalAdvance(probeMain_), longestProbe_) + kBetween;
-    const int withCell = std::max(letters.horizontalAdvance(probeShown()), longestCell_) + kBetween;
+    const int left = letters.horizontalAdvance(longestMain_) + kBetween;
+    const int withCell = letters.horizontalAdvance(longestWhole_) + kBetween;
     enum Form { Full, Brief, None };
     std::array<Form, kFacts> forms{};
     const auto textOf = [&](std::size_t n) {
@@ -243,6 +244,8 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 bool StatusLine::event(QEvent* event) {
     const bool done = QStatusBar::event(event);
     if (event->type() == QEvent::LayoutRequest) fit();
+    if (event->type() == QEvent::Show || event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &StatusLine::fit, Qt::QueuedConnection); // when its labels have the letters of the theme
     return done;
 }
 
@@ -281,12 +284,15 @@ void StatusLine::showProbe(const std::optional<edges::Probe>& probe, Cell cell) 
 /// Widgets at the right must not move, appear and disappear with the mouse.
 void StatusLine::reserve(const QString& main, const QString& more) {
     const QFontMetrics letters(probe_->font());
-    longestProbe_ = std::max(longestProbe_, letters.horizontalAdvance(main));
-    longestCell_ = std::max(longestCell_, letters.horizontalAdvance(main + "  " + more));
+    const auto keep = [&letters](QString& longest, const QString& text) {
+        if (letters.horizontalAdvance(text) > letters.horizontalAdvance(longest)) longest = text;
+    };
+    keep(longestMain_, main);
+    keep(longestWhole_, main + "  " + more);
 }
 
 void StatusLine::showPlace(const Scan& scan, bool growing) {
-    longestProbe_ = longestCell_ = 0;
+    longestMain_ = longestWhole_ = QString();
     const ProbeTexts longest = probeWords(longestProbe(scan));
     reserve(mainOf(longest, Cell::MovedPin), longest.cell);
     reserve(probeMain_, probeMore_);

@@ -95,7 +95,7 @@ private:
     std::array<FactLabel, kFacts> factLabels_;
     std::vector<QWidget*> pinnedWidgets_;
     QString probeMain_, probeMore_;
-    int longestProbe_ = 0, longestCell_ = 0; // px, of the longest texts of this scan: without and with the cell
+    QString longestMain_, longestWhole_; // texts of this scan, without and with the cell; their width depends on the theme
     QToolButton* noPose_;
     QWidget* work_;
     QLabel* stage_;
