@@ -1189,8 +1189,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
 <message><source>Where the stepper begins. The cloud turns with it, its shape is the same.</source><translation>Donde empieza el motor. La nube gira con él, su forma es la misma.</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sin encoder; las líneas se ubican según el paso del motor</translation></message>
-<message><source>like a wheel, about its viewing direction (spin)</source><translation>como una rueda, en torno a su dirección de visión (spin)</translation></message>
-<message><source>nodding, about the line from beam 0° to 180° (sweep)</source><translation>cabeceando, en torno a la línea del haz 0° al 180° (sweep)</translation></message>
+<message><source>spin: like a wheel, about its viewing direction</source><translation>spin: como una rueda, en torno a su dirección de visión</translation></message>
+<message><source>sweep: nodding, about the line from beam 0° to 180°</source><translation>sweep: cabeceando, en torno a la línea del haz 0° al 180°</translation></message>
 <message><source>The numbers are in the stepper's program or data sheet. Leave out what you do not know.</source><translation>Los números están en el programa o la ficha técnica del motor paso a paso. Deje lo que no sepa.</translation></message>
 <message><source>The scanner turns</source><translation>El escáner gira</translation></message>
 <message><source>Lines of a whole sweep</source><translation>Líneas de un barrido completo</translation></message>

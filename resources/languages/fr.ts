@@ -1189,8 +1189,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
 <message><source>Where the stepper begins. The cloud turns with it, its shape is the same.</source><translation>Où le moteur commence. Le nuage tourne avec lui, sa forme reste la même.</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0 : pas de codeur ; les lignes sont placées selon le pas du moteur</translation></message>
-<message><source>like a wheel, about its viewing direction (spin)</source><translation>comme une roue, autour de sa direction de visée (spin)</translation></message>
-<message><source>nodding, about the line from beam 0° to 180° (sweep)</source><translation>en hochant, autour de la ligne du faisceau 0° au 180° (sweep)</translation></message>
+<message><source>spin: like a wheel, about its viewing direction</source><translation>spin : comme une roue, autour de sa direction de visée</translation></message>
+<message><source>sweep: nodding, about the line from beam 0° to 180°</source><translation>sweep : en hochant, autour de la ligne du faisceau 0° au 180°</translation></message>
 <message><source>The numbers are in the stepper's program or data sheet. Leave out what you do not know.</source><translation>Les nombres sont dans le programme ou la fiche technique du moteur pas à pas. Laissez ce que vous ne savez pas.</translation></message>
 <message><source>The scanner turns</source><translation>Le scanner tourne</translation></message>
 <message><source>Lines of a whole sweep</source><translation>Lignes d'un balayage entier</translation></message>

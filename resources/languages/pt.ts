@@ -1189,8 +1189,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
 <message><source>Where the stepper begins. The cloud turns with it, its shape is the same.</source><translation>Onde o motor começa. A nuvem gira com ele, a forma é a mesma.</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sem encoder; as linhas são posicionadas pelo passo do motor</translation></message>
-<message><source>like a wheel, about its viewing direction (spin)</source><translation>como uma roda, em torno da sua direção de visão (spin)</translation></message>
-<message><source>nodding, about the line from beam 0° to 180° (sweep)</source><translation>balançando, em torno da linha do feixe 0° ao 180° (sweep)</translation></message>
+<message><source>spin: like a wheel, about its viewing direction</source><translation>spin: como uma roda, em torno da sua direção de visão</translation></message>
+<message><source>sweep: nodding, about the line from beam 0° to 180°</source><translation>sweep: balançando, em torno da linha do feixe 0° ao 180°</translation></message>
 <message><source>The numbers are in the stepper's program or data sheet. Leave out what you do not know.</source><translation>Os números estão no programa ou na ficha técnica do motor de passo. Deixe o que não souber.</translation></message>
 <message><source>The scanner turns</source><translation>O scanner gira</translation></message>
 <message><source>Lines of a whole sweep</source><translation>Linhas de uma varredura inteira</translation></message>

@@ -61,8 +61,8 @@ SweepForm::SweepForm(QWidget* parent)
     ticks_->setDecimals(4);
     ticks_->setToolTip(tr("0: no encoder; the lines are placed by the stepper's step"));
     axis_->addItem({});
-    axis_->addItem(tr("like a wheel, about its viewing direction (spin)"), static_cast<int>(Axis::Spin));
-    axis_->addItem(tr("nodding, about the line from beam 0° to 180° (sweep)"), static_cast<int>(Axis::Sweep));
+    axis_->addItem(tr("spin: like a wheel, about its viewing direction"), static_cast<int>(Axis::Spin));
+    axis_->addItem(tr("sweep: nodding, about the line from beam 0° to 180°"), static_cast<int>(Axis::Sweep));
     showAxisSeen({});
     auto* source = new QLabel(tr("The numbers are in the stepper's program or data sheet. Leave out what you do not know."));
     source->setWordWrap(true);
