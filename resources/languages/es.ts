@@ -417,9 +417,9 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>La superficie cambia aquí, pero tanto o más en la celda vecina, línea %1, haz %2: un borde tiene una celda de ancho.</translation></message>
 <message><source>Their strengths are %1 and %2.</source><translation>Sus fuerzas son %1 y %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La superficie cambia demasiado poco aquí para ser un borde.</translation></message>
-<message><source>The surface changes here, but another cell of it is the edge.</source><translation>La superficie cambia aquí, pero otra celda de ese cambio es el borde.</translation></message>
 <message><source>The surface changes here, but no place of this change is strong enough for an edge.</source><translation>La superficie cambia aquí, pero ningún lugar de este cambio basta para un borde.</translation></message>
 <message><source>The surface changes here, but this edge is shorter than the minimum length.</source><translation>La superficie cambia aquí, pero este borde es más corto que la longitud mínima.</translation></message>
+<message><source>The surface changes here, but another cell of it is the edge.</source><translation>La superficie cambia aquí, pero otra celda de ese cambio es el borde.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Aquí no se midió nada.</translation></message>
 <message><source>One surface ends here in front of another.</source><translation>Aquí termina una superficie delante de otra.</translation></message>
 <message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>La superficie se dobla hacia fuera aquí, como en la esquina de una roca.</translation></message>

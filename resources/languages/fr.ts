@@ -417,9 +417,9 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>La surface change ici, mais autant ou plus dans la cellule voisine, ligne %1, faisceau %2 : une arête a une cellule de large.</translation></message>
 <message><source>Their strengths are %1 and %2.</source><translation>Leurs forces sont %1 et %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La surface change trop peu ici pour être une arête.</translation></message>
-<message><source>The surface changes here, but another cell of it is the edge.</source><translation>La surface change ici, mais une autre cellule de ce changement est l'arête.</translation></message>
 <message><source>The surface changes here, but no place of this change is strong enough for an edge.</source><translation>La surface change ici, mais aucun endroit de ce changement ne suffit pour une arête.</translation></message>
 <message><source>The surface changes here, but this edge is shorter than the minimum length.</source><translation>La surface change ici, mais cette arête est plus courte que la longueur minimale.</translation></message>
+<message><source>The surface changes here, but another cell of it is the edge.</source><translation>La surface change ici, mais une autre cellule de ce changement est l'arête.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Rien n'a été mesuré ici.</translation></message>
 <message><source>One surface ends here in front of another.</source><translation>Une surface se termine ici devant une autre.</translation></message>
 <message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>La surface se plie vers l'extérieur ici, comme au coin d'un bloc.</translation></message>

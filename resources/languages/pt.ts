@@ -417,9 +417,9 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>A superfície muda aqui, mas tanto ou mais na célula vizinha, linha %1, feixe %2: uma borda tem uma célula de largura.</translation></message>
 <message><source>Their strengths are %1 and %2.</source><translation>As suas forças são %1 e %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>A superfície muda pouco demais aqui para ser uma borda.</translation></message>
-<message><source>The surface changes here, but another cell of it is the edge.</source><translation>A superfície muda aqui, mas outra célula dessa mudança é a borda.</translation></message>
 <message><source>The surface changes here, but no place of this change is strong enough for an edge.</source><translation>A superfície muda aqui, mas nenhum lugar desta mudança basta para uma borda.</translation></message>
 <message><source>The surface changes here, but this edge is shorter than the minimum length.</source><translation>A superfície muda aqui, mas esta borda é mais curta que o comprimento mínimo.</translation></message>
+<message><source>The surface changes here, but another cell of it is the edge.</source><translation>A superfície muda aqui, mas outra célula dessa mudança é a borda.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Nada foi medido aqui.</translation></message>
 <message><source>One surface ends here in front of another.</source><translation>Uma superfície termina aqui à frente de outra.</translation></message>
 <message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>A superfície dobra para fora aqui, como no canto de uma rocha.</translation></message>

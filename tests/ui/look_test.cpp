@@ -346,7 +346,7 @@ private slots:
                 line.resize(wide, 30);
                 const QString before = places();
                 for (const std::uint32_t k : {detection.edges->front(), detection.edges->back()}) {
-                    for (const auto cell : {StatusLine::Cell::Pointer, StatusLine::Cell::Pin}) {
+                    for (const auto cell : {StatusLine::Cell::Pointer, StatusLine::Cell::Pin, StatusLine::Cell::MovedPin}) {
                         edges::Probe probe = edges::probeCell(detection, k);
                         probe.kind = edges::DepthEdge::Convex;
                         line.showProbe(probe, cell);
@@ -653,21 +653,27 @@ private slots:
         QTRY_VERIFY2(strip.minimumHeight() < before, qPrintable(QString("%1 after %2").arg(strip.minimumHeight()).arg(before)));
     }
 
-    // Hold gives the strip no other row, in any window of a desk: the pictures below it do not move.
-    void holdKeepsTheRowsOfTheStrip() {
+    /// A sweep of 600 lines that grows.
+    static files::LiveHealth growing() {
         files::LiveHealth health;
         health.liveness = files::Liveness::Live;
         health.badge = "LIVE";
-        health.sweep = 2;
         health.lines = "216/600 lines";
         health.rows = 600;
         health.row = 216;
-        health.end = "20 s left";
         health.noReturn = "no return 0.3 %";
-        health.remark = "FIRST ANGLE ASSUMED";
         health.telegrams = files::Condition::OutOfSpec;
         health.contamination = "window clean";
         health.pose = "no pose";
+        return health;
+    }
+
+    // Hold gives the strip no other row, in any window of a desk: the pictures below it do not move.
+    void holdKeepsTheRowsOfTheStrip() {
+        files::LiveHealth health = growing();
+        health.sweep = 2;
+        health.end = "20 s left";
+        health.remark = "FIRST ANGLE ASSUMED";
         HealthStrip strip;
         strip.show();
         for (int width = 600; width <= 1400; width += 20) {
@@ -681,18 +687,9 @@ private slots:
 
     // The first sweep was joined in its middle; the second has another remark and an end. The pictures stay where they are.
     void theNextSweepKeepsTheRowsOfTheStrip() {
-        files::LiveHealth first;
-        first.liveness = files::Liveness::Live;
-        first.badge = "LIVE";
+        files::LiveHealth first = growing();
         first.sweep = 1;
-        first.lines = "216/600 lines";
-        first.rows = 600;
-        first.row = 216;
-        first.noReturn = "no return 0.3 %";
         first.remark = "START ASSUMED";
-        first.telegrams = files::Condition::OutOfSpec;
-        first.contamination = "window clean";
-        first.pose = "no pose";
         files::LiveHealth second = first;
         second.sweep = 2;
         second.remark = "FIRST ANGLE ASSUMED";

@@ -7,6 +7,7 @@
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/mouse_wheel.h"
+#include "tests/ui/pictures.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/dialogs/command_palette.h"
@@ -425,13 +426,7 @@ private slots:
                 QVERIFY(std::ranges::count(gray.marks().cut[n], vertex.cell) > 0);
         }
         const auto isDrawn = [](QWidget& view) {
-            const QImage drawn = view.grab().toImage().convertToFormat(QImage::Format_RGB32);
-            for (int y = 0; y < drawn.height(); ++y) {
-                for (int x = 0; x < drawn.width(); ++x) {
-                    if (drawn.pixel(x, y) == QColor(255, 220, 110).rgb()) return true;
-                }
-            }
-            return false;
+            return countPixels(view.grab().toImage(), [](QRgb pixel) { return pixel == QColor(255, 220, 110).rgb(); }) > 0;
         };
         QVERIFY(isDrawn(gray));
         const QPointF one = plot.placeOf({1.0, 0.0}) - plot.placeOf({0.0, 0.0}),

@@ -299,10 +299,6 @@ void drawMove(QPainter& painter, const QLineF& move) {
     strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 3.0), QPen(Qt::white, 1.0, Qt::DotLine), [&] { painter.drawLine(move); });
 }
 
-} // namespace
-
-namespace {
-
 /// A new part begins after a cell out of view.
 void addCut(std::vector<QPolygonF>& parts, const std::vector<std::size_t>& line, const PlaceOfCell& placeOf) {
     QPolygonF part;

@@ -74,9 +74,9 @@ QString enough(const edges::Why& why) {
                      .arg(number(why.lower));
 }
 
-/// The reason of the verdict (WhyWords::reasonOfNone).
 QString noEdge(const edges::Why& why) {
-    if (why.suppressedBy && (why.strength > why.lower || why.strength == 0)) {
+    switch (edges::noEdgeReason(why)) {
+    case edges::NoEdge::StrongerNeighbour: {
         const edges::CellStrength& other = *why.suppressedBy;
         const QString where =
             Explanation::tr(
@@ -86,14 +86,17 @@ QString noEdge(const edges::Why& why) {
         if (!why.depth) return where;
         return where + ' ' + Explanation::tr("Their strengths are %1 and %2.").arg(number(why.strength), number(other.strength));
     }
-    const bool ofNeighbour = edges::stepOfNeighbour(why) != nullptr;
-    if (why.level == edges::StrengthLevel::Below && why.strength <= why.lower && !ofNeighbour)
+    case edges::NoEdge::TooWeak:
+        if (why.strength > why.lower) break;
         return Explanation::tr("The surface changes too little here to be an edge.") + strengths(why);
-    if (why.level == edges::StrengthLevel::Below || ofNeighbour)
-        return Explanation::tr("The surface changes here, but another cell of it is the edge.");
-    if (why.chain.empty())
+    case edges::NoEdge::NoStrongPlace:
         return Explanation::tr("The surface changes here, but no place of this change is strong enough for an edge.") + strengths(why);
-    return Explanation::tr("The surface changes here, but this edge is shorter than the minimum length.");
+    case edges::NoEdge::TooShort:
+        return Explanation::tr("The surface changes here, but this edge is shorter than the minimum length.");
+    case edges::NoEdge::StepOfNeighbour:
+        break;
+    }
+    return Explanation::tr("The surface changes here, but another cell of it is the edge.");
 }
 
 /// For readers who do not know the terms of the verdict.

@@ -83,7 +83,7 @@ void placeBelowNotes(SectionCard& card, const QWidget& window, const QRect& clou
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
         if (dock->isVisible() && !dock->isFloating()) panels.emplace_back(dock->mapToGlobal(QPoint()), dock->size());
     }
-    constexpr int kParts = 20; // a rim of what is cut is not worth a panel
+    constexpr int kParts = 50; // a rim of what is cut is not worth a panel
     const auto covered = [&](const QPoint& at) {
         const QRect place(at, size);
         int ofPanels = 0;

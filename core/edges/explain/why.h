@@ -32,8 +32,15 @@ struct Why : Judgement {
 /// `k` must be a cell of the detection's scan. Runs the method's stages again, so it costs about as much as the detection.
 [[nodiscard]] Why whyCell(const Detection& detection, std::size_t k);
 
-/// The strongest step at the cell that belongs to its nearer neighbour and is strong enough for an edge; null: there is no such step.
-[[nodiscard]] const DepthStepAtCell* stepOfNeighbour(const Why& why);
+/// The first of these that holds for a cell without an edge.
+enum class NoEdge : std::uint8_t {
+    StrongerNeighbour, ///< a cell next to it is as strong or stronger, and an edge is one cell wide
+    StepOfNeighbour,   ///< its step is strong enough, but belongs to the nearer cell
+    TooWeak,           ///< not above the lower threshold
+    NoStrongPlace,     ///< no chain of cells leads to one above the upper threshold
+    TooShort,          ///< its chain has fewer cells than the minimum length
+};
+[[nodiscard]] NoEdge noEdgeReason(const Why& why);
 
 /// A strength or a threshold with two digits, from 10 on with one. It is rounded down, as the largest threshold is at which a cell is an
 /// edge: "1.73 ... disappears above 1.72" would contradict itself.

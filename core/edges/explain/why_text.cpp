@@ -30,6 +30,18 @@ std::string metres(double mm) { return fixedText(mm / 1000.0, 3); }
 
 std::string noiseMetres(double mm) { return fixedText(mm / 1000.0, mm < 10.0 ? 4 : 3); }
 
+/// The strongest step at the cell that is strong enough for an edge and belongs to its neighbour; null: it has none. The farther side of a
+/// jump is never an edge, however large the jump: the outline of the rock is at the nearer cell.
+const DepthStepAtCell* stepOfNeighbour(const Why& why) {
+    if (!why.depth || why.strength > why.lower) return nullptr;
+    const DepthStepAtCell* strongest = nullptr;
+    for (const DepthStepAtCell& step : why.depth->steps) {
+        if (!step.cellIsNearer && step.strength > why.lower && (strongest == nullptr || step.strength > strongest->strength))
+            strongest = &step;
+    }
+    return strongest;
+}
+
 /// The texts of one cell, in the words of the command line or of the window.
 class WhyWords {
 public:
@@ -126,23 +138,28 @@ std::string WhyWords::upperThreshold() const {
                                              : say("the upper threshold %1", {inUnit(why_.upper)});
 }
 
-// The farther side of a jump is never an edge, however large the jump: the outline of the rock is at the nearer cell.
 std::string WhyWords::reasonOfNone(const std::string& strength) const {
-    if (why_.suppressedBy && (why_.strength > why_.lower || why_.strength == 0)) {
+    switch (noEdgeReason(why_)) {
+    case NoEdge::StrongerNeighbour: {
         const CellStrength& other = *why_.suppressedBy;
         return other.strength > why_.strength
                    ? say("%1 next to it is stronger (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)})
                    : say("%1 next to it is as strong (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)});
     }
-    if (const DepthStepAtCell* step = stepOfNeighbour(why_))
-        return say("the step of %1 m belongs to %2, which is the nearer cell", {metres(step->stepMm), place(step->line, step->beam)});
-    if (why_.level == StrengthLevel::Below) {
+    case NoEdge::StepOfNeighbour: {
+        const DepthStepAtCell& step = *stepOfNeighbour(why_);
+        return say("the step of %1 m belongs to %2, which is the nearer cell", {metres(step.stepMm), place(step.line, step.beam)});
+    }
+    case NoEdge::TooWeak: {
         const std::string text = why_.strength < why_.lower ? say("%1 is below %2", {strength, lowerThreshold()})
                                                             : say("%1 does not exceed %2", {strength, lowerThreshold()});
         return why_.suppressedBy ? say("%1, and %2 next to it is stronger", {text, place(*why_.suppressedBy)}) : text;
     }
-    if (why_.chain.empty())
+    case NoEdge::NoStrongPlace:
         return say("%1 is above %2, but no chain of such cells leads to one above %3", {strength, lowerThreshold(), upperThreshold()});
+    case NoEdge::TooShort:
+        break;
+    }
     const std::string least = std::to_string(settings_.minimumLength);
     return why_.chainCells == 1 ? say("its chain has 1 cell, fewer than the minimum length %1", {least})
                                 : say("its chain has %1 cells, fewer than the minimum length %2", {std::to_string(why_.chainCells), least});
@@ -300,14 +317,11 @@ std::string WhyWords::numbers() const {
 
 } // namespace
 
-const DepthStepAtCell* stepOfNeighbour(const Why& why) {
-    if (!why.depth || why.strength > why.lower) return nullptr;
-    const DepthStepAtCell* strongest = nullptr;
-    for (const DepthStepAtCell& step : why.depth->steps) {
-        if (!step.cellIsNearer && step.strength > why.lower && (strongest == nullptr || step.strength > strongest->strength))
-            strongest = &step;
-    }
-    return strongest;
+NoEdge noEdgeReason(const Why& why) {
+    if (why.suppressedBy && (why.strength > why.lower || why.strength == 0)) return NoEdge::StrongerNeighbour;
+    if (stepOfNeighbour(why) != nullptr) return NoEdge::StepOfNeighbour;
+    if (why.level == StrengthLevel::Below) return NoEdge::TooWeak;
+    return why.chain.empty() ? NoEdge::NoStrongPlace : NoEdge::TooShort;
 }
 
 std::string whyVerdict(const Why& why, const Settings& settings, Naming naming, Translated translated) {
