@@ -47,10 +47,17 @@ json foldReport(const edges::FoldAtCell& fold, double creaseDeg) {
             {"strength", fold.strength}};
 }
 
+json suppressedReport(const std::optional<edges::CellStrength>& by, double compared) {
+    if (!by) return nullptr;
+    json report = cellReport(*by);
+    report["against"] = compared;
+    return report;
+}
+
 json thinnedReport(const edges::ThinnedStrength& thinned) {
     return {{"strength", std::abs(thinned.before)},
             {"remains", thinned.after != 0},
-            {"suppressed_by", thinned.stronger ? cellReport(*thinned.stronger) : json(nullptr)}};
+            {"suppressed_by", suppressedReport(thinned.stronger, static_cast<double>(thinned.compared))}};
 }
 
 const char* supportName(Support support) {
@@ -118,7 +125,7 @@ nlohmann::ordered_json whyReport(const edges::Detection& detection, const edges:
     const std::string meaning = edges::thresholdText(detection.settings, detection.gray->scale);
     if (!meaning.empty()) report["thresholds"]["meaning"] = meaning;
     report["against_thresholds"] = levelName(why.level);
-    report["suppressed_by"] = why.suppressedBy ? cellReport(*why.suppressedBy) : json(nullptr);
+    report["suppressed_by"] = suppressedReport(why.suppressedBy, why.compared);
     report["chain"] = json::array();
     for (const edges::CellStrength& cell : why.chain) report["chain"].push_back(cellReport(cell));
     report["chain_cells"] = why.chainCells;

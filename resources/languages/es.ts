@@ -415,7 +415,7 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Su fuerza %1 supera la Fuerza del borde %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Su fuerza %1 es menor que la Fuerza del borde %2, pero continúa un borde que llega a %3 en la línea %4, haz %5. A una celda así le basta %6.</translation></message>
 <message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>La superficie cambia aquí, pero tanto o más en la celda vecina, línea %1, haz %2: un borde tiene una celda de ancho.</translation></message>
-<message><source>Their strengths are %1 and %2.</source><translation>Sus fuerzas son %1 y %2.</translation></message>
+<message><source>In the direction of that cell their strengths are %1 and %2.</source><translation>En la dirección de esa celda sus fuerzas son %1 y %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La superficie cambia demasiado poco aquí para ser un borde.</translation></message>
 <message><source>The surface changes here, but no place of this change is strong enough for an edge.</source><translation>La superficie cambia aquí, pero ningún lugar de este cambio basta para un borde.</translation></message>
 <message><source>The surface changes here, but this edge is shorter than the minimum length.</source><translation>La superficie cambia aquí, pero este borde es más corto que la longitud mínima.</translation></message>
@@ -2047,6 +2047,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the threshold %1</source><translation>el umbral %1</translation></message>
 <message><source>the lower threshold %1</source><translation>el umbral inferior %1</translation></message>
 <message><source>the upper threshold %1</source><translation>el umbral superior %1</translation></message>
+<message><source>%1 the fold at %2 next to it is stronger (%3 against %4), and an edge is one cell wide</source><translation>%1 el pliegue en %2, a su lado, es más fuerte (%3 frente a %4), y un borde tiene una celda de ancho</translation></message>
+<message><source>%1 the fold at %2 next to it is as strong (%3 against %4), and an edge is one cell wide</source><translation>%1 el pliegue en %2, a su lado, es igual de fuerte (%3 frente a %4), y un borde tiene una celda de ancho</translation></message>
 <message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1, a su lado, es más fuerte (%2), y un borde tiene una celda de ancho</translation></message>
 <message><source>%1 next to it is as strong (%2), and an edge is one cell wide</source><translation>%1, a su lado, es igual de fuerte (%2), y un borde tiene una celda de ancho</translation></message>
 <message><source>the step of %1 m belongs to %2, which is the nearer cell</source><translation>el escalón de %1 m pertenece a %2, que es la celda más cercana</translation></message>

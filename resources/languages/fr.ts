@@ -415,7 +415,7 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Sa force %1 dépasse la Force de l'arête %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Sa force %1 est sous la Force de l'arête %2, mais elle continue une arête qui atteint %3 à la ligne %4, faisceau %5. À une telle cellule, %6 suffit.</translation></message>
 <message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>La surface change ici, mais autant ou plus dans la cellule voisine, ligne %1, faisceau %2 : une arête a une cellule de large.</translation></message>
-<message><source>Their strengths are %1 and %2.</source><translation>Leurs forces sont %1 et %2.</translation></message>
+<message><source>In the direction of that cell their strengths are %1 and %2.</source><translation>Dans la direction de cette cellule, leurs forces sont %1 et %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La surface change trop peu ici pour être une arête.</translation></message>
 <message><source>The surface changes here, but no place of this change is strong enough for an edge.</source><translation>La surface change ici, mais aucun endroit de ce changement ne suffit pour une arête.</translation></message>
 <message><source>The surface changes here, but this edge is shorter than the minimum length.</source><translation>La surface change ici, mais cette arête est plus courte que la longueur minimale.</translation></message>
@@ -2047,6 +2047,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the threshold %1</source><translation>le seuil %1</translation></message>
 <message><source>the lower threshold %1</source><translation>le seuil bas %1</translation></message>
 <message><source>the upper threshold %1</source><translation>le seuil haut %1</translation></message>
+<message><source>%1 the fold at %2 next to it is stronger (%3 against %4), and an edge is one cell wide</source><translation>%1 le pli en %2, à côté, est plus fort (%3 contre %4), et une arête est large d'une cellule</translation></message>
+<message><source>%1 the fold at %2 next to it is as strong (%3 against %4), and an edge is one cell wide</source><translation>%1 le pli en %2, à côté, est aussi fort (%3 contre %4), et une arête est large d'une cellule</translation></message>
 <message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1 à côté est plus forte (%2), et une arête est large d'une cellule</translation></message>
 <message><source>%1 next to it is as strong (%2), and an edge is one cell wide</source><translation>%1 à côté est aussi forte (%2), et une arête est large d'une cellule</translation></message>
 <message><source>the step of %1 m belongs to %2, which is the nearer cell</source><translation>la marche de %1 m appartient à %2, qui est la cellule la plus proche</translation></message>

@@ -415,7 +415,7 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>A sua força %1 está acima da Força da borda %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>A sua força %1 está abaixo da Força da borda %2, mas continua uma borda que chega a %3 na linha %4, feixe %5. Para uma célula assim basta %6.</translation></message>
 <message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>A superfície muda aqui, mas tanto ou mais na célula vizinha, linha %1, feixe %2: uma borda tem uma célula de largura.</translation></message>
-<message><source>Their strengths are %1 and %2.</source><translation>As suas forças são %1 e %2.</translation></message>
+<message><source>In the direction of that cell their strengths are %1 and %2.</source><translation>Na direção dessa célula, as suas forças são %1 e %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>A superfície muda pouco demais aqui para ser uma borda.</translation></message>
 <message><source>The surface changes here, but no place of this change is strong enough for an edge.</source><translation>A superfície muda aqui, mas nenhum lugar desta mudança basta para uma borda.</translation></message>
 <message><source>The surface changes here, but this edge is shorter than the minimum length.</source><translation>A superfície muda aqui, mas esta borda é mais curta que o comprimento mínimo.</translation></message>
@@ -2047,6 +2047,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the threshold %1</source><translation>o limiar %1</translation></message>
 <message><source>the lower threshold %1</source><translation>o limiar inferior %1</translation></message>
 <message><source>the upper threshold %1</source><translation>o limiar superior %1</translation></message>
+<message><source>%1 the fold at %2 next to it is stronger (%3 against %4), and an edge is one cell wide</source><translation>%1 a dobra em %2, ao lado, é mais forte (%3 contra %4), e uma borda tem uma célula de largura</translation></message>
+<message><source>%1 the fold at %2 next to it is as strong (%3 against %4), and an edge is one cell wide</source><translation>%1 a dobra em %2, ao lado, é igualmente forte (%3 contra %4), e uma borda tem uma célula de largura</translation></message>
 <message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1, ao lado, é mais forte (%2), e uma borda tem uma célula de largura</translation></message>
 <message><source>%1 next to it is as strong (%2), and an edge is one cell wide</source><translation>%1, ao lado, é tão forte quanto ela (%2), e uma borda tem uma célula de largura</translation></message>
 <message><source>the step of %1 m belongs to %2, which is the nearer cell</source><translation>o degrau de %1 m pertence a %2, que é a célula mais próxima</translation></message>

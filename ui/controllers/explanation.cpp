@@ -84,10 +84,11 @@ QString noEdge(const edges::Why& why) {
                 .arg(other.line)
                 .arg(other.beam);
         if (!why.depth) return where;
-        return where + ' ' + Explanation::tr("Their strengths are %1 and %2.").arg(number(why.strength), number(other.strength));
+        return where + ' ' +
+               Explanation::tr("In the direction of that cell their strengths are %1 and %2.")
+                   .arg(number(why.compared), number(other.strength));
     }
     case edges::NoEdge::TooWeak:
-        if (why.strength > why.lower) break;
         return Explanation::tr("The surface changes too little here to be an edge.") + strengths(why);
     case edges::NoEdge::NoStrongPlace:
         return Explanation::tr("The surface changes here, but no place of this change is strong enough for an edge.") + strengths(why);

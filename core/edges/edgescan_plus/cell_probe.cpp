@@ -151,6 +151,7 @@ private:
         const float add = both && b * l > 0 ? std::min(b * b, l * l) : 0.0F;
         ThinnedStrength result;
         result.before = std::copysign(std::sqrt(size * size + add), beams ? b : l);
+        result.compared = size;
         if (size == 0) return result;
         if (outdoneBefore && (!outdoneAfter || before.strength >= after.strength))
             result.stronger = before;

@@ -45,7 +45,8 @@ struct FoldAtCell {
 struct ThinnedStrength {
     float before = 0.0F;                  ///< negative: concave
     float after = 0.0F;                   ///< `before`, or 0 if suppressed; without responses moved here from a gap next to the cell
-    std::optional<CellStrength> stronger; ///< the neighbour that suppressed this cell
+    float compared = 0.0F;                ///< size of the cell's response in the one direction that suppression compares; folds add both
+    std::optional<CellStrength> stronger; ///< the neighbour that suppressed this cell, with its response in that direction
 };
 
 struct DepthProbe {

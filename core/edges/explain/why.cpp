@@ -69,7 +69,7 @@ StrengthLevel standingOf(double strength, const Why& why) {
 // Converts strengths and thresholds to the units of the settings.
 void convertToShownUnits(Why& why, const Settings& settings) {
     const auto shown = [&](double& value) { value = why.shown(value, settings); };
-    for (double* value : {&why.strength, &why.lower, &why.upper}) shown(*value);
+    for (double* value : {&why.strength, &why.lower, &why.upper, &why.compared}) shown(*value);
     for (std::optional<double>* value : {&why.alongBeams, &why.alongLines}) {
         if (*value) shown(**value);
     }

@@ -142,9 +142,15 @@ std::string WhyWords::reasonOfNone(const std::string& strength) const {
     switch (noEdgeReason(why_)) {
     case NoEdge::StrongerNeighbour: {
         const CellStrength& other = *why_.suppressedBy;
-        return other.strength > why_.strength
-                   ? say("%1 next to it is stronger (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)})
-                   : say("%1 next to it is as strong (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)});
+        const bool isStronger = other.strength > why_.compared;
+        if (why_.compared < why_.strength) { // a fold in two directions
+            const std::string along = alongName(other.line == why_.probe.line ? Along::Beams : Along::Lines);
+            const std::initializer_list<std::string> values{along, place(other), inUnit(other.strength), inUnit(why_.compared)};
+            return isStronger ? say("%1 the fold at %2 next to it is stronger (%3 against %4), and an edge is one cell wide", values)
+                              : say("%1 the fold at %2 next to it is as strong (%3 against %4), and an edge is one cell wide", values);
+        }
+        return isStronger ? say("%1 next to it is stronger (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)})
+                          : say("%1 next to it is as strong (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)});
     }
     case NoEdge::StepOfNeighbour: {
         const DepthStepAtCell& step = *stepOfNeighbour(why_);
@@ -153,7 +159,9 @@ std::string WhyWords::reasonOfNone(const std::string& strength) const {
     case NoEdge::TooWeak: {
         const std::string text = why_.strength < why_.lower ? say("%1 is below %2", {strength, lowerThreshold()})
                                                             : say("%1 does not exceed %2", {strength, lowerThreshold()});
-        return why_.suppressedBy ? say("%1, and %2 next to it is stronger", {text, place(*why_.suppressedBy)}) : text;
+        return why_.suppressedBy && why_.suppressedBy->strength > why_.strength
+                   ? say("%1, and %2 next to it is stronger", {text, place(*why_.suppressedBy)})
+                   : text;
     }
     case NoEdge::NoStrongPlace:
         return say("%1 is above %2, but no chain of such cells leads to one above %3", {strength, lowerThreshold(), upperThreshold()});

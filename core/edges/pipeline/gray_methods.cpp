@@ -81,6 +81,7 @@ Judgement judgeGradient(Gradient gradient, double lower, const Settings& setting
     found.linked = [shared = std::make_shared<const Gradient>(std::move(gradient)), norm = settings.norm](std::size_t n) {
         return static_cast<float>(sizeOf(*shared, suppressedMagnitudeAt(*shared, norm, n), norm));
     };
+    found.compared = found.strength;
     return found;
 }
 

@@ -20,8 +20,9 @@ struct Judgement {
     double strength = 0.0;
     double lower = 0.0; ///< thresholds; equal if there is only one
     double upper = 0.0;
-    std::optional<CellStrength> suppressedBy; ///< the stronger neighbour across the edge
-    std::optional<DepthProbe> depth;          ///< measurements of EdgeScan+ and its parts only
+    std::optional<CellStrength> suppressedBy; ///< the stronger neighbour across the edge, with its strength in the direction of this cell
+    double compared = 0.0; ///< the cell's own strength in that direction, if there is such a neighbour: less than `strength` for many folds
+    std::optional<DepthProbe> depth; ///< measurements of EdgeScan+ and its parts only
     /// on a rough scan: the share of the cells within 15 degrees that fold, and how many times as strong a fold must be here
     struct RoughAround {
         double share = 0.0;

@@ -80,8 +80,8 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
         found.rough = {static_cast<double>(roughness.aroundAt(line, beam)), static_cast<double>(factor)};
         found.depth->crease.before /= factor;
         found.depth->crease.after /= factor;
-        if (auto& stronger = found.depth->crease.stronger)
-            stronger->strength /= static_cast<double>(roughness.factorAt(stronger->line, stronger->beam));
+        found.depth->crease.compared /= factor;
+        if (auto& stronger = found.depth->crease.stronger) stronger->strength /= static_cast<double>(factor); // compared without it
     }
     const ThinnedStrength& jump = found.depth->jump;
     const ThinnedStrength& crease = found.depth->crease;
@@ -101,10 +101,13 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     const float size = std::max(jumpSize, foldSize);
     found.strength = static_cast<double>(size);
     if (size > 0) found.kind = isJump ? DepthEdge::Jump : fold > 0 ? DepthEdge::Convex : DepthEdge::Concave;
-    if (kept > 0)
-        found.movedFromGap = isJump ? jump.after != (*responses.jump)[k] : crease.after != responses.crease[k];
-    else if (size > 0)
-        found.suppressedBy = isJump ? jump.stronger : crease.stronger;
+    const ThinnedStrength& thinned = isJump ? jump : crease;
+    if (kept > 0) {
+        found.movedFromGap = thinned.after != (isJump ? *responses.jump : responses.crease)[k];
+    } else if (size > 0) {
+        found.suppressedBy = thinned.stronger;
+        found.compared = static_cast<double>(thinned.compared);
+    }
     return found;
 }
 

@@ -153,7 +153,7 @@ TEST(DepthProbe, TheWinnerIsTheNeighbourAlongTheStrongerWay) {
         EXPECT_EQ(static_cast<double>(std::abs(channel.before)), why.strength);
         EXPECT_EQ(channel.after, 0.0F);
         EXPECT_EQ(std::abs(why.suppressedBy->line - line) + std::abs(why.suppressedBy->beam - beam), 1); // never a diagonal one
-        EXPECT_GE(why.suppressedBy->strength * 1.42, why.strength);
+        EXPECT_GE(why.suppressedBy->strength, why.compared);
         EXPECT_NE(why.verdict.find("an edge is one cell wide"), std::string::npos) << why.verdict;
     }
     EXPECT_EQ(told, 12);

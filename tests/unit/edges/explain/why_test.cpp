@@ -8,11 +8,13 @@
 #include "core/edges/settings/presets.h"
 #include "core/edges/settings/slider_scale.h"
 #include "core/exports/why_report.h"
+#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -62,6 +64,37 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
     }
     EXPECT_GT(appear, 0);
     EXPECT_GT(vanish, 0);
+}
+
+// Of an edge and of a cell without one.
+TEST(Why, TheReasonIsTrueForTheNumbers) {
+    sim::SimulationSettings rocks;
+    rocks.lines = 90;
+    rocks.beams = 81;
+    rocks.slips = 0.05;
+    rocks.dropouts = 0.02;
+    const auto simulated = sim::simulate(rocks);
+    ASSERT_TRUE(simulated);
+    std::array<int, 5> times{};
+    for (const auto& scan : {std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03)), std::make_shared<Scan>(simulated->scan)}) {
+        for (Settings settings : everyMethod()) {
+            settings.minimumLength = settings.maskMissing ? 9 : 1;
+            const auto detection = detectEdges(scan, settings);
+            for (std::size_t k = 0; k < scan->cells(); k += 13) {
+                const Why why = whyCell(*detection, k);
+                if (why.probe.edge && why.level == StrengthLevel::Above) EXPECT_GT(why.strength, why.upper) << why.verdict;
+                if (why.probe.edge && why.level == StrengthLevel::Between) EXPECT_GT(why.strength, why.lower) << why.verdict;
+                if (why.probe.edge || why.probe.state != CellState::Valid || !why.takesPart) continue;
+                const NoEdge reason = noEdgeReason(why);
+                ++times.at(static_cast<std::size_t>(reason));
+                if (reason == NoEdge::TooWeak) EXPECT_LE(why.strength, why.lower) << why.verdict;
+                if (reason == NoEdge::StrongerNeighbour) EXPECT_GE(why.suppressedBy->strength, why.compared) << why.verdict;
+                if (reason == NoEdge::NoStrongPlace) EXPECT_GT(why.strength, why.lower) << why.verdict;
+                if (reason == NoEdge::TooShort) EXPECT_LT(why.chainCells, settings.minimumLength) << why.verdict;
+            }
+        }
+    }
+    for (const int each : times) EXPECT_GT(each, 0);
 }
 
 // "the strength 1.73 ... disappears above 1.72" would contradict itself.
@@ -143,7 +176,7 @@ TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
     EXPECT_FALSE(beside.probe.edge);
     ASSERT_TRUE(beside.suppressedBy) << beside.verdict;
     EXPECT_EQ(beside.suppressedBy->beam, beam);
-    EXPECT_GE(beside.suppressedBy->strength, beside.strength);
+    EXPECT_GE(beside.suppressedBy->strength, beside.compared);
 }
 
 TEST(Why, AHoleSaysThatItHasNoRange) {
