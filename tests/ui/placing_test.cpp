@@ -158,8 +158,8 @@ private slots:
         }
     }
 
-    // The cells are the same: what is chosen stays so with a stored and with a removed pose.
-    void theChosenTargetStaysChosen() {
+    // The cells are the same: with a stored and with a removed pose, what is chosen stays so, and the views stay where they are.
+    void theChosenTargetAndTheViewsStay() {
         for (const bool cab : {false, true}) {
             QVERIFY(bool(files::writePoseSidecar(scan_, std::nullopt)));
             PlaceForm on;
@@ -167,12 +167,21 @@ private slots:
             on.window.cab().set(cab);
             const std::size_t cell = on.picture().detection->edges->front();
             on.viewer.views.pin(cell);
+            CloudView& cloud = on.viewer.views.cloud();
+            cloud.setCamera(turned(cloud.camera(), cloud.camera().focus, cloud.axes().up, 0.4, 0.3));
+            ViewPort& port = *on.viewer.views.gray().viewPort();
+            port.zoomAt({40, 30}, 3.0);
+            const auto camera = cloud.camera();
+            const auto centre = port.centre();
+            const auto zoom = port.zoom();
+            const auto stay = [&] { return cloud.camera() == camera && port.centre() == centre && port.zoom() == zoom; };
             QVERIFY(on.ready());
             on.paste("P7; 498765.432; 5150123.456; 287.654; 217.4; 14.25; -3.4");
             QVERIFY(on.placed());
             QVERIFY(on.stored());
             QVERIFY(on.place() != nullptr);
             QVERIFY(on.viewer.views.pinned() == cell && on.viewer.targets.active() != nullptr);
+            QVERIFY(stay());
             if (cab) {
                 const auto east = [&side = on.window.cab().frame().side()] {
                     const auto labels = side.findChildren<QLabel*>();
@@ -185,6 +194,7 @@ private slots:
             QVERIFY(on.reopened());
             QVERIFY(on.place() == nullptr);
             QVERIFY(on.viewer.views.pinned() == cell && on.viewer.targets.active() != nullptr);
+            QVERIFY(stay());
             on.window.cab().set(false);
         }
     }

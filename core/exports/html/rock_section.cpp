@@ -153,7 +153,7 @@ std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook
                                  (scan.placement->grid.empty() ? "" : " (" + htmlText(scan.placement->grid) + ")") + ". "
                            : "x, y, z: mean of the visible points, in the scanner's frame. ";
     return html +
-           "a and b: visible spans across the line of sight; hidden parts are not counted. Distance: from the scanner. Area: visible, "
+           "a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, "
            "across the beams. In front: share of the outline where the "
            "rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; "
            "↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched." +

@@ -90,7 +90,7 @@ void LinkedViews::followPicture() {
     flipTo(nullptr);
     const std::shared_ptr<const Picture> last = std::exchange(picture_, engine_.picture());
     if (!last || last->source.stream != picture_->source.stream)
-        showNewScan(last != nullptr && sameRanges(*last->detection->scan, *picture_->detection->scan));
+        showNewScan(last != nullptr && sameRanges(*last->detection->scan, *picture_->detection->scan) ? last.get() : nullptr);
     else if (last->detection->scan != picture_->detection->scan)
         showMoreLines(*last);
     draw();
@@ -166,31 +166,35 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
     emit flippedChanged(flipped());
 }
 
-void LinkedViews::showNewScan(bool sameCells) {
-    if (!sameCells) { // cells of the old scan have no meaning in the new one
+/// `same`: the picture before it, if it has the same cells; null: cells of the old scan have no meaning in the new one.
+void LinkedViews::showNewScan(const Picture* same) {
+    if (same == nullptr) {
         hovered_.reset();
         setExplained({});
         pin(std::nullopt);
     }
-    if (!windowKept_) setRangeWindow(std::nullopt);
+    const bool replacesCoarse = std::exchange(coarse_, nullptr) != nullptr;
+    const bool stays = same != nullptr && !replacesCoarse && areAtSamePlaces(*same->cloud, *shown()->cloud); // it got or lost a pose
+    if (!windowKept_ && !stays) setRangeWindow(std::nullopt);
     applyAspect();
     ViewPort& viewPort = *gray().viewPort();
-    const bool replacesCoarse = std::exchange(coarse_, nullptr) != nullptr;
     if (replacesCoarse) {
         viewPort.setFinerImage(shown()->gray->size());
         cloud_.setNote(QString());
-    } else {
+    } else if (!stays) {
         viewPort.setImageSize(shown()->gray->size());
         viewPort.fit();
     }
     const bool turned = replacesCoarse && cloud_.camera() != fittedCamera_;
     setOutline({}, {});
     cloud_.setAxes(std::nullopt);
-    cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned ? CloudView::Camera::Keep : CloudView::Camera::Reset);
-    fitted_ = turned;
-    framedLines_ = 0;
+    cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned || stays ? CloudView::Camera::Keep : CloudView::Camera::Reset);
     nameDirections();
-    fitToSweep();
+    if (!stays) {
+        fitted_ = turned;
+        framedLines_ = 0;
+        fitToSweep();
+    }
     box_.reset();
     emit boxed(QString());
     for (ImageView* view : images_) {

@@ -183,7 +183,7 @@ private:
     void draw();
     void applyScene();
     void showCaption();
-    void showNewScan(bool sameCells);
+    void showNewScan(const Picture* same);
     void showMoreLines(const Picture& last);
     void frameFirstLines(const CameraPose& before);
     void followSweep(const Picture& last, bool untouched);

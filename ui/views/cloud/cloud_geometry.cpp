@@ -228,6 +228,18 @@ std::shared_ptr<const CloudGeometry> withoutHidden(const CloudGeometry& cloud, c
     return rest;
 }
 
+bool areAtSamePlaces(const CloudGeometry& a, const CloudGeometry& b) {
+    if (a.lines != b.lines || a.beams != b.beams || a.validCount != b.validCount) return false;
+    const Vector3d shift = a.originM - b.originM;
+    const double most = 0.01 * static_cast<double>(a.wideBounds.diagonal().norm());
+    const std::size_t step = std::max<std::size_t>(1, a.cells() / 1009);
+    for (std::size_t k = 0; k < a.cells(); k += step) {
+        if (a.drawable(k) != b.drawable(k)) return false;
+        if (a.drawable(k) && ((a.point(k) - b.point(k)).cast<double>() + shift).norm() > most) return false;
+    }
+    return true;
+}
+
 std::shared_ptr<const CloudGeometry> makeCloudGeometry(const Scan& scan) {
     auto out = std::make_shared<CloudGeometry>();
     out->lines = scan.lines();

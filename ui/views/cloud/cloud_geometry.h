@@ -62,6 +62,9 @@ struct CloudGeometry {
 /// both directions. Empty: both neighbours have no point.
 [[nodiscard]] std::optional<double> stepAt(const CloudGeometry& cloud, std::size_t k);
 
+/// True if each cell of the one has its point where the other has it, within 1 % of the cloud's size; on a sample.
+[[nodiscard]] bool areAtSamePlaces(const CloudGeometry& a, const CloudGeometry& b);
+
 /// The same cloud without the cells whose byte is not 0: they become invalid and leave the drawing order.
 [[nodiscard]] std::shared_ptr<const CloudGeometry> withoutHidden(const CloudGeometry& cloud, const std::vector<std::uint8_t>& hidden);
 
