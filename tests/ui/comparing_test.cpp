@@ -530,6 +530,9 @@ private slots:
             // A is shown in the frame of B.
             QCOMPARE(on.viewer.cloud.frameOf(), on.picture().detection->scan);
         }
+        // What moved the legends there is gone.
+        on.viewer.comparing.end();
+        QTRY_VERIFY(on.viewer.legend.isVisible() && on.viewer.legend.x() < 20);
     }
 
     // While A is drawn, badge and title name A.

@@ -174,7 +174,10 @@ private slots:
             const auto camera = cloud.camera();
             const auto centre = port.centre();
             const auto zoom = port.zoom();
-            const auto stay = [&] { return cloud.camera() == camera && port.centre() == centre && port.zoom() == zoom; };
+            on.viewer.savedViews.store(1);
+            const auto stay = [&] {
+                return cloud.camera() == camera && port.centre() == centre && port.zoom() == zoom && on.viewer.savedViews.view(1);
+            };
             QVERIFY(on.ready());
             on.paste("P7; 498765.432; 5150123.456; 287.654; 217.4; 14.25; -3.4");
             QVERIFY(on.placed());

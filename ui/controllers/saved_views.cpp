@@ -30,7 +30,9 @@ std::optional<CameraPose> poseOf(const QStringList& words) {
 } // namespace
 
 SavedViews::SavedViews(LinkedViews& views, NoticeBar& notice) : linked_(views), notice_(notice) {
-    connect(&views, &LinkedViews::newScanShown, this, [this] { views_ = {}; }); // they are places in the cloud of a scan
+    connect(&views, &LinkedViews::newScanShown, this, [this](bool atSamePlaces) {
+        if (!atSamePlaces) views_ = {};
+    });
 }
 
 void SavedViews::store(int number) {

@@ -55,6 +55,15 @@ bool isAtRight(const CloudView& cloud) {
     return false;
 }
 
+void putAt(CloudView& cloud, bool right) {
+    QLayout& over = *cloud.layout();
+    const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
+    for (int n = 0; n < over.count(); ++n) {
+        QWidget* plate = over.itemAt(n)->widget();
+        if (qobject_cast<ViewPlate*>(plate) != nullptr && over.itemAt(n)->alignment() != side) over.setAlignment(plate, side);
+    }
+}
+
 /// Around the change that a comparison names.
 QRect changeIn(const CloudView& cloud, const Comparing& comparing) {
     const QRect place = placeIn(cloud, comparing.someOfRegion());
@@ -130,19 +139,23 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& c
             return std::tuple(is(avoided), is(change), visits ? 0 : std::ranges::count_if(rings, is));
         };
         const bool right = cloud.atRest() && !hasPointer(cloud) && covered(!wasRight) < covered(wasRight) ? !wasRight : wasRight;
-        QLayout* over = cloud.layout();
-        const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
-        for (int n = 0; n < over->count(); ++n) {
-            QWidget* plate = over->itemAt(n)->widget();
-            if (qobject_cast<ViewPlate*>(plate) != nullptr && over->itemAt(n)->alignment() != side) over->setAlignment(plate, side);
-        }
+        putAt(cloud, right);
         if (right != wasRight) fitLegends(roomAt(right));
-        over->activate(); // the scale avoids the legends where they are now
+        cloud.layout()->activate(); // the scale avoids the legends where they are now
         if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label, rings);
     };
     QObject::connect(&views, &LinkedViews::pinChanged, &cloud, look);
     QObject::connect(&targets, &Targets::cardChanged, &cloud, look);
     QObject::connect(&cloud, &CloudView::frameDrawn, &cloud, look);
+    // What made them change their side is gone.
+    const auto toUsualSide = [&cloud, look] {
+        putAt(cloud, false);
+        look();
+    };
+    QObject::connect(&views, &LinkedViews::newScanShown, &cloud, toUsualSide);
+    QObject::connect(&comparing, &Comparing::pictureAChanged, &cloud, [toUsualSide](bool some) {
+        if (!some) toUsualSide();
+    });
 }
 
 } // namespace edgescan::ui

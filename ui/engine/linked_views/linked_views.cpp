@@ -201,7 +201,7 @@ void LinkedViews::showNewScan(const Picture* same) {
         view->setNote(asked_);
         view->setBox(std::nullopt);
     }
-    emit newScanShown();
+    emit newScanShown(stays);
 }
 
 /// More lines of the same scan: the views stay where they are.

@@ -157,8 +157,9 @@ signals:
     void imageOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     /// ... and over the cloud: corners in pixels of its view.
     void cloudOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
-    /// Another file, scanner or recording is shown: cells of the previous scan are invalid.
-    void newScanShown();
+    /// Another file, scanner or recording is shown: cells of the previous scan are invalid. Where the same file was opened again, as with
+    /// another pose, its points may be at the same places in the cloud.
+    void newScanShown(bool atSamePlaces);
     void rangeWindowChanged();
     /// An image has new content: other ranges or edges, or other colours.
     void picturesChanged();

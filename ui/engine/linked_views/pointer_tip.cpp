@@ -11,8 +11,7 @@
 namespace edgescan::ui {
 
 PointerTip::PointerTip(LinkedViews& views) : views_(views) {
-    for (const auto changed : {&LinkedViews::toolChanged, &LinkedViews::picturesChanged, &LinkedViews::newScanShown})
-        connect(&views, changed, this, &PointerTip::hide);
+    for (const auto changed : {&LinkedViews::toolChanged, &LinkedViews::picturesChanged}) connect(&views, changed, this, &PointerTip::hide);
 }
 
 void PointerTip::show(std::size_t cell, const QString& text, const QObject* from) {
