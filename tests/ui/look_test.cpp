@@ -359,6 +359,30 @@ private slots:
         }
     }
 
+    // With a pose it has six coordinates; the number of edges has its room next to them.
+    void theNumberOfEdgesStaysNextToAPose() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        edges::Detection detection = *on.picture().detection;
+        auto scan = std::make_shared<Scan>(*detection.scan);
+        for (float& range : scan->rangeMm.cells) range *= 6; // as far as a draw-bell
+        Placement place;
+        place.originEnhM = {1000, 2000, 1500};
+        scan->placement = std::make_shared<const Placement>(place);
+        detection.scan = scan;
+        StatusLine line;
+        line.addPinned(new QPushButton("⚠ 2 warnings"));
+        line.show();
+        line.resize(1280, 30);
+        line.showSettings({});
+        line.showCounts(detection);
+        line.showPlace(*scan);
+        line.showProbe(edges::probeCell(detection, detection.edges->front()), StatusLine::Cell::MovedPin);
+        const auto* counts = line.findChild<QLabel*>("counts");
+        QApplication::processEvents();
+        QVERIFY2(counts->isVisible() && counts->text().endsWith("edge cells"), qPrintable(counts->text()));
+    }
+
     void openFile(const QUrl& url) { opened_ = url.toLocalFile(); }
 
     // The button opens a page itself, and the folder of other files.

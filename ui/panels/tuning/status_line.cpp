@@ -163,11 +163,11 @@ void StatusLine::addPinned(QWidget* widget) {
     widget->installEventFilter(this);
 }
 
-void StatusLine::showFact(Fact fact, const QString& words, const QString& brief, bool always) {
+void StatusLine::showFact(Fact fact, QStringList texts, bool always) {
     FactLabel& entry = this->factLabel(fact);
-    if (entry.words == words && entry.brief == brief && entry.always == always) return;
-    entry.words = words;
-    entry.brief = brief;
+    texts.removeAll(QString());
+    if (entry.texts == texts && entry.always == always) return;
+    entry.texts = texts;
     entry.always = always;
     fit();
 }
@@ -181,11 +181,9 @@ void StatusLine::fit() {
     const QFontMetrics letters(probe_->font());
     const int left = letters.horizontalAdvance(longestMain_) + kBetween;
     const int withCell = letters.horizontalAdvance(longestWhole_) + kBetween;
-    enum Form { Full, Brief, None };
-    std::array<Form, kFacts> forms{};
-    const auto textOf = [&](std::size_t n) {
-        return forms[n] == None ? QString() : forms[n] == Brief ? factLabels_[n].brief : factLabels_[n].words;
-    };
+    std::array<int, kFacts> forms{}; // which of its texts; the number of its texts: none
+    const auto textOf = [&](std::size_t n) { return factLabels_[n].texts.value(forms[n]); };
+    const auto textsOf = [&](std::size_t n) { return static_cast<int>(factLabels_[n].texts.size()); };
     const auto width = [&] {
         int sum = 0;
         for (const QWidget* widget : pinnedWidgets_) sum += widget->isHidden() ? 0 : widget->sizeHint().width() + kBetween;
@@ -197,13 +195,12 @@ void StatusLine::fit() {
         return sum;
     };
     const auto shorten = [&](int room, bool counts) {
-        for (const Form form : {Brief, None}) {
-            for (std::size_t n = kFacts; n-- > 0 && width() > room;) {
-                if (form == None && !counts && n == static_cast<std::size_t>(Fact::Counts)) continue;
-                if (form == None && factLabels_[n].always) continue;
-                if (form == Brief && factLabels_[n].brief.isEmpty()) continue;
-                forms[n] = form;
-            }
+        for (int form = 1; form <= (counts ? 2 : 1); ++form) {
+            for (std::size_t n = kFacts; n-- > 0 && width() > room;) forms[n] = std::max(forms[n], std::min(form, textsOf(n) - 1));
+        }
+        for (std::size_t n = kFacts; n-- > 0 && width() > room;) {
+            const bool stays = factLabels_[n].always || (!counts && n == static_cast<std::size_t>(Fact::Counts));
+            if (!stays) forms[n] = textsOf(n);
         }
     };
     // For line and beam of the cell all other facts may be dropped except the counts. The counts are dropped only for warnings.
@@ -299,17 +296,17 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
     const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
     const bool part = !growing && incomplete != scan.warnings.end();
     const QString howMuch = part ? "✕ " + coreSentence(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
-    showFact(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
+    showFact(Fact::Incomplete, {howMuch, part ? tr("✕ INCOMPLETE") : QString()}, part);
     QLabel& label = *factLabel(Fact::Place).label;
     noPose_->setHidden(scan.placement != nullptr);
-    if (!scan.placement) return showFact(Fact::Place, {}, {}, false);
+    if (!scan.placement) return showFact(Fact::Place, {}, false);
     const Placement& place = *scan.placement;
     QString grid = tr("mine grid");
     if (!place.grid.empty()) grid += " " + shownName(exactText(place.grid), 40);
     const QString spec = place.outOfSpec ? tr("OUT OF SPEC") : QString();
     const QString text = grid + tr(" · origin E %1 N %2 RL %3")
                                     .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
-    showFact(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, true);
+    showFact(Fact::Place, {spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec}, true);
     QStringList about{tr("A click opens the pose, to change or remove it."), tr("Placed by %1").arg(shownText(place.source)), text};
     for (const std::string& warning : place.warnings) about << coreSentence(warning);
     label.setToolTip(about.join("\n"));
@@ -317,8 +314,8 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
 
 void StatusLine::showTimeOf(const Scan& scan, bool live) {
     const std::string start = scan.acquisition ? scan.acquisition->startUtc : std::string();
-    if (live || start.empty()) return showFact(Fact::Recorded, {}, {}, false); // the badge of the source says "no time"
-    showFact(Fact::Recorded, tr("first line %1").arg(shownText(start)), tr("first line %1").arg(shownText(start).left(10)), false);
+    if (live || start.empty()) return showFact(Fact::Recorded, {}, false); // the badge of the source says "no time"
+    showFact(Fact::Recorded, {tr("first line %1").arg(shownText(start)), tr("first line %1").arg(shownText(start).left(10))}, false);
     factLabel(Fact::Recorded).label->setToolTip(tr("First line, by %1").arg(shownText(scan.acquisition->clockSource)));
 }
 
@@ -333,17 +330,17 @@ void StatusLine::showCounts(const edges::Detection& detection) {
         if (of(state) > 0) text += QString(" · %1 %2").arg(countText(of(state)), cellStateText(state));
     }
     if (detection.filled) text += tr(" · %1 filled").arg(countText(detection.filled->cells.size()));
-    showFact(Fact::Counts, text, edges + " · " + none, false);
+    showFact(Fact::Counts, {text, edges + " · " + none, edges}, false);
     factLabel(Fact::Counts).label->setToolTip(text + "\n" + tr("Edges found in %1 ms").arg(number(detection.totalMs, 1)));
 }
 
 void StatusLine::showCountsToCome(std::optional<std::size_t> cells) {
     const QString text = cells ? tr("%1 cells · edges pending").arg(countText(*cells)) : QString();
-    showFact(Fact::Counts, text, cells ? tr("edges pending") : QString(), false);
+    showFact(Fact::Counts, {text, cells ? tr("edges pending") : QString()}, false);
     factLabel(Fact::Counts).label->setToolTip(text);
 }
 
-void StatusLine::showBox(const QString& words) { showFact(Fact::Box, words, {}, false); }
+void StatusLine::showBox(const QString& words) { showFact(Fact::Box, {words}, false); }
 
 void StatusLine::showSettings(const edges::Settings& settings, bool own) {
     const std::vector<std::string> keys = edges::changedFromDefault(settings);
@@ -351,8 +348,10 @@ void StatusLine::showSettings(const edges::Settings& settings, bool own) {
     QLabel& label = *factLabel(Fact::Settings).label;
     const bool menu = own && !keys.empty();
     const QString more = menu ? QString(" ▾") : QString();
-    showFact(Fact::Settings, keys.empty() ? tr("default settings") : tr("settings: %1 changed").arg(keys.size()) + more,
-             keys.empty() ? QString() : tr("%1 changed").arg(keys.size()) + more, !keys.empty());
+    showFact(Fact::Settings,
+             {keys.empty() ? tr("default settings") : tr("settings: %1 changed").arg(keys.size()) + more,
+              keys.empty() ? QString() : tr("%1 changed").arg(keys.size()) + more},
+             !keys.empty());
     label.setCursor(menu ? Qt::PointingHandCursor : Qt::ArrowCursor);
     changed_->clear();
     QStringList about{tr("Set of default settings: %1").arg(set)};
@@ -398,10 +397,10 @@ void StatusLine::endWork() {
 }
 
 QString StatusLine::probeShown() const { return probeMore_.isEmpty() ? QString() : probeMain_ + "  " + probeMore_; }
-QString StatusLine::placeShown() const { return noPose_->isHidden() ? factLabel(Fact::Place).words : noPose_->text(); }
-QString StatusLine::recordedShown() const { return factLabel(Fact::Recorded).words; }
-QString StatusLine::settingsShown() const { return factLabel(Fact::Settings).words; }
-QString StatusLine::countsShown() const { return factLabel(Fact::Counts).words; }
+QString StatusLine::placeShown() const { return noPose_->isHidden() ? factLabel(Fact::Place).texts.value(0) : noPose_->text(); }
+QString StatusLine::recordedShown() const { return factLabel(Fact::Recorded).texts.value(0); }
+QString StatusLine::settingsShown() const { return factLabel(Fact::Settings).texts.value(0); }
+QString StatusLine::countsShown() const { return factLabel(Fact::Counts).texts.value(0); }
 
 } // namespace edgescan::ui
 

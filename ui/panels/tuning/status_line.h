@@ -76,12 +76,12 @@ private:
     static constexpr std::size_t kFacts = 6;
     struct FactLabel {
         QLabel* label = nullptr;
-        QString words, brief; // brief: for less space; empty: there is no shorter text
+        QStringList texts; // the first is the whole one; each further one is shorter
         bool always = false;
     };
     [[nodiscard]] FactLabel& factLabel(Fact fact) { return factLabels_[static_cast<std::size_t>(fact)]; }
     [[nodiscard]] const FactLabel& factLabel(Fact fact) const { return factLabels_[static_cast<std::size_t>(fact)]; }
-    void showFact(Fact fact, const QString& words, const QString& brief, bool always);
+    void showFact(Fact fact, QStringList texts, bool always);
     void fit();
     [[nodiscard]] QString probeIn(int room) const;
     [[nodiscard]] static QString mainOf(const ProbeTexts& words, Cell cell);
