@@ -577,6 +577,7 @@ private slots:
         QTRY_VERIFY(cloud.atRest() && cloud.pixelOf(other) && before.contains(cloud.pixelOf(other)->toPoint()));
         QTRY_VERIFY2(!scale->geometry().contains(cloud.pixelOf(other)->toPoint()) || scale->isSeeThrough(), "the ring is covered");
         QVERIFY(scale->isVisible());
+        QVERIFY2(scale->geometry().bottom() == before.bottom(), "it moves along the foot of the view, not into its middle");
     }
 
     // In a small view a pin hides the scale: when it came back, it was that of an earlier camera.

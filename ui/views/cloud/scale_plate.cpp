@@ -72,7 +72,9 @@ void ScalePlate::place() {
     const auto covers = [this](const std::vector<QRect>& places) {
         return std::ranges::any_of(places, [this](const QRect& each) { return each.intersects(geometry()); });
     };
-    const bool away = geometry().bottom() < cloud_->height() - kFromRim - 1 && keptFree_.isEmpty() && rings_.empty(); // of no target
+    const bool inCorner =
+        geometry().bottom() >= cloud_->height() - kFromRim - 1 && (x() == kFromRim || geometry().right() >= cloud_->width() - kFromRim - 1);
+    const bool away = !inCorner && keptFree_.isEmpty() && rings_.empty();         // of no target
     const bool sameView = std::exchange(view_, cloud_->size()) == cloud_->size(); // each time, or a view that grows and shrinks is the same
     const bool stays = some && sameView && !away && isVisible() && size() == sizeHint() && !covers(taken());
     resize(sizeHint());
@@ -101,7 +103,8 @@ void ScalePlate::keepOff(const QRect& pinned, std::vector<QRect> rings) {
     this->place(); // also without another place to keep free: a legend may have moved
 }
 
-/// In the corner opposite to the legends, else above the targets or the legends; empty: each place would cover something.
+/// In the corner opposite to the legends, else as near to it as it can be: at the foot of the view, or above targets or legends at its
+/// sides; empty: each place would cover something.
 std::optional<QPoint> ScalePlate::freePlace(const std::vector<QRect>& rings) const {
     std::vector<QRect> taken = this->taken();
     taken.insert(taken.end(), rings.begin(), rings.end());
@@ -111,16 +114,20 @@ std::optional<QPoint> ScalePlate::freePlace(const std::vector<QRect>& rings) con
         legendsAtRight = legendsAtRight || (isLegend && other->geometry().center().x() > cloud_->width() / 2);
     }
     const int left = kFromRim, right = cloud_->width() - kFromRim - width(), bottom = cloud_->height() - kFromRim - height();
-    for (const int x : {legendsAtRight ? left : right, legendsAtRight ? right : left}) {
-        std::vector<int> heights{bottom};
-        for (const QRect& other : taken) heights.push_back(other.top() - kFromRim - height());
-        for (const int y : heights) {
-            const QRect place(QPoint(x, y), size());
-            if (y < kFromRim || y > bottom) continue;
-            if (std::ranges::none_of(taken, [&](const QRect& other) { return other.intersects(place); })) return place.topLeft();
-        }
+    const QPoint corner(legendsAtRight ? left : right, bottom);
+    std::vector<QPoint> places{corner, {left + right - corner.x(), bottom}};
+    for (const QRect& other : taken) {
+        for (const int x : {left, right}) places.emplace_back(x, other.top() - kFromRim - height());
+        for (const int x : {other.left() - kFromRim - width(), other.right() + kFromRim}) places.emplace_back(x, bottom);
     }
-    return std::nullopt;
+    const QRect all(QPoint(left, kFromRim), QPoint(right, bottom)); // of its top left
+    std::erase_if(places, [&](const QPoint& each) { return !all.contains(each); });
+    std::ranges::stable_sort(places, {}, [&](const QPoint& each) { return (each - corner).manhattanLength(); });
+    const auto isFree = [&](const QPoint& each) {
+        return std::ranges::none_of(taken, [place = QRect(each, size())](const QRect& other) { return other.intersects(place); });
+    };
+    const auto free = std::ranges::find_if(places, isFree);
+    return free == places.end() ? std::nullopt : std::optional(*free);
 }
 
 void ScalePlate::follow() {
