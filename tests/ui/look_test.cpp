@@ -709,6 +709,28 @@ private slots:
         }
     }
 
+    // The legend has their number.
+    void theShareWithoutAReturnTakesNoRowForItself() {
+        files::LiveHealth health = growing();
+        health.sweep = 1;
+        health.remark = "START ASSUMED";
+        HealthStrip strip;
+        strip.show();
+        const auto* share = strip.findChild<QLabel*>("live-no-return");
+        int shown = 0, dropped = 0;
+        for (int width = 600; width <= 1400; width += 20) {
+            strip.resize(width, 40);
+            strip.showHealth(health);
+            const int high = strip.heightForWidth(width);
+            (share->isHidden() ? dropped : shown) += 1;
+            files::LiveHealth without = health;
+            without.noReturn.clear();
+            strip.showHealth(without);
+            QCOMPARE(strip.heightForWidth(width), high);
+        }
+        QVERIFY(shown > 0 && dropped > 0);
+    }
+
     // The first sweep was joined in its middle; the second has another remark and an end. The pictures stay where they are.
     void theNextSweepKeepsTheRowsOfTheStrip() {
         files::LiveHealth first = growing();

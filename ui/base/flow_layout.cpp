@@ -18,11 +18,12 @@ bool grows(QLayoutItem& item) {
 
 /// Px that it takes of a line of this width. A least width that was set counts; else a growing one gets enough for words.
 int widthOf(QLayoutItem& item, int line) {
+    if (item.isEmpty()) return std::min(line, item.widget()->sizeHint().width()); // hidden: what it would take
     const int least = item.widget()->minimumWidth() > 0 ? 0 : kLeastOfGrowing;
     return std::min(line, grows(item) ? std::max(least, item.minimumSize().width()) : item.sizeHint().width());
 }
 
-int heightOf(QLayoutItem& item, int width) {
+int highOf(QLayoutItem& item, int width) {
     const int height = item.hasHeightForWidth() ? item.heightForWidth(width) : item.sizeHint().height();
     return std::max(height, item.minimumSize().height());
 }
@@ -47,9 +48,23 @@ QLayoutItem* FlowLayout::takeAt(int index) {
     return item;
 }
 
-std::vector<FlowLayout::Line> FlowLayout::lines(int width) const {
+std::vector<QLayoutItem*> FlowLayout::shown() const {
     std::vector<QLayoutItem*> shown;
     std::ranges::copy_if(items_, std::back_inserter(shown), [](QLayoutItem* item) { return !item->isEmpty(); });
+    return shown;
+}
+
+bool FlowLayout::isHigherWith(const QWidget& widget, int width) const {
+    std::vector<QLayoutItem*> with, without;
+    for (QLayoutItem* item : items_) {
+        const bool isIt = item->widget() == &widget;
+        if (isIt || !item->isEmpty()) with.push_back(item);
+        if (!isIt && !item->isEmpty()) without.push_back(item);
+    }
+    return heightOf(with, width) > heightOf(without, width);
+}
+
+std::vector<FlowLayout::Line> FlowLayout::lines(const std::vector<QLayoutItem*>& shown, int width) const {
     std::vector<Line> lines;
     const auto add = [&](QLayoutItem* item) {
         const int needed = widthOf(*item, width);
@@ -64,7 +79,7 @@ std::vector<FlowLayout::Line> FlowLayout::lines(int width) const {
     else
         std::ranges::for_each(shown, add);
     for (Line& line : lines) {
-        for (QLayoutItem* item : line.items) line.height = std::max(line.height, heightOf(*item, widthIn(line, *item, width)));
+        for (QLayoutItem* item : line.items) line.height = std::max(line.height, highOf(*item, widthIn(line, *item, width)));
     }
     return lines;
 }
@@ -99,9 +114,11 @@ int FlowLayout::widthIn(const Line& line, QLayoutItem& item, int width) {
     return widthOf(item, width) + (width - line.width) / static_cast<int>(growing);
 }
 
-int FlowLayout::heightForWidth(int width) const {
+int FlowLayout::heightForWidth(int width) const { return heightOf(shown(), width); }
+
+int FlowLayout::heightOf(const std::vector<QLayoutItem*>& shown, int width) const {
     const QMargins around = contentsMargins();
-    const auto all = lines(width - around.left() - around.right());
+    const auto all = lines(shown, width - around.left() - around.right());
     int height = around.top() + around.bottom() + spacing() / 2 * std::max(0, static_cast<int>(all.size()) - 1);
     for (const Line& line : all) height += line.height;
     return height;
@@ -133,7 +150,7 @@ void FlowLayout::setGeometry(const QRect& rect) {
         int x = inner.left() + (atEnd_ && !fills ? std::max(0, inner.width() - line.width) : 0);
         for (QLayoutItem* item : line.items) {
             const int wide = widthIn(line, *item, inner.width());
-            const int high = heightOf(*item, wide);
+            const int high = highOf(*item, wide);
             item->setGeometry(QRect(x, atEnd_ ? y : y + (line.height - high) / 2, wide, high));
             x += wide + spacing();
         }

@@ -26,13 +26,18 @@ public:
     [[nodiscard]] QSize minimumSize() const override;
     [[nodiscard]] QSize sizeHint() const override;
     void setGeometry(const QRect& rect) override;
+    /// True if the layout is higher with this widget, shown or not, than with only the others that are shown.
+    [[nodiscard]] bool isHigherWith(const QWidget& widget, int width) const;
 
 private:
     struct Line {
         std::vector<QLayoutItem*> items;
         int width = 0, height = 0;
     };
-    [[nodiscard]] std::vector<Line> lines(int width) const;
+    [[nodiscard]] std::vector<QLayoutItem*> shown() const;
+    [[nodiscard]] std::vector<Line> lines(const std::vector<QLayoutItem*>& shown, int width) const;
+    [[nodiscard]] std::vector<Line> lines(int width) const { return lines(shown(), width); }
+    [[nodiscard]] int heightOf(const std::vector<QLayoutItem*>& shown, int width) const;
     [[nodiscard]] std::vector<Line> linesFromEnd(const std::vector<QLayoutItem*>& shown, int width) const;
     [[nodiscard]] static int widthIn(const Line& line, QLayoutItem& item, int width);
 

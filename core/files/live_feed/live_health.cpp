@@ -162,7 +162,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
         health.rows = lines.expected;
         health.lostRows = lines.lost;
         health.noReturn = noReturnOf(lines);
-        health.end = endOf(status, health.liveness);
+        if (lines.number == sweep.number) health.end = endOf(status, health.liveness); // else it is that of the next sweep
         tellWindow(health, sweep);
         health.device = sweep.device.error || sweep.deviceEver.error ? Condition::Failure : Condition::Good;
         health.deviceState = health.device == Condition::Good ? "device ok"

@@ -32,6 +32,7 @@ HealthStrip::HealthStrip(QWidget* parent)
     badge_->setObjectName("live-badge");
     lines_->setObjectName("live-lines");
     lost_->setObjectName("live-lost");
+    noReturn_->setObjectName("live-no-return");
     remark_->setObjectName("live-remark");
     recording_->setObjectName("live-recording");
     sentence_->setObjectName("live-sentence");
@@ -97,13 +98,14 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     if (!lines.isEmpty() && health.sweep > 0)
         lines = (notFollowing && !narrow ? tr("now sweep %1: %2") : tr("sweep %1: %2")).arg(health.sweep).arg(lines);
     lines_->setText(lines);
+    reserveHead();
     // The head of a cab has those of the picture, which follow a little later: two counts would contradict each other.
     lines_->setVisible(!lines.isEmpty() && (!brief_ || (narrow ? heldNarrow : picture != Picture::Follows)));
     bar_->showRows(health.row, heldNarrow || (narrow && inHead && !present) ? 0 : health.rows, health.lostRows);
     showText(lost_, health.lost, narrow); // the bar shows where
     lost_->setToolTip(tr("Lines whose telegrams did not arrive: dashes in the images"));
     // Of a sweep that is not shown: Hold would give the strip another row.
-    showText(noReturn_, brief_ || notFollowing ? std::string() : health.noReturn);
+    const std::string share = brief_ || notFollowing ? std::string() : health.noReturn;
     badge(remark_, signOf(health.telegrams), coreWords(health.remark));
     // In the next sweep it may be another one; a wider one took a row more.
     remark_->setMinimumWidth(present && !brief_ && !health.remark.empty() ? remark_->widthFor(coreWords("FIRST ANGLE ASSUMED")) : 0);
@@ -130,7 +132,21 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     if (ofBadge) badge_->setToolTip(note);
     sentence_->setVisible(!sentence.isEmpty() && !ofBadge);
     sentence_->setToolTip(sentence);
+    // Last: it takes no row for itself. The legend has the number of these cells, and Hold, which leaves it out, would move the pictures.
+    noReturn_->setText(coreWords(share));
+    noReturn_->setVisible(!share.empty() && !static_cast<const FlowLayout*>(layout())->isHigherWith(*noReturn_, width()));
     keepHeight();
+}
+
+/// Hold gives badge and lines other words, and the lines get more digits: neither may take another row.
+void HealthStrip::reserveHead() {
+    const bool lives = shown_.liveness == files::Liveness::Live && !brief_;
+    badge_->setMinimumWidth(lives ? std::max(badge_->widthFor(coreWords("LIVE")), badge_->widthFor(tr("HELD"))) : 0);
+    const QString most = QString("%1/%1").arg(shown_.rows);
+    const auto wide = [this](const QString& text) { return lines_->fontMetrics().horizontalAdvance(text); };
+    const int widest = std::max(wide(tr("sweep %1: %2").arg(shown_.sweep).arg(coreWords((most + " lines").toStdString()))),
+                                wide(tr("now sweep %1: %2").arg(shown_.sweep).arg(most)));
+    lines_->setMinimumWidth(lives && shown_.rows > 0 && shown_.sweep > 0 ? widest : 0);
 }
 
 void HealthStrip::setSteady(bool on) {
@@ -156,9 +172,7 @@ void HealthStrip::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     if (event->size().width() == event->oldSize().width()) return;
     kept_ = 0;
-    if ((event->size().width() < kNarrowStrip) != (event->oldSize().width() < kNarrowStrip))
-        return showHealth(files::LiveHealth(shown_), picture_, QString(note_));
-    keepHeight();
+    showHealth(files::LiveHealth(shown_), picture_, QString(note_));
 }
 
 bool HealthStrip::isNarrow() const { return brief_ && width() < kNarrowStrip; }

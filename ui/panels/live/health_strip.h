@@ -35,6 +35,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void reserveHead();
     void keepHeight();
     [[nodiscard]] bool isNarrow() const;
 

@@ -110,6 +110,10 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(healthOf(normal).lines, "INCOMPLETE 312/1000 lines");
     EXPECT_EQ(health.noReturn, "no return 4.2 %");
     EXPECT_EQ(health.end, "28 s left");
+    LiveStatus next = status; // has begun, while the picture is of the end of the sweep before: "599/600 lines, 30 s left"
+    next.sweep.number = status.sweep.number + 1;
+    EXPECT_EQ(healthOf(next).end, "28 s left");
+    EXPECT_EQ(healthOf(next, nullptr, &status.sweep).end, "");
     LiveStatus joined = status; // in the middle of a sweep
     joined.sweep.startAssumed = "The first line received is taken as line 0 of the sweep.";
     joined.sweep.endUnknown = true;
