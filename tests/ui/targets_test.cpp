@@ -42,6 +42,7 @@
 #include <QStyledItemDelegate>
 #include <QTimer>
 #include <QToolButton>
+#include <QToolTip>
 
 #include <cmath>
 #include <set>
@@ -315,6 +316,37 @@ private slots:
         on.viewer.targets.lock(2, true);
         on.viewer.targets.remove(2);
         QVERIFY2(on.viewer.notice.text().contains("Target 2 is locked") && !undo.isVisible(), qPrintable(on.viewer.notice.text()));
+    }
+
+    // The label of the last measurement may be over the opening: the click is about what is behind it.
+    void aClickOnALabelOverAHoleMeasuresTheHole() {
+        const std::string path = (folder_ / "hole.json").string();
+        QVERIFY(bool(
+            files::saveScan(test::makeScan(60, 60, [](int i, int j) { return std::hypot(i - 30, j - 30) < 12 ? 0.0 : 5000.0; }), path)));
+        WindowFixture on;
+        QVERIFY(showWith(on, path));
+        CloudView& cloud = on.viewer.cloud;
+        QTRY_VERIFY(cloud.atRest());
+        std::vector<QPointF> inHole;
+        for (int y = 0; y < cloud.height(); y += 7) {
+            for (int x = 0; x < cloud.width(); x += 7) {
+                if (cloud.holeAt(QPointF(x, y))) inHole.emplace_back(x, y);
+            }
+        }
+        QVERIFY(!inHole.empty());
+        const auto& measures = on.viewer.targets.notebook().measures;
+        const auto openings = [&measures] {
+            return std::ranges::count_if(measures, [](const auto& each) { return each.kind == inspect::MeasureKind::Throat; });
+        };
+        on.viewer.measures.start(inspect::MeasureKind::Throat);
+        emit cloud.markClicked({.isMeasure = true, .byLabel = true}, -1, inHole[inHole.size() / 2]);
+        QTRY_COMPARE(openings(), 1);
+        // Why says that nothing was measured there.
+        on.viewer.views.setTool(Tool::Why);
+        QToolTip::hideText();
+        emit cloud.markClicked({.isMeasure = true, .byLabel = true}, -1, inHole[inHole.size() / 2]);
+        QTRY_VERIFY2(QToolTip::text().contains("did not measure"), qPrintable(QToolTip::text()));
+        QCOMPARE(openings(), 1);
     }
 
     // A void with a wall 13 m behind it: clicks just inside its rim mean the rim, in every tool.

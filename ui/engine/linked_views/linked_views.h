@@ -176,7 +176,8 @@ private:
     [[nodiscard]] bool refusesClicks(QWidget& view) const;
     void openMenuAt(const QPoint& position, std::optional<std::size_t> cell);
     void clickAt(std::size_t cell);
-    void clickMark(const MarkName& mark, std::optional<std::size_t> behind);
+    bool clickMark(const MarkName& mark, std::optional<std::size_t> behind);
+    void clickHole(QPointF pixel);
     void lookAtBox(const QRect& cells);
     std::vector<std::uint32_t> showBox();
     void showMarks();

@@ -72,21 +72,25 @@ void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) {
         if (!refusesClicks(cloud_)) clickAt(static_cast<std::size_t>(cell));
     });
-    connect(&cloud_, &CloudView::markClicked, this, [this](const MarkName& mark, qint64 behind) {
-        if (!refusesClicks(cloud_)) clickMark(mark, behind < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(behind)));
+    connect(&cloud_, &CloudView::markClicked, this, [this](const MarkName& mark, qint64 behind, QPointF pixel) {
+        if (refusesClicks(cloud_)) return;
+        if (!clickMark(mark, behind < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(behind)))) clickHole(pixel);
     });
-    connect(&cloud_, &CloudView::missed, this, [this](QPointF pixel) {
-        const auto hole = tool_ == Tool::Measure ? cloud_.holeAt(pixel) : std::nullopt;
-        if (hole && !refusesClicks(cloud_)) return clickAt(*hole);
-        QToolTip::showText(QCursor::pos(), tr("The scanner did not measure this place, or its point is hidden. Click the rock next to it."),
-                           &cloud_);
-    });
+    connect(&cloud_, &CloudView::missed, this, &LinkedViews::clickHole);
     connect(&cloud_, &CloudView::outlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
         if (!refusesClicks(cloud_)) emit cloudOutlined(corners, modifiers);
     });
     connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
         openMenuAt(position, cell >= 0 && !coarse_ ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
     });
+}
+
+/// No point is at this pixel of the cloud: a measurement takes the cell of the hole, other tools say so.
+void LinkedViews::clickHole(QPointF pixel) {
+    const auto hole = tool_ == Tool::Measure ? cloud_.holeAt(pixel) : std::nullopt;
+    if (hole && !refusesClicks(cloud_)) return clickAt(*hole);
+    QToolTip::showText(QCursor::pos(), tr("The scanner did not measure this place, or its point is hidden. Click the rock next to it."),
+                       &cloud_);
 }
 
 QString LinkedViews::onlyOfB() { return tr("A is shown; go back to B to pin or to measure."); }
@@ -134,15 +138,24 @@ void LinkedViews::clickAt(std::size_t cell) {
 
 /// A click on a target, or on its label, chooses it. Tools take the cell of a target where its ring is clicked, and otherwise what is
 /// behind the mark: a label may be far from its cell, and moves. Why explains what is in the ring unless its centre is clicked.
-void LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> behind) {
-    if (pinsOnClick_ && choosesOnly_ && !mark.isMeasure && tool_ == Tool::Pin) return pin(mark.which);
+/// False: the click is about what is behind the mark, where nothing was measured.
+bool LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> behind) {
+    const bool whole = mark.which < marks_.measures.size() && !marks_.measures[mark.which].label.isEmpty();
     constexpr double kCentre = 4.0; // px
     const auto apart = tool_ == Tool::Why && !mark.isMeasure && behind ? pixelsBetween(mark.which, *behind) : std::nullopt;
-    if (apart && *apart > kCentre) return clickAt(*behind);
-    if (pinsOnClick_ && !mark.isMeasure && (tool_ == Tool::Pin || !mark.byLabel)) return click(inspect::exactly(mark.which));
-    const bool whole = mark.which < marks_.measures.size() && !marks_.measures[mark.which].label.isEmpty();
-    if (whole && tool_ == Tool::Pin && pinsOnClick_) return emit measureClicked(mark.which);
-    if (behind) clickAt(*behind);
+    if (pinsOnClick_ && choosesOnly_ && !mark.isMeasure && tool_ == Tool::Pin)
+        pin(mark.which);
+    else if (apart && *apart > kCentre)
+        clickAt(*behind);
+    else if (pinsOnClick_ && !mark.isMeasure && (tool_ == Tool::Pin || !mark.byLabel))
+        click(inspect::exactly(mark.which));
+    else if (whole && tool_ == Tool::Pin && pinsOnClick_)
+        emit measureClicked(mark.which);
+    else if (behind)
+        clickAt(*behind);
+    else
+        return false;
+    return true;
 }
 
 /// Ctrl selects several rocks and pins no cell.

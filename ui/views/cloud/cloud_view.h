@@ -212,8 +212,8 @@ signals:
     void hovered(qint64 cell);
     void hoverLeft();
     void clicked(qint64 cell);
-    /// A left click on a target or a measurement, and the cell of the point behind its mark; -1: no point is there.
-    void markClicked(const edgescan::ui::MarkName& mark, qint64 behind);
+    /// A left click at `pixel` on a target or a measurement, and the cell of the point behind its mark; -1: no point is there.
+    void markClicked(const edgescan::ui::MarkName& mark, qint64 behind, QPointF pixel);
     /// A left click where no point is drawn ...
     void missed(QPointF pixel);
     /// ... and where a point of a layer is drawn in front: its index.

@@ -146,7 +146,7 @@ void CloudView::mouseReleaseEvent(QMouseEvent* event) {
     const auto cell = cellAt(at);
     const auto behind = cell ? static_cast<qint64>(*cell) : -1;
     const auto mark = markUnder(at);
-    if (mark && choosesMarks(*event)) return emit markClicked(*mark, behind);
+    if (mark && choosesMarks(*event)) return emit markClicked(*mark, behind, at);
     if (event->button() == Qt::LeftButton && cell) emit clicked(*cell);
     if (event->button() == Qt::LeftButton && !cell && cloud_) {
         const auto layer = layerInFront(at, std::nullopt);
