@@ -2102,6 +2102,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.</source><translation>Borde: %1; como parte de su cadena sigue siendo borde con cada %2, hasta el mayor valor: %3.</translation></message>
 <message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Borde: %1; sigue siendo borde con cada %2, hasta el mayor valor: %3.</translation></message>
 <message><source>Edge: %1; as part of its chain it disappears only if you set %2 above %3.</source><translation>Borde: %1; como parte de su cadena solo desaparece si usted pone %2 por encima de %3.</translation></message>
+<message><source>Edge: %1; it disappears if you set %2 above %3, because its chain is then shorter than the minimum length %4.</source><translation>Borde: %1; desaparece si usted pone %2 por encima de %3, porque entonces su cadena es más corta que la longitud mínima %4.</translation></message>
 <message><source>Edge: %1; it disappears if you set %2 above %3.</source><translation>Borde: %1; desaparece si usted pone %2 por encima de %3.</translation></message>
 <message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>No es borde: %1; pasa a ser un borde cuando %2 es %3 o menos.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1: distancia %2 m</translation></message>

@@ -2102,6 +2102,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.</source><translation>Arête : %1 ; comme partie de sa chaîne elle reste une arête pour chaque %2, jusqu'à la plus grande valeur : %3.</translation></message>
 <message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Arête : %1 ; elle reste une arête pour chaque %2, jusqu'à la plus grande valeur : %3.</translation></message>
 <message><source>Edge: %1; as part of its chain it disappears only if you set %2 above %3.</source><translation>Arête : %1 ; comme partie de sa chaîne, elle ne disparaît que si vous mettez %2 au-dessus de %3.</translation></message>
+<message><source>Edge: %1; it disappears if you set %2 above %3, because its chain is then shorter than the minimum length %4.</source><translation>Arête : %1 ; elle disparaît si vous mettez %2 au-dessus de %3, car sa chaîne est alors plus courte que la longueur minimale %4.</translation></message>
 <message><source>Edge: %1; it disappears if you set %2 above %3.</source><translation>Arête : %1 ; elle disparaît si vous mettez %2 au-dessus de %3.</translation></message>
 <message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>Pas d'arête : %1 ; cela devient une arête quand %2 vaut %3 ou moins.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1 : distance %2 m</translation></message>

@@ -2102,6 +2102,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.</source><translation>Borda: %1; como parte da sua cadeia continua sendo borda com cada %2, até o maior valor: %3.</translation></message>
 <message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Borda: %1; continua sendo borda com cada %2, até o maior valor: %3.</translation></message>
 <message><source>Edge: %1; as part of its chain it disappears only if you set %2 above %3.</source><translation>Borda: %1; como parte da sua cadeia só desaparece se você puser %2 acima de %3.</translation></message>
+<message><source>Edge: %1; it disappears if you set %2 above %3, because its chain is then shorter than the minimum length %4.</source><translation>Borda: %1; desaparece se você puser %2 acima de %3, porque a sua cadeia fica então mais curta que o comprimento mínimo %4.</translation></message>
 <message><source>Edge: %1; it disappears if you set %2 above %3.</source><translation>Borda: %1; desaparece se você puser %2 acima de %3.</translation></message>
 <message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>Não é borda: %1; passa a ser uma borda quando %2 é %3 ou menos.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1: distância %2 m</translation></message>

@@ -306,6 +306,9 @@ std::string WhyWords::verdict() const {
     if (edge && *why_.appearsAt >= parameter.maximum)
         return say("Edge: %1; this remains an edge at each %2, up to the largest: %3.", {reason(), name, limit});
     if (edge && byChain) return say("Edge: %1; as part of its chain it disappears only if you set %2 above %3.", {reason(), name, limit});
+    if (edge && isDepth() && *why_.appearsAt + std::pow(10.0, -parameter.decimals) < why_.strength) // it alone would remain
+        return say("Edge: %1; it disappears if you set %2 above %3, because its chain is then shorter than the minimum length %4.",
+                   {reason(), name, limit, std::to_string(settings_.minimumLength)});
     return edge ? say("Edge: %1; it disappears if you set %2 above %3.", {reason(), name, limit})
                 : say("No edge: %1; this becomes an edge when %2 is %3 or less.", {reason(), name, limit});
 }

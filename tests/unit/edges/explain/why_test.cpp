@@ -76,6 +76,7 @@ TEST(Why, TheReasonIsTrueForTheNumbers) {
     const auto simulated = sim::simulate(rocks);
     ASSERT_TRUE(simulated);
     std::array<int, 5> times{};
+    int byLength = 0;
     for (const auto& scan : {std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03)), std::make_shared<Scan>(simulated->scan)}) {
         for (Settings settings : everyMethod()) {
             settings.minimumLength = settings.maskMissing ? 9 : 1;
@@ -84,6 +85,13 @@ TEST(Why, TheReasonIsTrueForTheNumbers) {
                 const Why why = whyCell(*detection, k);
                 if (why.probe.edge && why.level == StrengthLevel::Above) EXPECT_GT(why.strength, why.upper) << why.verdict;
                 if (why.probe.edge && why.level == StrengthLevel::Between) EXPECT_GT(why.strength, why.lower) << why.verdict;
+                if (why.verdict.find("because its chain is then shorter") != std::string::npos && ++byLength <= 9) {
+                    Settings at = settings;
+                    at.sensitivity = *why.appearsAt + 0.0101;
+                    EXPECT_EQ((*detectEdges(scan, at)->mask)[k], 0) << why.verdict;
+                    at.minimumLength = 1;
+                    EXPECT_NE((*detectEdges(scan, at)->mask)[k], 0) << why.verdict;
+                }
                 if (why.probe.edge || why.probe.state != CellState::Valid || !why.takesPart) continue;
                 const NoEdge reason = noEdgeReason(why);
                 ++times.at(static_cast<std::size_t>(reason));
@@ -95,6 +103,7 @@ TEST(Why, TheReasonIsTrueForTheNumbers) {
         }
     }
     for (const int each : times) EXPECT_GT(each, 0);
+    EXPECT_GT(byLength, 0);
 }
 
 // "the strength 1.73 ... disappears above 1.72" would contradict itself.
