@@ -164,11 +164,11 @@ std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook
 }
 
 std::string countsOf(const rocks::Study& study, const rocks::SizeCurve& curve) {
-    const auto doubtful = std::ranges::count_if(study.rocks, isDoubtful);
-    std::string html = "<p><strong>" + std::to_string(study.rocks.size()) + " rocks, each a " + htmlText(rocks::kRockCaveat) +
-                       ".</strong> " + std::to_string(doubtful) + " have a doubtful outline (hatched); " +
-                       std::to_string(rocks::regionCounts(study.map, rocks::RegionKind::Fines).regions) +
-                       " pieces are too small to be shown as rocks";
+    const auto uncertain = std::ranges::count_if(study.rocks, isDoubtful);
+    std::string html =
+        "<p><strong>" + std::to_string(study.rocks.size()) + " rocks, each a " + htmlText(rocks::kRockCaveat) + ".</strong> " +
+        std::to_string(uncertain) + (uncertain == 1 ? " has" : " have") + " an uncertain outline (hatched); " +
+        std::to_string(rocks::regionCounts(study.map, rocks::RegionKind::Fines).regions) + " pieces are too small to be shown as rocks";
     if (!study.settings.region.empty())
         html += ", " + std::to_string(rocks::regionCounts(study.map, rocks::RegionKind::Outside).regions) +
                 " are outside the region of interest";
@@ -219,7 +219,7 @@ std::string picturesOf(const edges::Detection& detection, const rocks::Study& st
     const std::string numbers = pictureNumbers(width, height, onFaces, leftOut);
     std::string html =
         numberedFigure(rockPicture(detection, faces, kFacePixels), "Rocks as coloured faces on gray levels", numbers,
-                       "Rocks as faces, doubtful ones hatched. Colours only separate neighbours. The numbers are those of the table, the "
+                       "Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the "
                        "drawing and the files." +
                            leftOutText(leftOut));
     const std::string cloudNumbers = pictureNumbers(kRockCloudWidth, kRockCloudHeight, onCloud, leftOut);

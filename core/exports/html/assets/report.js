@@ -53,7 +53,7 @@
     gl.compileShader(s);
     return s;
   }
-  // Faces of rocks, doubtful ones striped; else edges.
+  // Faces of rocks, uncertain ones striped; else edges.
   function colourOf(k) {
     var level = 60 + levels[k] * 0.6;
     if (!rocksOn) return classes[k] ? data.colours[classes[k] - 1] : [level, level, level];
