@@ -1,8 +1,6 @@
 // Computes the size distribution by visible width.
 #include "core/rocks/attributes/size_curve.h"
 
-#include "core/base/order_statistic.h"
-
 #include <algorithm>
 
 namespace edgescan::rocks {
@@ -19,10 +17,10 @@ SizeCurve sizeCurve(const std::vector<Rock>& rocks, double oversizeM) {
     if (rocks.empty()) return curve;
     for (const Rock& rock : rocks) curve.widthsM.push_back(rock.shortestCaliperM);
     std::sort(curve.widthsM.begin(), curve.widthsM.end());
-    std::vector<double> moved = curve.widthsM;
-    curve.p20M = quantile(moved, 0.2);
-    curve.p50M = quantile(moved, 0.5);
-    curve.p80M = quantile(moved, 0.8);
+    const auto notWider = [&](std::size_t percent) { return curve.widthsM[(percent * curve.widthsM.size() + 99) / 100 - 1]; };
+    curve.p20M = notWider(20);
+    curve.p50M = notWider(50);
+    curve.p80M = notWider(80);
     curve.topM = curve.widthsM.back();
     if (oversizeM > 0) curve.oversizeShare = 1.0 - curve.shareUpTo(oversizeM);
     return curve;

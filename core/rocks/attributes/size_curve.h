@@ -14,7 +14,7 @@ inline constexpr const char* kSizeCurveCaveat = "by number of visible rocks; hid
 /// The distribution of the visible width b over the displayed rocks, by number of rocks.
 struct SizeCurve {
     std::vector<double> widthsM;               ///< visible b of all rocks, ascending
-    double p20M = 0.0, p50M = 0.0, p80M = 0.0; ///< 20, 50 and 80 % of the rocks are smaller
+    double p20M = 0.0, p50M = 0.0, p80M = 0.0; ///< the least b of a rock such that 20, 50 and 80 % of them are not wider
     double topM = 0.0;
     double oversizeM = 0.0;     ///< the site's oversize limit; 0: not given
     double oversizeShare = 0.0; ///< 0..1: share of the rocks with b above it; 0 if it was not given

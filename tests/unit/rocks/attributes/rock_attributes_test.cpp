@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <set>
 
@@ -137,6 +138,23 @@ TEST(RockRows, CellsThatSawPastTheRimMakeNoRockLonger) {
     EXPECT_NEAR(rocks[0].longestCaliperM, f.rocks[0].longestCaliperM, 0.05);
     EXPECT_NEAR(rocks[0].shortestCaliperM, f.rocks[0].shortestCaliperM, 0.05);
     EXPECT_NEAR(rocks[0].distanceM, f.rocks[0].distanceM, 0.01);
+}
+
+// With 8 rocks P80 was the width of the sixth: 75 % are not wider.
+TEST(SizeCurve, ThisShareOfTheRocksIsNotWider) {
+    std::mt19937 random(7);
+    for (std::size_t count = 1; count < 60; ++count) {
+        std::vector<Rock> rocks(count);
+        for (Rock& rock : rocks) rock.shortestCaliperM = 0.01 * static_cast<double>(random() % 90 + 10);
+        const SizeCurve curve = sizeCurve(rocks);
+        for (const auto& [wideM, percent] : {std::pair{curve.p20M, 20U}, {curve.p50M, 50U}, {curve.p80M, 80U}}) {
+            const auto within = [&, limit = wideM](auto isWithin) {
+                return static_cast<std::size_t>(std::ranges::count_if(curve.widthsM, [&](double w) { return isWithin(w, limit); }));
+            };
+            EXPECT_GE(100 * within(std::less_equal{}), percent * count) << percent << " % of " << count;
+            EXPECT_LT(100 * within(std::less{}), percent * count) << percent << " % of " << count;
+        }
+    }
 }
 
 TEST(RockRows, SizesAndFinesAddUp) {
