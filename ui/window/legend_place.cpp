@@ -55,6 +55,7 @@ bool isAtRight(const CloudView& cloud) {
     return false;
 }
 
+/// Puts all plates of the layout at this side.
 void putAt(CloudView& cloud, bool right) {
     QLayout& over = *cloud.layout();
     const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;

@@ -98,7 +98,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     if (!lines.isEmpty() && health.sweep > 0)
         lines = (notFollowing && !narrow ? tr("now sweep %1: %2") : tr("sweep %1: %2")).arg(health.sweep).arg(lines);
     lines_->setText(lines);
-    reserveHead();
+    reserveWidths();
     // The head of a cab has those of the picture, which follow a little later: two counts would contradict each other.
     lines_->setVisible(!lines.isEmpty() && (!brief_ || (narrow ? heldNarrow : picture != Picture::Follows)));
     bar_->showRows(health.row, heldNarrow || (narrow && inHead && !present) ? 0 : health.rows, health.lostRows);
@@ -107,8 +107,6 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     // Of a sweep that is not shown: Hold would give the strip another row.
     const std::string share = brief_ || notFollowing ? std::string() : health.noReturn;
     badge(remark_, signOf(health.telegrams), coreWords(health.remark));
-    // In the next sweep it may be another one; a wider one took a row more.
-    remark_->setMinimumWidth(present && !brief_ && !health.remark.empty() ? remark_->widthFor(coreWords("FIRST ANGLE ASSUMED")) : 0);
     QStringList remarks;
     for (const std::string& sentence : health.remarks) remarks << coreSentence(scannersWarning(shownText(sentence)));
     remark_->setToolTip(remarks.join('\n'));
@@ -117,9 +115,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     badge(device_, signOf(health.device), coreWords(health.deviceState), health.device != files::Condition::Good);
     showText(pose_, health.lines.empty() || brief_ || notFollowing ? std::string() : health.pose);
     showText(end_, narrow && notFollowing ? std::string() : health.end);
-    const bool ends = health.rows > 0 && present && !brief_; // it has its place before it is known
-    end_->setMinimumWidth(ends ? end_->fontMetrics().horizontalAdvance(coreWords("119 s left")) : 0);
-    end_->setVisible(ends || !end_->text().isEmpty());
+    end_->setVisible(end_->minimumWidth() > 0 || !end_->text().isEmpty()); // it has its place before it is known
     // While nothing is wrong with it, the recording is shown next to its button; in a cab, which has no room there, here.
     const bool recordsWell = health.recorded == files::Condition::Good;
     const QString recording = coreWords(health.recording);
@@ -138,8 +134,8 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     keepHeight();
 }
 
-/// Hold gives badge and lines other words, and the lines get more digits: neither may take another row.
-void HealthStrip::reserveHead() {
+/// Hold and the next sweep give badge, lines, remark and end other words, and the lines get more digits: none may take another row.
+void HealthStrip::reserveWidths() {
     const bool lives = shown_.liveness == files::Liveness::Live && !brief_;
     badge_->setMinimumWidth(lives ? std::max(badge_->widthFor(coreWords("LIVE")), badge_->widthFor(tr("HELD"))) : 0);
     const QString most = QString("%1/%1").arg(shown_.rows);
@@ -147,6 +143,8 @@ void HealthStrip::reserveHead() {
     const int widest = std::max(wide(tr("sweep %1: %2").arg(shown_.sweep).arg(coreWords((most + " lines").toStdString()))),
                                 wide(tr("now sweep %1: %2").arg(shown_.sweep).arg(most)));
     lines_->setMinimumWidth(lives && shown_.rows > 0 && shown_.sweep > 0 ? widest : 0);
+    remark_->setMinimumWidth(lives && !shown_.remark.empty() ? remark_->widthFor(coreWords("FIRST ANGLE ASSUMED")) : 0);
+    end_->setMinimumWidth(lives && shown_.rows > 0 ? end_->fontMetrics().horizontalAdvance(coreWords("119 s left")) : 0);
 }
 
 void HealthStrip::setSteady(bool on) {

@@ -35,7 +35,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void reserveHead();
+    void reserveWidths();
     void keepHeight();
     [[nodiscard]] bool isNarrow() const;
 

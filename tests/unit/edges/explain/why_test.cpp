@@ -68,12 +68,7 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
 
 // Of an edge and of a cell without one.
 TEST(Why, TheReasonIsTrueForTheNumbers) {
-    sim::SimulationSettings rocks;
-    rocks.lines = 90;
-    rocks.beams = 81;
-    rocks.slips = 0.05;
-    rocks.dropouts = 0.02;
-    const auto simulated = sim::simulate(rocks);
+    const auto simulated = sim::simulate({.lines = 90, .beams = 81, .dropouts = 0.02, .slips = 0.05});
     ASSERT_TRUE(simulated);
     std::array<int, 5> times{};
     int byLength = 0;
@@ -181,11 +176,11 @@ TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
     EXPECT_NE(why.verdict.find("its chain reaches"), std::string::npos) << why.verdict;
     EXPECT_NEAR(std::abs(*why.directionDeg), 0, 10);
     // At the next cell the same step is slightly weaker: the edge suppresses it.
-    const Why beside = whyCell(*detection, detection->mask->index(5, beam == 9 ? 10 : 9));
-    EXPECT_FALSE(beside.probe.edge);
-    ASSERT_TRUE(beside.suppressedBy) << beside.verdict;
-    EXPECT_EQ(beside.suppressedBy->beam, beam);
-    EXPECT_GE(beside.suppressedBy->strength, beside.compared);
+    const Why neighbour = whyCell(*detection, detection->mask->index(5, beam == 9 ? 10 : 9));
+    EXPECT_FALSE(neighbour.probe.edge);
+    ASSERT_TRUE(neighbour.suppressedBy) << neighbour.verdict;
+    EXPECT_EQ(neighbour.suppressedBy->beam, beam);
+    EXPECT_GE(neighbour.suppressedBy->strength, neighbour.compared);
 }
 
 TEST(Why, AHoleSaysThatItHasNoRange) {
