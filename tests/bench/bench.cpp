@@ -235,7 +235,7 @@ int printResponses(const char* path) {
     const auto scan = files::openScan(path);
     if (!scan) return 2;
     const edges::Settings plus;
-    std::vector<Candidate> runs{{"", [&] { (void)edges::depthResponses(edges::depthSurface(*scan, true, 1), plus, nullptr, 1); }}};
+    std::vector<Candidate> runs{{"", [&] { (void)edges::depthResponses(edges::depthSurface(*scan, plus, 1), plus, nullptr, 1); }}};
     measureInTurn(runs, 5);
     std::printf("%.6f\n", medianOf(runs[0].cpuMs));
     return 0;

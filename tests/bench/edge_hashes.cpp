@@ -84,7 +84,7 @@ void printRocks(const std::string& name, const std::shared_ptr<const Scan>& scan
 }
 
 void printWithThreads(const std::string& name, const Scan& scan, const edges::Settings& settings, int threads) {
-    const edges::DepthResponses responses = edges::depthResponses(edges::depthSurface(scan, true, threads), settings, nullptr, threads);
+    const edges::DepthResponses responses = edges::depthResponses(edges::depthSurface(scan, settings, threads), settings, nullptr, threads);
     const edges::DepthEdges found = edges::decideDepthEdges(responses, settings, threads);
     Hash mask, rest;
     mask.add(found.mask.cells);

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     const edges::Settings thesis = edges::findPreset("thesis")->settings;
     const edges::Settings depth;
     InverseRange inverse = inverseRange(scan);
-    const edges::DepthSurface surface = edges::depthSurface(scan, true);
+    const edges::DepthSurface surface = edges::depthSurface(scan, {});
     const edges::DepthResponses responses = edges::depthResponses(surface, depth);
     const rocks::Inputs inputs =
         rocks::rockInputs(*edges::detectEdges(std::make_shared<const Scan>(scan), edges::Settings{}, edges::KeepFor::Rocks));
@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
     };
     std::vector<Candidate> stages{
         {kThesis, [&] { (void)edges::canny(edges::smooth(edges::grayImage(scan, thesis).levels, thesis), thesis); }},
-        {kResponses, [&] { (void)edges::depthResponses(edges::depthSurface(scan, true, 1), depth, nullptr, 1); }},
+        {kResponses, [&] { (void)edges::depthResponses(edges::depthSurface(scan, {}, 1), depth, nullptr, 1); }},
         {"- cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
         {"- slips of beams and lines", [&] { (void)straighten(inverse, 1); }},
         {"- noise", [&] { (void)rangeNoise(surface.inverse); }},

@@ -21,7 +21,7 @@ constexpr Goal kDecision{"slider that only decides / full EdgeScan+", Good::AtMo
 void runPlus(const Scan& scan, int threads) {
     const edges::Settings settings;
     const edges::DepthEdges found = edges::decideDepthEdges(
-        edges::depthResponses(edges::depthSurface(scan, true, threads), settings, nullptr, threads), settings, threads);
+        edges::depthResponses(edges::depthSurface(scan, settings, threads), settings, nullptr, threads), settings, threads);
     (void)edges::edgeCells(found.mask);
 }
 
@@ -29,7 +29,7 @@ void measureSliders(const Scan& scan, int rounds, Table& table) {
     const edges::Settings plus;
     edges::Settings sharper = plus;
     sharper.creaseDeg += 1;
-    const edges::DepthSurface surface = edges::depthSurface(scan, true);
+    const edges::DepthSurface surface = edges::depthSurface(scan, {});
     edges::StoredFolds folds, first;
     const edges::DepthResponses responses = edges::depthResponses(surface, plus, nullptr, 0, &folds);
     const auto decided = [](const edges::DepthResponses& by, const edges::Settings& settings) {

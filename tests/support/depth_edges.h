@@ -6,7 +6,7 @@
 namespace edgescan::test {
 
 inline edges::DepthResponses depthResponses(const Scan& scan, const edges::Settings& settings) {
-    return edgescan::edges::depthResponses(edges::depthSurface(scan, settings.straighten, 0, settings.noiseKind), settings);
+    return edgescan::edges::depthResponses(edges::depthSurface(scan, settings), settings);
 }
 
 inline edges::DepthEdges depthEdges(const Scan& scan, const edges::Settings& settings) {

@@ -169,7 +169,7 @@ private:
 } // namespace
 
 DepthProbe probeDepth(const Scan& scan, const Settings& settings, int line, int beam, const GapFilling* filling) {
-    const DepthSurface sweep = withFilledGaps(depthSurface(scan, settings.straighten, 0, settings.noiseKind), filling);
+    const DepthSurface sweep = withFilledGaps(depthSurface(scan, settings), filling);
     const DepthInputs inputs{sweep.inverse, sweep.slips, sweep.steps, depthLimits(sweep, settings)};
     Prober prober(inputs, {line, beam});
     SurfaceLines surface(inputs.inverse, inputs.steps, inputs.slips, inputs.limits, std::max(0, line - SurfaceLines::kLinesBefore - 2));

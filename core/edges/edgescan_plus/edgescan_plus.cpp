@@ -31,8 +31,11 @@ constexpr double kReliefMm = 5.0;
 constexpr double kWindowMm = 50.0;
 // of folds if the errors of neighbours are correlated: narrower windows follow the steps of the depth
 constexpr double kMemoryWindowMm = 50.0;
-constexpr double kNoisy = 1.5;             // x nominal
-constexpr double kLeastNoise = 0.2;        // x nominal
+// x nominal: between them the share of what noisy ranges need grows; in the middle is where the rules of default set 4 change at once
+constexpr double kQuiet = 1.25, kNoisy = 1.75;
+// tangents: ranges are often lost on steeper surfaces, and there nothing ends
+constexpr float kRimSlant = 5.67F, kRimSlantOf4 = 2.75F; // of 80 and of 70 degrees
+constexpr double kLeastNoise = 0.2;                      // x nominal
 constexpr double kRelief = 0.7;            // x nominal: relief and beam width blur as much as this, even with perfect ranges ...
 constexpr double kJumpSpacings = 2.0;      // ... but where points are close together, J0 is at most this many point spacings
 constexpr float kInterlacedGrazing = 0.5F; // index steps: remaining displacement of interlaced beams after straightening
@@ -151,14 +154,16 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 
 } // namespace
 
-DepthSurface depthSurface(const Scan& scan, bool straightened, int threads, NoiseKind noise) {
-    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, 0, {}, {}, withheldCells(scan)};
-    surface.slips = straightened ? straighten(surface.inverse, threads) : noSlips(scan.lines());
-    runParts(bandsFor(scan.cells(), threads), {[&] { surface.noise = rangeNoise(surface.inverse); },
+DepthSurface depthSurface(const Scan& scan, const Settings& settings, int threads) {
+    const NoiseKind noise = settings.noiseKind;
+    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, {}, 0, {}, {}, withheldCells(scan)};
+    surface.slips = settings.straighten ? straighten(surface.inverse, threads) : noSlips(scan.lines());
+    runParts(bandsFor(scan.cells(), threads), {[&] { surface.ofRange = noiseByRange(surface.inverse); },
                                                [&] { surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera); }});
     if (noise == NoiseKind::Camera || (noise == NoiseKind::Measured && surface.scales.remembered))
         surface.memory = memoryNoise(surface.inverse, surface.steps, surface.scales, kMemoryWindowMm);
-    removeSpikes(surface.inverse, surface.noise);
+    surface.noise = surface.memory.windowMm > 0 ? surface.ofRange : rangeNoise(surface.inverse, surface.ofRange);
+    removeSpikes(surface.inverse, surface.ofRange);
     surface.spacingMm = pointSpacingMm(surface.inverse, surface.steps);
     return surface;
 }
@@ -174,8 +179,9 @@ DepthSurface withFilledGaps(DepthSurface surface, const GapFilling* filling) {
 
 DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     DepthLimits limits;
+    const bool before5 = settings.rules < 5;
     const double typed = settings.noiseMm; // NaN: measured
-    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : surface.noise;
+    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : before5 ? surface.ofRange : surface.noise;
     limits.foldNoise = limits.noise;
     double q = noiseShare(limits.noise, surface.spacingMm);
     // A jump is computed from neighbouring cells, so its noise is that of neighbours. It is taken at the scan's own range: noise that grows
@@ -194,8 +200,10 @@ DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     limits.windowMm = static_cast<float>(kWindowMm * portable::pow(q, 0.7));
     if (remembered) limits.windowMm = std::max(limits.windowMm, static_cast<float>(surface.memory.windowMm));
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
-    limits.noisy = q > kNoisy;
-    limits.passes = limits.noisy ? 2 : 1;
+    limits.noisy =
+        before5 ? (q > 0.5 * (kQuiet + kNoisy) ? 1.0F : 0.0F) : static_cast<float>(std::clamp((q - kQuiet) / (kNoisy - kQuiet), 0.0, 1.0));
+    limits.passes = limits.noisy > 0 ? 2 : 1;
+    limits.rimSlant = before5 ? kRimSlantOf4 : kRimSlant;
     limits.turns = settings.turns;
     if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
     return limits;
@@ -210,6 +218,9 @@ std::vector<Band> bandsOf(const Grid<Support>& support, int threads) {
         bands.push_back({firstLineOfBand(support.lines, count, band), firstLineOfBand(support.lines, count, band + 1)});
     return bands;
 }
+
+// Only in the rules of default set 4 a whole scan is rough or not.
+bool weighsFolds(const Settings& settings) { return settings.rules < 5 && settings.roughScans; }
 
 // The last steps of folds, after suppression.
 void finishFolds(const DepthSurface& surface, const DepthLimits& limits, const FoldingCells* folding, DepthResponses& result) {
@@ -249,7 +260,7 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     std::vector<std::function<void()>> parts;
     for (const Band& band : bands)
         parts.emplace_back([&, band] {
-            measure(surface, limits, band, {jump.get(), &result.crease, settings.roughScans ? &folding : nullptr, cracks, folds});
+            measure(surface, limits, band, {jump.get(), &result.crease, weighsFolds(settings) ? &folding : nullptr, cracks, folds});
         });
     parts.emplace_back([&] { result.silhouettes = silhouetteCells(surface.inverse, surface.steps, limits); });
     parts.emplace_back([&] { result.border = borderCells(support); });
@@ -258,7 +269,7 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     runParts(together, parts);
     moveJumpsOffGaps(surface.inverse, *jump);
     result.jump = jump;
-    finishFolds(surface, limits, settings.roughScans ? &folding : nullptr, result);
+    finishFolds(surface, limits, weighsFolds(settings) ? &folding : nullptr, result);
     return result;
 }
 
@@ -282,9 +293,9 @@ DepthResponses withCreaseAngle(const DepthResponses& before, const StoredFolds& 
     FoldingCells folding;
     std::vector<std::function<void()>> parts;
     for (const Band& band : bands) parts.emplace_back([&, band] { folds.foldsAt(limits.creaseDeg, band.first, band.last, result.crease); });
-    if (settings.roughScans) parts.emplace_back([&] { folding = folds.folding(limits.creaseDeg); });
+    if (weighsFolds(settings)) parts.emplace_back([&] { folding = folds.folding(limits.creaseDeg); });
     runParts(static_cast<int>(bands.size()), parts);
-    finishFolds(surface, limits, settings.roughScans ? &folding : nullptr, result);
+    finishFolds(surface, limits, weighsFolds(settings) ? &folding : nullptr, result);
     return result;
 }
 

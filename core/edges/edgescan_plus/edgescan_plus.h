@@ -15,7 +15,7 @@
 namespace edgescan::edges {
 
 /// The strength of jumps and creases per cell, before the decision. 1 = at the threshold; 0 where a neighbour is stronger or the cell was
-/// not measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseMm, straighten and roughScans; if another setting changes,
+/// not measured. Depends only on the settings that feed Stage::Surface and Stage::Responses; if another setting changes,
 /// only decideDepthEdges() runs again.
 struct DepthResponses {
     std::shared_ptr<const Grid<float>> jump; ///< lines x beams
@@ -44,13 +44,14 @@ struct DepthSurface {
     InverseRange inverse;
     SweepSlips slips;
     AngularSteps steps;
-    RangeNoise noise;
+    RangeNoise noise;   ///< rangeNoise(), or `ofRange` if errors of neighbours are correlated
+    RangeNoise ofRange; ///< noiseByRange(): for spikes, and under the rules of default set 4
     double spacingMm = 0;
     NoiseScales scales;
     MemoryNoise memory;            ///< the noise if errors of neighbours are correlated; empty if it is not needed
     std::vector<CellRun> withheld; ///< cells left out by a filter or lost, ascending: not open voids
 };
-[[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten, int threads = 0, NoiseKind noise = NoiseKind::Measured);
+[[nodiscard]] DepthSurface depthSurface(const Scan& scan, const Settings& settings, int threads = 0);
 
 /// The same with filled gaps. Noise, slips and dust echoes are those of the measured cells; then filled cells become Support::Wanted. Null:
 /// the surface is returned unchanged.

@@ -21,6 +21,13 @@ struct LineWeights {
 constexpr LineWeights kTwoCells{1.5F, -0.5F, 0.0F};
 constexpr LineWeights kThreeCells{1.083F, 0.333F, -0.417F}; // least squares through three cells: less noise
 
+LineWeights weightsAt(float noisy) {
+    if (noisy <= 0 || noisy >= 1) return noisy <= 0 ? kTwoCells : kThreeCells;
+    const auto between = [noisy](float two, float three) { return two + noisy * (three - two); };
+    return {between(kTwoCells.first, kThreeCells.first), between(kTwoCells.second, kThreeCells.second),
+            between(kTwoCells.third, kThreeCells.third)};
+}
+
 float extraAt(const SweepSlips& slips, Along along, int line, std::size_t parity) {
     const std::vector<float>& extra = slips.remaining[parity];
     const bool inside = line >= 0 && line < static_cast<int>(extra.size());
@@ -119,8 +126,8 @@ EDGESCAN_INLINE bool isWhole(const CrackCells& at) {
 }
 
 // `out` covers beams -1 to `beams`; at these two there is never a jump. Works in blocks; the last block overlaps the one before.
-EDGESCAN_INLINE void jumpsOfLine(const CrackCells& at, int beams, Extra extra, const DepthLimits& limits, float* out) {
-    const LineWeights w = limits.noisy ? kThreeCells : kTwoCells;
+EDGESCAN_INLINE void jumpsOfLine(const CrackCells& at, int beams, Extra extra, const DepthLimits& limits, const LineWeights& w,
+                                 float* out) {
     out[-1] = out[beams] = 0;
     if (beams < kCrackBlock) return jumpsOfCells<false>(at, beams, extra, limits, w, out);
     constexpr auto kCount = std::integral_constant<int, kCrackBlock>();
@@ -156,9 +163,10 @@ EDGESCAN_INLINE void nearerOfLine(const float* u, const float* jump, std::ptrdif
     }
 }
 
-EDGESCAN_INLINE void smoothLine(const float* u, const std::uint8_t* link, std::ptrdiff_t s, int beams, float* __restrict out) {
+EDGESCAN_INLINE void smoothLine(const float* u, const std::uint8_t* link, std::ptrdiff_t s, int beams, float quarter,
+                                float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
-        const float linked = (link[j] & link[j - s]) != 0 ? 0.25F : 0.0F;
+        const float linked = (link[j] & link[j - s]) != 0 ? quarter : 0.0F;
         out[j] = u[j] + linked * (u[j - s] + u[j + s] - 2 * u[j]);
     }
 }
@@ -169,7 +177,7 @@ void crackJumps(const DepthField& field, Along along, int line, const float* ang
                 Lines& jumps) {
     const Extra extra{extraAt(slips, along, line, 0), extraAt(slips, along, line, 1)};
     vectorised<jumpsOfLine>({field.u.line(line), field.solid.line(line), angle, field.step(along)}, field.u.beams, extra, limits,
-                            jumps.next());
+                            weightsAt(limits.noisy), jumps.next());
 }
 
 void surfaceLinks(const DepthField& field, const Lines& jumps, Along along, int line, const SweepSlips& slips, Links& links) {
@@ -183,8 +191,8 @@ void jumpsOnNearerCells(const DepthField& field, const Lines& jumps, Along along
     vectorised<nearerOfLine>(field.u.line(line), jumps.line(line), field.step(along), field.u.beams, cells.next());
 }
 
-void smoothSurfaces(const Lines& u, const Links& links, Along along, int line, Lines& smooth) {
-    vectorised<smoothLine>(u.line(line), links.line(line), stepOf(u, along), u.beams, smooth.next());
+void smoothSurfaces(const Lines& u, const Links& links, Along along, int line, float share, Lines& smooth) {
+    vectorised<smoothLine>(u.line(line), links.line(line), stepOf(u, along), u.beams, 0.25F * share, smooth.next());
 }
 
 } // namespace edgescan::edges

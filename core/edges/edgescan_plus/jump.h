@@ -26,7 +26,7 @@ void surfaceLinks(const DepthField& field, const Lines& jumps, Along along, int 
 /// side.
 void jumpsOnNearerCells(const DepthField& field, const Lines& jumps, Along along, int line, Lines& cells);
 
-/// Computes the next line of `smooth`: u + (u[-1] + u[+1] - 2u) / 4 where the cell is linked to both neighbours. Planes stay planes.
-void smoothSurfaces(const Lines& u, const Links& links, Along along, int line, Lines& smooth);
+/// Computes the next line of `smooth`: u + share (u[-1] + u[+1] - 2u) / 4 where the cell is linked to both neighbours. Planes stay planes.
+void smoothSurfaces(const Lines& u, const Links& links, Along along, int line, float share, Lines& smooth);
 
 } // namespace edgescan::edges

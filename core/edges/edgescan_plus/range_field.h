@@ -35,8 +35,9 @@ struct DepthLimits {
     float windowMm = 60;  ///< w: length of one side of a fold, mm; depthLimits(): 50 q^0.7
     float creaseDeg = 30; ///< C0: smallest fold, degrees
     float reliefMm = 5;   ///< roughness of a surface, mm, measured across it; along a slanted beam it is longer; depthLimits(): 5 q
-    bool noisy = false;   ///< straight lines at jumps use three cells instead of two (q > 1.5)
-    int passes = 1;       ///< number of smoothing passes
+    float noisy = 0;      ///< share of a second smoothing pass, and of straight lines of three cells instead of two at jumps
+    int passes = 1;       ///< number of smoothing passes: 2 if `noisy` is above 0
+    float rimSlant = 0;   ///< tangent of the largest slant of a surface that has a rim at a void
     bool turns = true;    ///< lines are not linked at steps at which the stepper turned
     RangeNoise noise;
     RangeNoise foldNoise; ///< the white noise that causes as large folds within the window as the scan's noise does

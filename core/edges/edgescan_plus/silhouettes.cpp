@@ -10,9 +10,10 @@
 namespace edgescan::edges {
 namespace {
 
-constexpr float kSure = 1;     // jump thresholds
-constexpr float kBend = 0.25F; // tangent of the angle by which a surface may bend across the void
-constexpr int kBridged = 4;    // longest gap that step 1 may have filled, cells
+constexpr float kSure = 1;      // jump thresholds
+constexpr float kSteep = 2.75F; // tangent of 70 degrees
+constexpr float kBend = 0.25F;  // tangent of the angle by which a surface may bend across the void
+constexpr int kBridged = 4;     // longest gap that step 1 may have filled, cells
 
 // The least distance in mm from the near to the far end of a void of `cells` at an outline.
 float leastBehindMm(float farMm, int cells, float angle, const DepthLimits& limits) {
@@ -21,7 +22,7 @@ float leastBehindMm(float farMm, int cells, float angle, const DepthLimits& limi
 
 // Whether the surface of `near` ends before the void of `cells` and the other surface is behind it.
 bool isOutline(const SurfaceEnd& near, const SurfaceEnd& far, int cells, float angle, const DepthLimits& limits) {
-    if (!near.known || !far.known || near.slants(angle)) return false;
+    if (!near.known || !far.known || near.slants(angle, kSteep)) return false;
     const auto steps = static_cast<float>(cells + 1);
     const float continued = near.u + steps * near.slope; // next to the far end
     const float backwards = far.u + steps * far.slope;   // next to the near end

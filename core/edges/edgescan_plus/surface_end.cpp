@@ -6,13 +6,12 @@
 namespace edgescan::edges {
 namespace {
 
-constexpr int kSide = 5;          // cells of a surface used for its slope
-constexpr int kFewest = 3;        // least number of these
-constexpr float kGrazing = 2.75F; // tangent of 70 degrees
+constexpr int kSide = 5;   // cells of a surface used for its slope
+constexpr int kFewest = 3; // least number of these
 
 } // namespace
 
-bool SurfaceEnd::slants(float angle) const { return std::abs(slope) > kGrazing * u * angle; }
+bool SurfaceEnd::slants(float angle, float tangent) const { return std::abs(slope) > tangent * u * angle; }
 
 SurfaceEnd surfaceEnd(const Way& way, int n, int awayFromVoid, const DepthLimits& limits) {
     SurfaceEnd end{way.u(n)};

@@ -30,8 +30,8 @@ struct SurfaceEnd {
     float u = 0, slope = 0;
     bool known = false;
 
-    /// True where the surface is slanted by more than 70 degrees; ranges are often lost on steeper surfaces. `angle`: of one index step.
-    [[nodiscard]] bool slants(float angle) const;
+    /// Whether the surface slants by more than this tangent. `angle`: of one index step.
+    [[nodiscard]] bool slants(float angle, float tangent) const;
 };
 
 /// `awayFromVoid`: 1 or -1, the direction of the surface's cells; up to five of them, up to a jump.

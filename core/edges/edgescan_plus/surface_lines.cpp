@@ -106,12 +106,13 @@ void SurfaceLines::findCracks(int line) {
 void SurfaceLines::smooth(std::size_t pass, int line) {
     const Lines& from = pass == 0 ? snapped_ : passes_[pass - 1].lines;
     Pass& to = passes_[pass];
+    const float share = pass == 0 ? 1.0F : limits_.noisy;
     if (isInside(line))
-        smoothSurfaces(from, linkBeams_, Along::Beams, line, to.beams);
+        smoothSurfaces(from, linkBeams_, Along::Beams, line, share, to.beams);
     else if (line >= lines_)
         to.beams.nextEmpty();
     if (isInside(line - 1))
-        smoothSurfaces(to.beams, linkLines_, Along::Lines, line - 1, to.lines);
+        smoothSurfaces(to.beams, linkLines_, Along::Lines, line - 1, share, to.lines);
     else if (line - 1 >= lines_)
         to.lines.nextEmpty();
 }

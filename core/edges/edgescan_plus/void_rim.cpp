@@ -118,7 +118,7 @@ private:
         // Where every step is as large as a jump, a surface looks like jumps: then the next cell gives the slant.
         const int next = n + awayFromVoid;
         if (!end.known && next >= 0 && next < count && !way.isVoid(next)) end.slope = way.u(n) - way.u(next);
-        marked_[k] = static_cast<std::uint8_t>(!end.slants(way.angle(n)));
+        marked_[k] = static_cast<std::uint8_t>(!end.slants(way.angle(n), limits_.rimSlant));
     }
 
     const InverseRange& inverse_;

@@ -19,8 +19,8 @@ struct CellRun {
 [[nodiscard]] std::vector<CellRun> withheldCells(const Scan& scan);
 
 /// Measured cells next to a void of at least 30 connected cells (4 neighbours), ascending. A cell is left out where its surface slants by
-/// more than 70 degrees towards the void: there ranges fade out, and nothing ends. `withheld` cells do not belong to a void: missing data
-/// has no rim (docs/reference/rules.md, "S3"). `ofCamera`: a depth camera sees from two places, so most of its voids are shadows of
+/// more than `limits.rimSlant` towards the void: there ranges fade out, and nothing ends. `withheld` cells do not belong to a void: missing
+/// data has no rim (docs/reference/rules.md, "S3"). `ofCamera`: a depth camera sees from two places, so most of its voids are shadows of
 /// what is in front, or points that it could not match. Then only the near side of a void is a rim: along the line or the beam the void
 /// ends at a surface that is farther away by a jump.
 [[nodiscard]] std::vector<std::uint32_t> voidRimCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits,

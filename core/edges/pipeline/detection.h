@@ -21,6 +21,7 @@ struct Scan;
 
 namespace edgescan::edges {
 
+using BorderPercent = std::uint8_t; // core/edges/rock_borders/rock_borders.h
 struct DepthCracks;
 struct DepthResponses;
 struct DepthSurface;
@@ -49,7 +50,9 @@ struct Detection {
     std::shared_ptr<const DepthCracks> cracks;               ///< the surface and its cracks; null unless the pipeline stores them
     std::shared_ptr<const DepthResponses> responses;         ///< EdgeScan+'s responses; null for other methods
     std::shared_ptr<const std::vector<std::uint32_t>> edges; ///< indices of the edge cells, ascending
-    std::vector<StageTime> timings;                          ///< only of the stages that were run again
+    /// probability of each of `edges` to be the border of a rock, %, in their order; empty for methods that do not measure the surface
+    MadeWhenRead<std::vector<BorderPercent>> borders;
+    std::vector<StageTime> timings; ///< only of the stages that were run again
     double totalMs = 0.0;
 };
 

@@ -8,6 +8,7 @@
 #include "core/edges/gray/smooth.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/work_memory.h"
+#include "core/edges/rock_borders/rock_borders.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "core/scan/gap_filling/gap_filling.h"
@@ -43,6 +44,13 @@ void timed(Detection& detection, Stage stage, const char* name, Run run) {
     const double cpuStart = threadCpuMilliseconds();
     run();
     detection.timings.push_back({name, millisecondsSince(start), threadCpuMilliseconds() - cpuStart, stage});
+}
+
+// Made from copies of the pointers: the detection that holds it is not in it.
+MadeWhenRead<std::vector<BorderPercent>> bordersOf(const Detection& detection) {
+    return MadeWhenRead<std::vector<BorderPercent>>(
+        [surface = detection.surface, responses = detection.responses, classes = detection.classes, edges = detection.edges,
+         settings = detection.settings] { return borderPercents(*surface, *responses, settings, *classes, *edges, 0); });
 }
 
 } // namespace
@@ -84,8 +92,7 @@ void Pipeline::runStages(Detection& d) {
         d.filled = upToDate(filled_, Stage::Surface, "gaps", d, [&] { return fillGaps(*d.scan, settings.fillCells); });
     if (!reads(settings.method, kReadsSurface)) return;
     const GapFilling* wanted = settings.fillEdges ? d.filled.get() : nullptr;
-    d.surface = upToDate(surface_, Stage::Surface, "surface", d,
-                         [&] { return withFilledGaps(depthSurface(*d.scan, settings.straighten, 0, settings.noiseKind), wanted); });
+    d.surface = upToDate(surface_, Stage::Surface, "surface", d, [&] { return withFilledGaps(depthSurface(*d.scan, settings), wanted); });
     d.responses = upToDate(responses_, Stage::Responses, "jumps and creases", d, [&] { return responsesOf(d); });
     d.cracks = cracks_;
 }
@@ -142,6 +149,7 @@ std::shared_ptr<const Detection> Pipeline::run(const std::shared_ptr<const Scan>
     decide(detection);
     timed(detection, Stage::Threshold, "edge cells",
           [&] { detection.edges = std::make_shared<const std::vector<std::uint32_t>>(edgeCells(*detection.mask)); });
+    if (detection.responses) detection.borders = bordersOf(detection);
     detection.totalMs = millisecondsSince(start);
     last_ = std::make_shared<const Detection>(std::move(detection));
     return last_;

@@ -1,18 +1,50 @@
 // EdgeScan+ and its parts: their decisions, and their values at one cell.
+#include "core/edges/gray/canny.h"
 #include "core/edges/gray/log_range.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/method_traits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 namespace edgescan::edges {
 namespace {
 
+// The cells, of these, that are left out where only rock borders are edges. Nothing is left out of them unless the settings ask for it.
+std::vector<std::uint32_t> leftOut(const Detection& detection, const Grid<DepthEdge>& classes, const std::vector<std::uint32_t>& cells) {
+    std::vector<std::uint32_t> out;
+    const std::vector<BorderPercent> borders =
+        borderPercents(*detection.surface, *detection.responses, detection.settings, classes, cells, 0);
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        if (borders[n] < detection.settings.borderPercent) out.push_back(cells[n]);
+    }
+    return out;
+}
+
+// The same of all cells that satisfy isCandidate(k), whichever class they have.
+template <class IsCandidate>
+std::vector<std::uint32_t> candidatesLeftOut(const Detection& detection, IsCandidate isCandidate) {
+    if (!detection.settings.rockBorders) return {};
+    const Grid<float>& jump = *detection.responses->jump;
+    std::vector<std::uint32_t> cells;
+    for (std::uint32_t k = 0; k < jump.size(); ++k) {
+        if (isCandidate(k)) cells.push_back(k);
+    }
+    return leftOut(detection, Grid<DepthEdge>(jump.lines, jump.beams, DepthEdge::None), cells);
+}
+
 FoundEdges surfaceEdges(const Detection& detection) {
     DepthEdges found = decideDepthEdges(*detection.responses, detection.settings, 0);
+    if (detection.settings.rockBorders) {
+        for (const std::uint32_t k : leftOut(detection, found.kind, edgeCells(found.mask))) {
+            found.mask[k] = 0;
+            found.kind[k] = DepthEdge::None;
+        }
+    }
     return {std::move(found.mask), std::move(found.kind)};
 }
 
@@ -21,6 +53,7 @@ ThresholdMap surfaceThresholds(const Detection& detection) {
     const DepthResponses& responses = *detection.responses;
     ThresholdMap map =
         linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength);
+    for (const std::uint32_t k : candidatesLeftOut(detection, [&map](std::size_t k) { return map.highest[k] >= 0; })) map.highest[k] = -1;
     for (const ClassCells& edges : edgesAtVoids(responses, settings)) {
         for (const std::uint32_t k : edges.cells) map.highest[k] = std::numeric_limits<double>::infinity();
     }
@@ -50,6 +83,10 @@ EdgeLevels surfaceLevels(const Detection& detection, const std::vector<double>& 
     std::ranges::sort(levels.apart);
     levels.apart.erase(std::unique(levels.apart.begin(), levels.apart.end()), levels.apart.end());
     levels.atEach = levels.apart.size();
+    const std::vector<std::uint32_t> out = candidatesLeftOut(detection, [&levels](std::size_t k) { return levels.weak[k] > 0; });
+    std::vector<std::uint32_t> notCounted;
+    std::ranges::set_union(levels.apart, out, std::back_inserter(notCounted));
+    levels.apart = std::move(notCounted);
     return levels;
 }
 
@@ -58,6 +95,7 @@ double surfaceThreshold(const Detection& detection, std::size_t k) {
     const DepthResponses& responses = *detection.responses;
     const auto has = [k](const ClassCells& edges) { return std::ranges::binary_search(edges.cells, k); };
     if (std::ranges::any_of(edgesAtVoids(responses, settings), has)) return std::numeric_limits<double>::infinity();
+    if (!candidatesLeftOut(detection, [k](std::size_t n) { return n == k; }).empty()) return -1;
     return linkedThresholdAt(
         responses.jump->lines, responses.jump->beams, [&](std::size_t n) { return requestedStrengthAt(responses, settings, n); },
         settings.hysteresisPercent / 100.0, settings.minimumLength, k);

@@ -27,6 +27,7 @@ const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}
 const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
 const std::vector<Choice> kLogMasks{{0, "four", "4 neighbours"}, {1, "eight", "8 neighbours"}, {2, "5x5", "5 x 5"}};
 
+const std::vector<Choice> kRules{{4, "4", "of default set 4"}, {5, "5", "of today"}};
 const std::vector<Choice> kNoiseKinds{{0, "measured", "as measured"}, {1, "laser", "laser"}, {2, "camera", "depth camera"}};
 
 constexpr bool kAdvanced = true;
@@ -47,6 +48,8 @@ bool readers(const Settings& s) {
 constexpr auto surface = readers<kReadsSurface>;
 constexpr auto gray = readers<kReadsGray>;
 constexpr auto twoThresholds = readers<kReadsTwoThresholds>;
+bool rockBorders(const Settings& s) { return surface(s) && s.rockBorders; }
+bool roughScans(const Settings& s) { return reads(s.method, kReadsCreases) && s.rules < 5; }
 bool nearFar(const Settings& s) { return gray(s) && s.scaling != Scaling::Thesis; }
 bool fillEdges(const Settings& s) { return surface(s) && s.fillCells > 0; }
 bool isolated(const Settings& s) { return gray(s) && s.maskMissing; }
@@ -70,6 +73,10 @@ const std::vector<Parameter>& table() {
          0, 3, 0.05, 2, EDGESCAN_NUMBER(Settings, growthPercent), 3, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"crease", "Crease angle", "degrees", "Smallest fold of the surface that is an edge.",
          15, 90, 1, 0, EDGESCAN_NUMBER(Settings, creaseDeg), 90, kNoAuto, !kAdvanced, {}, !kSeveral, readers<kReadsCreases>, Stage::Responses},
+        {"rock-borders", "Rock borders", "", "Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.",
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, rockBorders), 1, kNoAuto, !kAdvanced, kOffOn, !kSeveral, surface, Stage::Edges},
+        {"border-from", "Border from", "%", "How likely an edge must be the border of a rock to be shown among the rock borders.",
+         1, 99, 1, 0, EDGESCAN_NUMBER(Settings, borderPercent), 99, kNoAuto, !kAdvanced, {}, !kSeveral, rockBorders, Stage::Edges},
         {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.",
          1, 50, 1, 0, EDGESCAN_NUMBER(Settings, minimumLength), 50, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Edges},
         {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.",
@@ -86,8 +93,10 @@ const std::vector<Parameter>& table() {
          1, 30, 0.25, 2, EDGESCAN_NUMBER(Settings, noiseMm), 30, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"noise-kind", "Noise from cell to cell", "", "Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.",
          0, 2, 1, 0, EDGESCAN_NUMBER(Settings, noiseKind), 2, kNoAuto, kAdvanced, kNoiseKinds, !kSeveral, surface, Stage::Surface},
-        {"rough-scans", "Rough scans", "", "Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.",
-         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, roughScans), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, readers<kReadsCreases>, Stage::Responses},
+        {"rules", "Rules", "", "How noise is measured and where the rim of a void ends: as today, or as in default set 4, which also has a rule for rough scans.",
+         4, 5, 1, 0, EDGESCAN_NUMBER(Settings, rules), 5, kNoAuto, kAdvanced, kRules, !kSeveral, surface, Stage::Responses},
+        {"rough-scans", "Rough scans", "", "Only by the rules of default set 4. Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.",
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, roughScans), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, roughScans, Stage::Responses},
         {"fill", "Fill gaps", "cells", "Gaps up to this width are filled from their surroundings, never across a jump. Filled cells are marked and never count as measured. 0 switches filling off.",
          0, 20, 1, 0, EDGESCAN_NUMBER(Settings, fillCells), 20, kNoAuto, kAdvanced, {}, !kSeveral, always, Stage::Surface},
         {"fill-edges", "Edges in gaps", "", "Filled cells take part in finding edges, and may be edges that no beam measured.",

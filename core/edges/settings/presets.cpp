@@ -37,7 +37,9 @@ Settings smoothWalls() {
 
 Settings defaultSettings(int version) {
     Settings settings;
-    if (version >= 4) return settings;
+    if (version >= 5) return settings;
+    settings.rules = 4;
+    if (version == 4) return settings;
     settings.classes = kClassRock;
     settings.minimumLength = 5;
     settings.roughScans = false;
@@ -47,7 +49,7 @@ Settings defaultSettings(int version) {
 
 nlohmann::json settingsOfRecord(nlohmann::json settings, int version) {
     if (!settings.is_object()) return settings;
-    if (version == 0) version = settings.contains("rough-scans") ? kDefaultSet.version : 3;
+    if (version == 0) version = settings.contains("rules") ? kDefaultSet.version : settings.contains("rough-scans") ? 4 : 3;
     constexpr int kAllBefore4 = kClassRock | kClassBorder;
     if (version < 4 && settings.value("classes", nlohmann::json()) == "all")
         settings["classes"] = formatValue(*findParameter("classes"), kAllBefore4);
@@ -78,6 +80,11 @@ std::span<const Preset> builtInPresets() {
         {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis), {}},
         {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window), {}},
         {"smooth-walls", "As default, for flat and quiet surfaces: low steps are edges far away too.", smoothWalls(), {}},
+        {"default-4",
+         "The default settings of version 4: the noise includes relief, rims end where a surface slants by 70 degrees, and on a scan of "
+         "rough surfaces folds must exceed their surroundings.",
+         defaultSettings(4),
+         {}},
         {"default-3",
          "The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as "
          "any other.",

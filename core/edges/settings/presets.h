@@ -23,7 +23,7 @@ struct Preset {
 /// method.
 [[nodiscard]] Settings cannySettings();
 
-/// "default" first, then "log", "thesis", "window", "smooth-walls" and "default-3" (docs/method/edges.md, "Gray levels and presets").
+/// "default" first, then "log", "thesis", "window", "smooth-walls", "default-4" and "default-3" (docs/method/edges.md, "Gray levels and presets").
 [[nodiscard]] std::span<const Preset> builtInPresets();
 
 /// Name and version of the default settings; the version increases if a default changes. docs/reference/rules.md, "S19".
@@ -31,13 +31,13 @@ struct DefaultSet {
     const char* name;
     int version;
 };
-inline constexpr DefaultSet kDefaultSet{"default", 4};
+inline constexpr DefaultSet kDefaultSet{"default", 5};
 
 /// The default settings of a version. All versions before 4 give version 3, the first ones that are stored here.
 [[nodiscard]] Settings defaultSettings(int version);
 
 /// All settings as a record or a session of this version of the default set wrote them, in the words of today: every key, and "all" as the
-/// classes of that time. Version 0: not stated, so the keys show whether they are older than version 4.
+/// classes of that time. Version 0: not stated, so the keys show which version it was.
 [[nodiscard]] nlohmann::json settingsOfRecord(nlohmann::json settings, int version);
 
 /// Keys of the parameters that differ from the defaults and that the method of `settings` reads, in the table's order.

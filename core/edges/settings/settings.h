@@ -82,7 +82,12 @@ struct Settings {
     double noiseMm = kAutomatic;              ///< range noise sigma at 5 m, mm; automatic = measured
     NoiseKind noiseKind = NoiseKind::Measured;
     bool turns = true;      ///< allow for a stepper that turns at the ends of the sweep
-    bool roughScans = true; ///< on a scan of rough surfaces folds must exceed their surroundings
+    int rules = 5;          ///< 4: noise, rims of voids and rough scans as in default set 4; 5: as now
+    bool roughScans = true; ///< rules 4 only: on a scan of rough surfaces folds must exceed their surroundings
+
+    // Which of the edges are shown (docs/method/edges.md, "Rock border or fold")
+    bool rockBorders = false;  ///< only those that are likely the border of a rock
+    double borderPercent = 30; ///< ... with this probability, %, and more
 
     // Gaps (docs/method/edges.md, "Gaps")
     int fillCells = 0;      ///< shorter side of the gaps to fill, cells; 0: no filling

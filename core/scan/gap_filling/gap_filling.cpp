@@ -240,7 +240,7 @@ GapFilling fillGaps(const Scan& scan, const RangeNoise& noise, int longest) {
 }
 
 GapFilling fillGaps(const Scan& scan, int longest) {
-    return longest < 1 || scan.cells() == 0 ? GapFilling{} : fillGaps(scan, rangeNoise(inverseRange(scan)), longest);
+    return longest < 1 || scan.cells() == 0 ? GapFilling{} : fillGaps(scan, noiseByRange(inverseRange(scan)), longest);
 }
 
 ScanWithFilled withFilled(const Scan& scan, const GapFilling& filling) {

@@ -217,7 +217,7 @@ AngularSteps angularSteps(const Scan& scan) {
     return angles ? polarSteps(*angles) : cameraSteps(scan);
 }
 
-RangeNoise rangeNoise(const InverseRange& inverse) {
+RangeNoise noiseByRange(const InverseRange& inverse) {
     std::vector<std::vector<float>> bins(kBins);
     // A quarter of a million cells are enough for the estimate.
     const int every = std::max(1, static_cast<int>(inverse.u.size() / kCellsForNoise));

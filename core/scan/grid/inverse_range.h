@@ -40,16 +40,25 @@ struct AngularSteps {
 /// median.
 [[nodiscard]] AngularSteps angularSteps(const Scan& scan);
 
-/// Range noise: standard deviation sigma(r) = offsetMm + perMetreMm * r[m] + perSquareMetreMm * r^2, in mm. rangeNoise() gives no square
-/// term. It uses the 40 % quantile of |second differences of u| along the lines in range bins (docs/method/edges.md, "Step 6"). Zero if
-/// there are too few cells.
+/// Range noise: standard deviation sigma(r) = offsetMm + perMetreMm * r[m] + perSquareMetreMm * r^2, in mm.
 struct RangeNoise {
     double offsetMm = 0.0;
     double perMetreMm = 0.0;
     double perSquareMetreMm = 0.0; ///< for depths computed from a disparity
     [[nodiscard]] double at(double rangeM) const { return offsetMm + perMetreMm * rangeM + perSquareMetreMm * rangeM * rangeM; }
 };
+/// The noise of an LMS511.
+inline constexpr RangeNoise kScannerNoise{0.815 * 6.75, 0.037 * 6.75, 0};
+
+/// A multiple of kScannerNoise, from |second differences of u| along the lines in tiles of 8 x 8 cells: relief, slant and wide cells only
+/// add to them, so the tiles of least noise count (docs/method/edges.md, "Step 6"). Not less than two thirds of `ofRange` at 5 m; with fewer
+/// than 75 tiles `ofRange` takes a growing share, and with 25 it is the result.
+[[nodiscard]] RangeNoise rangeNoise(const InverseRange& inverse, const RangeNoise& ofRange);
 [[nodiscard]] RangeNoise rangeNoise(const InverseRange& inverse);
+
+/// A line through the noise in bins of range: the 40 % quantile of |second differences of u| along the lines. Relief and slant count as
+/// noise. Zero if there are too few cells.
+[[nodiscard]] RangeNoise noiseByRange(const InverseRange& inverse);
 
 /// The distance between neighbouring points, mm: the side of the square that a cell covers across the beam, median of the measured cells.
 /// Zero if no cell was measured.

@@ -10,12 +10,12 @@ namespace edgescan::edges {
 namespace {
 
 void expectSameWithAnyThreads(const Scan& scan, const Settings& settings) {
-    const DepthSurface surface = depthSurface(scan, true, 1);
+    const DepthSurface surface = depthSurface(scan, {}, 1);
     DepthCracks cracks;
     const DepthResponses responses = depthResponses(surface, settings, &cracks, 1);
     const DepthEdges edges = decideDepthEdges(responses, settings, 1);
     for (const int threads : {0, 2, 3, 7, 1000}) {
-        const DepthSurface otherSurface = depthSurface(scan, true, threads);
+        const DepthSurface otherSurface = depthSurface(scan, {}, threads);
         EXPECT_EQ(otherSurface.slips.measured, surface.slips.measured) << threads;
         EXPECT_EQ(otherSurface.inverse.u, surface.inverse.u) << threads;
         DepthCracks otherCracks;

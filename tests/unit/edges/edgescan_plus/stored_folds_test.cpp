@@ -91,7 +91,7 @@ TEST(StoredFolds, GiveTheBitsOfMeasuredFoldsAtEveryAngle) {
         if (random() % 4 == 0) settings.noiseMm = static_cast<double>(1 + random() % 30);
         settings.roughScans = random() % 4 != 0;
         settings.noiseKind = random() % 5 == 0 ? NoiseKind::Camera : NoiseKind::Measured;
-        const DepthSurface surface = depthSurface(scan, true, 1, settings.noiseKind);
+        const DepthSurface surface = depthSurface(scan, settings, 1);
         settings.creaseDeg = static_cast<double>(15 + random() % 76);
         StoredFolds folds;
         const int threads = 1 + static_cast<int>(random() % 4);

@@ -1,0 +1,54 @@
+// Asks the trees about edge cells.
+#include "core/edges/rock_borders/rock_borders.h"
+
+#include "core/base/bands.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+namespace edgescan::edges {
+namespace {
+
+constexpr BorderPercent kSure = 100;
+
+#include "core/edges/rock_borders/border_trees.inc" // kStart and kTrees
+
+bool isOfVoid(DepthEdge kind) { return kind == DepthEdge::Silhouette || kind == DepthEdge::VoidRim || kind == DepthEdge::Border; }
+
+} // namespace
+
+BorderModel borderModel() { return {kStart, kTrees}; }
+
+std::vector<BorderPercent> borderPercents(const DepthSurface& surface, const DepthResponses& responses, const Settings& settings,
+                                          const Grid<DepthEdge>& classes, std::span<const std::uint32_t> cells, int threads) {
+    std::vector<BorderPercent> percents(cells.size(), kUnknownBorder);
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        if (isOfVoid(classes[cells[n]])) percents[n] = kSure;
+    }
+    if (responses.neighboursAlike || cells.empty()) return percents;
+    const BorderMeasure measure(surface, responses, settings);
+    const BorderModel model = borderModel();
+    runInBands(static_cast<int>(cells.size()), bandsFor(surface.inverse.u.size(), threads), [&](int first, int last) {
+        BorderFeatures features{};
+        for (auto n = static_cast<std::size_t>(first); n < static_cast<std::size_t>(last); ++n) {
+            if (percents[n] != kSure && measure.measure(cells[n], features))
+                percents[n] = static_cast<BorderPercent>(percentOf(logOdds(model.trees, model.start, features.data())));
+        }
+    });
+    return percents;
+}
+
+std::vector<BorderReason> borderReasons(const DepthSurface& surface, const DepthResponses& responses, const Settings& settings,
+                                        std::size_t cell) {
+    BorderFeatures features{};
+    if (responses.neighboursAlike || !BorderMeasure(surface, responses, settings).measure(cell, features)) return {};
+    std::vector<BorderReason> reasons(kBorderEvidences);
+    for (int n = 0; n < kBorderEvidences; ++n) reasons[static_cast<std::size_t>(n)].evidence = static_cast<BorderEvidence>(n);
+    const std::vector<std::int32_t> added = addedByFeature(borderModel().trees, features);
+    for (std::size_t n = 0; n < added.size(); ++n) reasons[static_cast<std::size_t>(evidenceOf(static_cast<int>(n)))].added += added[n];
+    std::ranges::stable_sort(reasons, [](const BorderReason& a, const BorderReason& b) { return std::abs(a.added) > std::abs(b.added); });
+    return reasons;
+}
+
+} // namespace edgescan::edges

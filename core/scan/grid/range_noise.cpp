@@ -1,0 +1,74 @@
+// The noise of the ranges from the flattest tiles of a sweep.
+#include "core/scan/grid/inverse_range.h"
+
+#include "core/base/order_statistic.h"
+#include "core/base/simd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+constexpr int kTile = 8;                  // lines and beams
+constexpr std::size_t kFewestOfTile = 48; // second differences
+constexpr double kShareOfTiles = 0.20;    // of the tiles have less noise than the result
+constexpr double kMedianOfNormal = 0.6745;
+constexpr double kFewTiles = 25, kEnoughTiles = 75;
+constexpr double kMostRelief = 1.5; // times that noiseByRange() exceeds the noise
+constexpr std::size_t kCells = 250000;
+
+// The distance of the inner cells of a line from the straight line through their neighbours, divided by the deviation that the noise of an
+// LMS511 gives it; negative unless all three cells were measured.
+EDGESCAN_INLINE void offStraightOfScanner(const float* u, const Support* support, int beams, float* __restrict off) {
+    const auto offset = static_cast<float>(0.001 * kScannerNoise.offsetMm), perMetre = static_cast<float>(0.001 * kScannerNoise.perMetreMm);
+    constexpr float kOfSecondDifference = 2.4494897F; // root of 6
+    for (int j = 1; j < beams - 1; ++j) {
+        const float range = 1.0F / u[j];
+        const bool measured =
+            (support[j - 1] == Support::Measured) & (support[j] == Support::Measured) & (support[j + 1] == Support::Measured);
+        const float distance = std::abs(u[j - 1] - 2 * u[j] + u[j + 1]) * range * range;
+        off[j] = measured ? distance / (kOfSecondDifference * (offset + perMetre * range)) : -1.0F;
+    }
+}
+
+// The noise of the tiles, in units of the noise of an LMS511.
+std::vector<float> noiseOfTiles(const InverseRange& inverse) {
+    const int beams = inverse.u.beams, rows = inverse.u.lines / kTile;
+    const int every = std::max(1, static_cast<int>(inverse.u.size() / kCells));
+    std::vector<std::vector<float>> off(kTile, std::vector<float>(static_cast<std::size_t>(beams), -1.0F));
+    std::vector<float> tiles, inTile;
+    for (int row = std::min(every, rows) / 2; row < rows; row += every) {
+        for (int n = 0; n < kTile; ++n) {
+            const int line = row * kTile + n;
+            vectorised<offStraightOfScanner>(inverse.u.line(line), inverse.support.line(line), beams,
+                                             off[static_cast<std::size_t>(n)].data());
+        }
+        for (std::ptrdiff_t first = 0; first + kTile <= beams; first += kTile) {
+            inTile.clear();
+            for (const std::vector<float>& line : off)
+                std::copy_if(line.begin() + first, line.begin() + first + kTile, std::back_inserter(inTile),
+                             [](float x) { return x >= 0; });
+            if (inTile.size() >= kFewestOfTile)
+                tiles.push_back(valueInOrder(inTile, inTile.size() / 2) / static_cast<float>(kMedianOfNormal));
+        }
+    }
+    return tiles;
+}
+
+} // namespace
+
+RangeNoise rangeNoise(const InverseRange& inverse, const RangeNoise& ofRange) {
+    std::vector<float> tiles = noiseOfTiles(inverse);
+    const double share = std::clamp((static_cast<double>(tiles.size()) - kFewTiles) / (kEnoughTiles - kFewTiles), 0.0, 1.0);
+    if (share <= 0) return ofRange;
+    const double times =
+        std::max(static_cast<double>(quantile(tiles, kShareOfTiles)), ofRange.at(5.0) / kScannerNoise.at(5.0) / kMostRelief);
+    const auto mixed = [share](double least, double all) { return share * least + (1 - share) * all; };
+    return {mixed(times * kScannerNoise.offsetMm, ofRange.offsetMm), mixed(times * kScannerNoise.perMetreMm, ofRange.perMetreMm), 0};
+}
+
+RangeNoise rangeNoise(const InverseRange& inverse) { return rangeNoise(inverse, noiseByRange(inverse)); }
+
+} // namespace edgescan
