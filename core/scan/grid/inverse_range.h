@@ -51,8 +51,8 @@ struct RangeNoise {
 inline constexpr RangeNoise kScannerNoise{0.815 * 6.75, 0.037 * 6.75, 0};
 
 /// A multiple of kScannerNoise, from |second differences of u| along the lines in tiles of 8 x 8 cells: relief, slant and wide cells only
-/// add to them, so the tiles of least noise count (docs/method/edges.md, "Step 6"). Not less than two thirds of `ofRange` at 5 m; with fewer
-/// than 75 tiles `ofRange` takes a growing share, and with 25 it is the result.
+/// add to them, so the tiles of least noise count. A multiple near 1 is 1 (docs/method/edges.md, "Step 6"). With fewer than
+/// 75 tiles `ofRange` takes a growing share, and with 25 it is the result.
 [[nodiscard]] RangeNoise rangeNoise(const InverseRange& inverse, const RangeNoise& ofRange);
 [[nodiscard]] RangeNoise rangeNoise(const InverseRange& inverse);
 

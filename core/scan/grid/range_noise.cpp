@@ -5,7 +5,9 @@
 #include "core/base/simd.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace edgescan {
@@ -16,7 +18,7 @@ constexpr std::size_t kFewestOfTile = 48; // second differences
 constexpr double kShareOfTiles = 0.20;    // of the tiles have less noise than the result
 constexpr double kMedianOfNormal = 0.6745;
 constexpr double kFewTiles = 25, kEnoughTiles = 75;
-constexpr double kMostRelief = 1.5; // times that noiseByRange() exceeds the noise
+constexpr double kMostRelief = 1.5; // times that the noise of the middle tile exceeds the result
 constexpr std::size_t kCells = 250000;
 
 // The distance of the inner cells of a line from the straight line through their neighbours, divided by the deviation that the noise of an
@@ -33,7 +35,7 @@ EDGESCAN_INLINE void offStraightOfScanner(const float* u, const Support* support
     }
 }
 
-// The noise of the tiles, in units of the noise of an LMS511.
+// The noise of the tiles with enough second differences, in units of the noise of an LMS511.
 std::vector<float> noiseOfTiles(const InverseRange& inverse) {
     const int beams = inverse.u.beams, rows = inverse.u.lines / kTile;
     const int every = std::max(1, static_cast<int>(inverse.u.size() / kCells));
@@ -45,7 +47,7 @@ std::vector<float> noiseOfTiles(const InverseRange& inverse) {
             vectorised<offStraightOfScanner>(inverse.u.line(line), inverse.support.line(line), beams,
                                              off[static_cast<std::size_t>(n)].data());
         }
-        for (std::ptrdiff_t first = 0; first + kTile <= beams; first += kTile) {
+        for (int first = 0; first + kTile <= beams; first += kTile) {
             inTile.clear();
             for (const std::vector<float>& line : off)
                 std::copy_if(line.begin() + first, line.begin() + first + kTile, std::back_inserter(inTile),
@@ -57,15 +59,29 @@ std::vector<float> noiseOfTiles(const InverseRange& inverse) {
     return tiles;
 }
 
+// The noise of a scanner varies little, and the estimate by what is in view. So an estimate near 1 counts as 1, and a part of a scan has
+// the thresholds of the whole.
+double nearlyOne(double times) {
+    struct Point {
+        double from, to;
+    };
+    constexpr std::array<Point, 4> kPoints{{{0.25, 0.25}, {0.5, 1.0}, {1.3, 1.0}, {2.0, 2.0}}};
+    if (times <= kPoints.front().from || times >= kPoints.back().from) return times;
+    std::size_t n = 1;
+    while (times > kPoints[n].from) ++n;
+    const Point before = kPoints[n - 1], after = kPoints[n];
+    return before.to + (times - before.from) * (after.to - before.to) / (after.from - before.from);
+}
+
 } // namespace
 
 RangeNoise rangeNoise(const InverseRange& inverse, const RangeNoise& ofRange) {
     std::vector<float> tiles = noiseOfTiles(inverse);
     const double share = std::clamp((static_cast<double>(tiles.size()) - kFewTiles) / (kEnoughTiles - kFewTiles), 0.0, 1.0);
     if (share <= 0) return ofRange;
-    const double times =
-        std::max(static_cast<double>(quantile(tiles, kShareOfTiles)), ofRange.at(5.0) / kScannerNoise.at(5.0) / kMostRelief);
-    const auto mixed = [share](double least, double all) { return share * least + (1 - share) * all; };
+    const double flattest = static_cast<double>(quantile(tiles, kShareOfTiles)), middle = static_cast<double>(quantile(tiles, 0.5));
+    const double times = nearlyOne(std::max(flattest, middle / kMostRelief));
+    const auto mixed = [share](double least, double both) { return share * least + (1 - share) * both; };
     return {mixed(times * kScannerNoise.offsetMm, ofRange.offsetMm), mixed(times * kScannerNoise.perMetreMm, ofRange.perMetreMm), 0};
 }
 
