@@ -1,4 +1,4 @@
-// Families of scenes: each a source, a kind, a grid and a noise. The scenes of a family are drawn, so that nobody knows them beforehand.
+// Families of scenes: each a source, a kind, a grid and a noise. The scenes of a family are drawn, so that they are unknown beforehand.
 #pragma once
 
 #include "core/lab/families/made_scene.h"
@@ -16,10 +16,10 @@ namespace edgescan::lab {
 /// Where scenes come from besides the simulator. A file or folder that does not exist makes its families skipped.
 struct FamilyPlaces {
     std::filesystem::path shared = "../shared"; ///< data of others
-    std::filesystem::path surface;              ///< cloud of the re-scans; empty: the boulders in `shared`
-    std::filesystem::path kinect;               ///< a folder of truth for each Kinect cloud; docs/measurements/kinect-truth makes them
-    std::filesystem::path stones;               ///< meshes of real stones; empty: those in `shared`
-    std::filesystem::path settled;              ///< stones that already fell into place, to make scenes faster
+    std::filesystem::path surface{};            ///< cloud of the re-scans; empty: the boulders in `shared`
+    std::filesystem::path kinect{};             ///< a folder of truth for each Kinect cloud; docs/measurements/kinect-truth makes them
+    std::filesystem::path stones{};             ///< meshes of real stones; empty: those in `shared`
+    std::filesystem::path settled{};            ///< stones that already fell into place, to make scenes faster
 };
 
 /// What is measured on the scenes of a family.
@@ -31,10 +31,10 @@ enum class Measure : std::uint8_t {
 
 /// A scene to make.
 struct SceneOrder {
-    std::string name;           ///< unique among all families and draws
-    std::uint64_t seed = 0;     ///< of a fresh scene
-    std::size_t variant = 0;    ///< of a fresh scene: index of Family::variants
-    std::filesystem::path file; ///< of a stored scene; empty for a fresh one
+    std::string name;             ///< unique among all families and draws
+    std::uint64_t seed = 0;       ///< of a fresh scene
+    std::size_t variant = 0;      ///< of a fresh scene: index of Family::variants
+    std::filesystem::path file{}; ///< of a stored scene; empty for a fresh one
 };
 
 struct Family;
@@ -75,7 +75,7 @@ struct Family {
 /// Null for an unknown name.
 [[nodiscard]] const Family* findFamily(const std::string& name);
 
-/// A seed that nobody chose: from a hash of the text, the family and the number of the scene; below 10^15.
+/// A seed that was not chosen: from a hash of the text, the family and the number of the scene; below 10^15.
 [[nodiscard]] std::uint64_t drawnSeed(const std::string& draw, const std::string& family, std::size_t scene);
 
 struct SceneDraw {

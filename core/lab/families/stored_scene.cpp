@@ -24,7 +24,7 @@ Result<Grid<std::uint16_t>> wholeNumbers(std::span<const std::byte> archive, con
     const auto entry = std::ranges::find(entries, name + ".npy", &containers::ZipEntry::name);
     const Error missing{"the array \"" + name + "\" is missing or not of whole numbers by line and beam", where, "make the scene again"};
     if (entry == entries.end()) return missing;
-    const auto bytes = containers::unzip(archive, *entry, where, {});
+    const auto bytes = containers::unzip(archive, *entry, where, [](double) { return true; });
     if (!bytes) return bytes.error();
     // The format of NumPy: magic, version 1.0, two bytes with the length of a header in Python's syntax, the numbers.
     constexpr std::size_t kBeforeHeader = 10;
