@@ -4,9 +4,8 @@
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
 #include "core/files/formats/formats.h"
-#include "core/files/open_save/open_scan.h"
+#include "core/files/open_save/cloud_points.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/scan/grid/cartesian.h"
 #include "core/sim/truth/truth_files.h"
 #include "core/sim/wall_kinds.h"
 
@@ -46,19 +45,6 @@ sim::SimulationSettings settingsOf(const Simulate& simulate) {
     return settings;
 }
 
-/// The points of a cloud, metres.
-Result<std::vector<Eigen::Vector3f>> surfaceOf(const std::string& path) {
-    const Result<Scan> cloud = files::openScan(path);
-    if (!cloud) return cloud.error();
-    const CartesianTables tables(*cloud);
-    std::vector<Eigen::Vector3f> points;
-    for (std::size_t k = 0; k < cloud->cells(); ++k) {
-        if (cloud->state[k] == CellState::Valid) points.emplace_back(tables.point(k).cast<float>());
-    }
-    for (const AttachedPoint& point : cloud->attached) points.emplace_back(point.pointM.cast<float>());
-    return points;
-}
-
 int run(const Simulate& simulate) {
     if (files::writtenFormat(simulate.out) == nullptr) {
         printError({"the extension names no format that can be written", simulate.out, "use " + files::writtenExtensions(true)});
@@ -73,7 +59,7 @@ int run(const Simulate& simulate) {
     }
     sim::SimulationSettings settings = settingsOf(simulate);
     if (!simulate.surface.empty()) {
-        Result<std::vector<Eigen::Vector3f>> surface = surfaceOf(simulate.surface);
+        Result<std::vector<Eigen::Vector3f>> surface = files::cloudPoints(simulate.surface);
         if (!surface) {
             printError(surface.error());
             return kRefused;

@@ -11,6 +11,7 @@ void addBenchmark(CLI::App& app, int& code);
 void addRepeatability(CLI::App& app, int& code);
 void addEvaluate(CLI::App& app, int& code);
 void addClicks(CLI::App& app, int& code);
+void addFamilies(CLI::App& app, int& code);
 void addLearnBorders(CLI::App& app, int& code);
 void addLearnConfidence(CLI::App& app, int& code);
 

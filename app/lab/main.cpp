@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     cli::addRepeatability(app, code);
     cli::addEvaluate(app, code);
     cli::addClicks(app, code);
+    cli::addFamilies(app, code);
     cli::addLearnBorders(app, code);
     cli::addLearnConfidence(app, code);
     cli::addPages(
@@ -38,6 +39,12 @@ int main(int argc, char** argv) {
            {"edgescan-lab repeatability BELL.json AGAIN.json --poses-3dtk A.pose B.pose --only edgescan+ --json REPEATED.json"},
            {}},
           {"clicks", "Lengths", {"edgescan-lab clicks --scene hangup --seeds 1 --clicks 50 --lines 120 --beams 160"}, {}},
+          {"families",
+           "Methods",
+           {"edgescan-lab families --family staircase --scenes 1 --with default --with old='--preset default-3' --store SCORES --json "
+            "FAMILIES.json",
+            "edgescan-lab families --family staircase --scenes 1 --with default --store SCORES --against FAMILIES.json"},
+           {{"3", "a change does not pass, or a recorded figure fell"}}},
           {"learn-borders", "Weights", {"edgescan-lab learn-borders -o border_weights.inc --rounds 1 --lines 60 --beams 80"}, {}},
           {"learn-confidence", "Weights", {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80"}, {}}}});
     return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
