@@ -14,5 +14,6 @@ void addClicks(CLI::App& app, int& code);
 void addFamilies(CLI::App& app, int& code);
 void addLearnBorders(CLI::App& app, int& code);
 void addLearnConfidence(CLI::App& app, int& code);
+void addLearnEdges(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

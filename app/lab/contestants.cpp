@@ -13,7 +13,8 @@ struct UsualContestant {
     const char* name;
     const char* flags; ///< null: PCL
 };
-constexpr std::array<UsualContestant, 5> kUsualContestants{{{"default", ""},
+constexpr std::array<UsualContestant, 6> kUsualContestants{{{"default", ""},
+                                                            {"borders", "--rock-borders on"},
                                                             {"thesis", "--preset thesis"},
                                                             {"log-range", "--method log-range"},
                                                             {"gray", "--preset log"}, // the best of all gray ones with fixed settings

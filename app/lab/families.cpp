@@ -10,6 +10,7 @@
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/base/whole_file.h"
+#include "core/lab/stones/stones.h"
 #include "core/lab/families/family_report.h"
 
 #include <nlohmann/json.hpp>
@@ -29,7 +30,7 @@ constexpr const char* kSmallDraw = "small"; // the scenes of the small run are f
 struct FamiliesAsked {
     std::vector<std::string> only, with, named;
     lab::FamilyRunSettings run;
-    std::string shared = "../shared", surface, kinect, store;
+    std::string shared = "../shared", surface, kinect, store, stones, settled, stoneSet = "lab";
     std::string json, against, record, recorded;
     bool progress = false;
 };
@@ -144,7 +145,8 @@ std::optional<Error> wrongUsage(FamiliesAsked& asked) {
         return Error{"neither a contestant nor a .json is called \"" + asked.against + "\"", "--against",
                      "give the --json of an earlier run, or the name of a --with"};
     if (!asked.named.empty() && asked.against.empty()) return Error{"nothing is compared", "--named", "give --against too"};
-    asked.run.places = {asked.shared, asked.surface, asked.kinect, {}, {}};
+    asked.run.places = {.shared = asked.shared, .surface = asked.surface, .kinect = asked.kinect, .stones = asked.stones, .settled = asked.settled,
+                        .stoneSet = asked.stoneSet};
     asked.run.store = asked.store;
     return std::nullopt;
 }
@@ -184,6 +186,11 @@ void addFamilies(CLI::App& app, int& code) {
         ->type_name("DIR")
         ->capture_default_str();
     command.add_option("--surface", asked->surface, "Cloud of a real surface for the re-scans, in place of the one in --shared");
+    command.add_option("--stones", asked->stones, "Folder of the meshes of real stones, in place of the one in --shared")->type_name("DIR");
+    command.add_option("--settled", asked->settled, "Folder of settled heaps, read and written")->type_name("DIR");
+    command.add_option("--stone-set", asked->stoneSet, "Which stones: those that judge (lab), those that may teach (free), or all")
+        ->check(CLI::IsMember(lab::stoneSets()))
+        ->capture_default_str();
     command.add_option("--kinect", asked->kinect, "Folder with the truth of Kinect clouds, each made by docs/measurements/kinect-truth")
         ->type_name("DIR");
     command

@@ -22,6 +22,7 @@ namespace {
 struct LearnEdges {
     std::string output, draw = "learn-edges";
     lab::FamilyPlaces places{.stoneSet = "free"}; // what is learnt from these stones may be shipped
+    std::vector<std::string> only;
     int scenes = 6, each = 4000, threads = 0;
     lab::BoostingChoices choices;
 };
@@ -55,6 +56,7 @@ struct Lesson {
 Result<std::vector<Lesson>> ordersOf(const LearnEdges& asked) {
     std::vector<Lesson> lessons;
     for (const LessonFamily& row : kLesson) {
+        if (!asked.only.empty() && std::ranges::find(asked.only, row.family) == asked.only.end()) continue;
         const lab::Family& family = *lab::findFamily(row.family);
         const std::size_t all = static_cast<std::size_t>(asked.scenes);
         // Noisy and full scenes teach what the others do not, with half and a third as many.
@@ -73,8 +75,7 @@ Result<std::vector<Lesson>> ordersOf(const LearnEdges& asked) {
 Result<Done> take(const LearnEdges& asked, Lesson& lesson) {
     const auto scene = lab::makeScene(*lesson.family, lesson.order, asked.places, [] { return !interrupted(); });
     if (!scene) return scene.error();
-    lab::addEdgeSamples(scene->scan, scene->truth->edges.edgeClass.size() > 0 ? *scene->truth : sim::TruthSet{},
-                        static_cast<std::size_t>(asked.each), lesson.samples);
+    if (scene->truth) lab::addEdgeSamples(scene->scan, *scene->truth, static_cast<std::size_t>(asked.each), lesson.samples);
     return Done{};
 }
 
@@ -121,12 +122,15 @@ Result<Done> learn(const LearnEdges& asked) {
     const int threads = asked.threads > 0 ? asked.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     Result<std::vector<Lesson>> lessons = ordersOf(asked);
     if (!lessons) return lessons.error();
+    if (lessons->empty()) return Error{"no family of the lesson has these names", "--only", "use names of edgescan-lab families"};
+    catchInterrupt();
     if (const auto made = makeScenes(asked, threads, *lessons); !made) return made.error();
     std::vector<std::string> kinds;
     for (const Lesson& lesson : *lessons) {
         if (std::ranges::find(kinds, lesson.kind) == kinds.end()) kinds.push_back(lesson.kind);
     }
     for (const std::string& kind : kinds) {
+        if (kinds.size() == 1) break;
         const lab::LearntTrees without = lab::learntTrees(samplesOf(*lessons, kind, false), asked.choices, threads);
         printResult(kind + " left out: " + qualityText(lab::qualityOf(samplesOf(*lessons, kind, true), without)) + "\n");
     }
@@ -149,6 +153,7 @@ void addLearnEdges(CLI::App& app, int& code) {
     command.add_option("--scenes", asked->scenes, "Scenes per family")->check(CLI::Range(1, 1000))->capture_default_str();
     command.add_option("--each", asked->each, "Edges of a scene")->check(CLI::Range(10, 1000000))->capture_default_str();
     command.add_option("--trees", asked->choices.trees, "Trees")->check(CLI::Range(1, 1000))->capture_default_str();
+    command.add_option("--only", asked->only, "Only these families")->delimiter(',')->type_name("NAME,...");
     command.add_option("--stones", asked->places.stones, "Folder of the real stones; those in ../shared without it")->type_name("DIR");
     command.add_option("--settled", asked->places.settled, "Folder of settled heaps, read and written")->type_name("DIR");
     command.add_option("--threads", asked->threads, "0 = one per core; the result is the same")->check(CLI::Range(0, 1024));

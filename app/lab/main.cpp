@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
     cli::addFamilies(app, code);
     cli::addLearnBorders(app, code);
     cli::addLearnConfidence(app, code);
+    cli::addLearnEdges(app, code);
     cli::addPages(
         app,
         {"edgescan-lab",
@@ -46,6 +47,7 @@ int main(int argc, char** argv) {
             "edgescan-lab families --family staircase --scenes 1 --with default --store SCORES --against FAMILIES.json"},
            {{"3", "a change does not pass, or a recorded figure fell"}}},
           {"learn-borders", "Weights", {"edgescan-lab learn-borders -o border_weights.inc --rounds 1 --lines 60 --beams 80"}, {}},
-          {"learn-confidence", "Weights", {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80"}, {}}}});
+          {"learn-confidence", "Weights", {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80"}, {}},
+          {"learn-edges", "Weights", {"edgescan-lab learn-edges -o border_trees.inc --only hangup --scenes 1 --trees 2"}, {}}}});
     return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }

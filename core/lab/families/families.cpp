@@ -91,12 +91,13 @@ std::uint64_t drawnSeed(const std::string& draw, const std::string& family, std:
 
 Result<std::vector<SceneOrder>> drawnScenes(const Family& family, const SceneDraw& draw, const FamilyPlaces& places) {
     std::vector<SceneOrder> orders;
-    const bool onlyStored = draw.small && family.source->stored != nullptr;
+    const bool hasStored = family.source->stored != nullptr;
     const std::size_t fresh = draw.small ? family.small : std::max(draw.fresh, draw.fresh > 1 ? family.variants.size() : 1);
     Result<Done> ready = family.source->ready == nullptr ? Error{family.source->without, family.name, "the family is skipped"}
                                                          : family.source->ready(family, places);
-    for (std::size_t n = 0; ready && !onlyStored && n < fresh; ++n) orders.push_back(freshScene(family, draw, n));
-    if (family.source->stored != nullptr) {
+    for (std::size_t n = 0; ready && !(draw.small && hasStored) && n < fresh; ++n) orders.push_back(freshScene(family, draw, n));
+    // Scenes that anybody has seen judge only where there are no others.
+    if (hasStored && orders.empty()) {
         for (const std::filesystem::path& file : family.source->stored(family, places)) {
             if (draw.small && orders.size() >= family.small) break;
             orders.push_back({std::string(family.name) + " " + file.filename().string(), 0, 0, file});

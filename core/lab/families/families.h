@@ -19,6 +19,7 @@ struct FamilyPlaces {
     std::filesystem::path surface{};            ///< cloud of the re-scans; empty: the boulders in `shared`
     std::filesystem::path kinect{};             ///< a folder of truth for each Kinect cloud; docs/measurements/kinect-truth makes them
     std::filesystem::path stones{};             ///< meshes of real stones; empty: those in `shared`
+    std::string stoneSet = "lab";               ///< of core/lab/stones: those that judge, "lab", or those that may teach, "free"
     std::filesystem::path settled{};            ///< stones that already fell into place, to make scenes faster
 };
 

@@ -4,6 +4,7 @@
 #include "core/files/open_save/cloud_points.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/lab/families/stored_scene.h"
+#include "core/lab/stones/stone_scene.h"
 
 #include <algorithm>
 #include <string_view>
@@ -25,13 +26,25 @@ std::vector<fs::path> namesIn(const fs::path& folder, const std::string& begin, 
     return found;
 }
 
-// Real stones. The scenes that are made fresh come from core/lab/stones, which is not there yet: this is the only place to put it in.
-Result<Done> stonesReady(const Family&, const FamilyPlaces&) {
-    return Error{"fresh scenes of real stones are not available", "core/lab/stones", "use the stored ones"};
+// Heaps of real stones. The seed is that of the heap, so a family with more noise has its own heaps.
+fs::path stonesOf(const FamilyPlaces& places) { return places.stones.empty() ? places.shared / "data/real_stones/stones" : places.stones; }
+Result<Done> stonesReady(const Family&, const FamilyPlaces& places) {
+    std::error_code failed;
+    if (!fs::exists(stonesOf(places) / "rocks.json", failed))
+        return Error{"the meshes of real stones are missing", stonesOf(places).string(), "name their folder with --stones"};
+    if (!canSettle() && places.settled.empty())
+        return Error{"this program cannot let stones fall", "Bullet", "install libbullet-dev and build again, or give --settled"};
+    return Done{};
 }
-Result<MadeScene> stonesScene(const Family& family, const SceneOrder& order, const FamilyPlaces& places, const GoOn&) {
-    if (order.file.empty()) return stonesReady(family, places).error();
-    return storedScene(order.file);
+Result<MadeScene> stonesScene(const Family& family, const SceneOrder& order, const FamilyPlaces& places, const GoOn& goOn) {
+    if (!order.file.empty()) return storedScene(order.file);
+    const Result<Stones> stones = readStones(stonesOf(places), places.stoneSet, 1);
+    if (!stones) return stones.error();
+    StoneScene scene{.kind = family.kind, .set = places.stoneSet, .seed = order.seed, .full = family.full, .noise = family.noise,
+                     .settled = places.settled};
+    Result<StoneScan> made = stoneScan(scene, *stones, 1, [&goOn](double) { return !goOn || goOn(); });
+    if (!made) return made.error();
+    return MadeScene{std::make_shared<const Scan>(std::move(made->scan)), std::move(made->truth)};
 }
 std::vector<fs::path> storedStones(const Family& family, const FamilyPlaces& places) {
     if (family.full || family.noise != 1.0) return {};
