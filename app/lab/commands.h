@@ -13,5 +13,6 @@ void addEvaluate(CLI::App& app, int& code);
 void addClicks(CLI::App& app, int& code);
 void addLearnBorders(CLI::App& app, int& code);
 void addLearnConfidence(CLI::App& app, int& code);
+void addStones(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

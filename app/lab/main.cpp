@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     cli::addClicks(app, code);
     cli::addLearnBorders(app, code);
     cli::addLearnConfidence(app, code);
+    cli::addStones(app, code);
     cli::addPages(
         app,
         {"edgescan-lab",
@@ -39,6 +40,10 @@ int main(int argc, char** argv) {
            {}},
           {"clicks", "Lengths", {"edgescan-lab clicks --scene hangup --seeds 1 --clicks 50 --lines 120 --beams 160"}, {}},
           {"learn-borders", "Weights", {"edgescan-lab learn-borders -o border_weights.inc --rounds 1 --lines 60 --beams 80"}, {}},
-          {"learn-confidence", "Weights", {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80"}, {}}}});
+          {"learn-confidence", "Weights", {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80"}, {}},
+          {"stones",
+           "Scans",
+           {"edgescan-lab stones --stones STONES --kind bench --seed 1 --settled HEAPS -o HEAP.json --truth HEAP-TRUTH"},
+           {}}}});
     return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }
