@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
     cli::addLearnBorders(app, code);
     cli::addLearnConfidence(app, code);
     cli::addLearnEdges(app, code);
+    cli::addStones(app, code);
     cli::addPages(
         app,
         {"edgescan-lab",
@@ -48,6 +49,10 @@ int main(int argc, char** argv) {
            {{"3", "a change does not pass, or a recorded figure fell"}}},
           {"learn-borders", "Weights", {"edgescan-lab learn-borders -o border_weights.inc --rounds 1 --lines 60 --beams 80"}, {}},
           {"learn-confidence", "Weights", {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80"}, {}},
-          {"learn-edges", "Weights", {"edgescan-lab learn-edges -o border_trees.inc --only hangup --scenes 1 --trees 2"}, {}}}});
+          {"learn-edges", "Weights", {"edgescan-lab learn-edges -o border_trees.inc --only hangup --scenes 1 --trees 2"}, {}},
+          {"stones",
+           "Scans",
+           {"edgescan-lab stones --stones STONES --kind bench --seed 1 --settled HEAPS -o HEAP.json --truth HEAP-TRUTH"},
+           {}}}});
     return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }

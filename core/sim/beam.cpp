@@ -31,8 +31,8 @@ Returns returnsOf(const RayBundle& bundle, const BundleHits& hits, const Scene& 
     for (std::size_t i = 0; i < subRays; ++i) {
         const double range = static_cast<double>(hits.distanceM[i]);
         if (hits.surface[i] < 0 || range > settings.maxRangeM) continue;
-        const Surface& surface = scene.surfaces[static_cast<std::size_t>(hits.surface[i])];
-        const double cosine = cosineOf(scene, bundle, hits, i);
+        const Surface surface = surfaceOf(scene, bundle, hits, i);
+        const double cosine = cosineOf(scene, surface, bundle, hits, i);
         const double share = settings.footprint ? static_cast<double>(subRayPower()[i]) : 1.0;
         const double power = share * kReflectivity * cosine * 100.0 / (range * range);
         returns.all[returns.count++] = {range, power, cosine, surface.object, i};
@@ -76,9 +76,8 @@ Echo strongestGroup(const Returns& returns, Together together) {
 
 } // namespace
 
-double cosineOf(const Scene& scene, const RayBundle& bundle, const BundleHits& hits, std::size_t lane) {
+double cosineOf(const Scene& scene, const Surface& surface, const RayBundle& bundle, const BundleHits& hits, std::size_t lane) {
     const Eigen::Vector3f direction(bundle.dx[lane], bundle.dy[lane], bundle.dz[lane]);
-    const Surface& surface = scene.surfaces[static_cast<std::size_t>(hits.surface[lane])];
     return std::max(1e-4, static_cast<double>(-normalAt(scene, surface, placeOf(bundle, hits, lane)).dot(direction)));
 }
 

@@ -17,8 +17,9 @@ struct Echo {
 
 [[nodiscard]] Echo echoOf(const RayBundle& bundle, const BundleHits& hits, const Scene& scene, const SimulationSettings& settings);
 
-/// Cosine between a sub-ray and the surface it hit.
-[[nodiscard]] double cosineOf(const Scene& scene, const RayBundle& bundle, const BundleHits& hits, std::size_t lane);
+/// Cosine between a sub-ray and the surface it hit (surfaceOf).
+[[nodiscard]] double cosineOf(const Scene& scene, const Surface& surface, const RayBundle& bundle, const BundleHits& hits,
+                              std::size_t lane);
 
 /// Standard deviation of a range in metres (docs/method/edges.md, "Simulator"), without the factor of the settings.
 [[nodiscard]] double rangeSigmaM(double rangeM, double cosine);

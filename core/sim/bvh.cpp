@@ -4,19 +4,16 @@
 #include <numeric>
 
 namespace edgescan::sim {
-namespace {
-constexpr std::int32_t kEndNodeSize = 2;
-}
-
-BoxTree::BoxTree(const std::vector<Eigen::AlignedBox3f>& boxes) : order_(boxes.size()) {
+BoxTree::BoxTree(const std::vector<Eigen::AlignedBox3f>& boxes, std::int32_t endNodeSize) : order_(boxes.size()) {
     if (boxes.empty()) return;
     std::iota(order_.begin(), order_.end(), 0);
     nodes_.reserve(2 * boxes.size());
     nodes_.push_back({.first = 0, .count = static_cast<std::int32_t>(boxes.size())});
-    split(0, boxes);
+    split(0, boxes, endNodeSize);
+    nodes_.shrink_to_fit();
 }
 
-void BoxTree::split(std::size_t node, const std::vector<Eigen::AlignedBox3f>& boxes) {
+void BoxTree::split(std::size_t node, const std::vector<Eigen::AlignedBox3f>& boxes, std::int32_t endNodeSize) {
     const std::int32_t first = nodes_[node].first;
     const std::int32_t count = nodes_[node].count;
     Eigen::AlignedBox3f all;
@@ -28,7 +25,7 @@ void BoxTree::split(std::size_t node, const std::vector<Eigen::AlignedBox3f>& bo
     }
     nodes_[node].low = all.min();
     nodes_[node].high = all.max();
-    if (count <= kEndNodeSize) return;
+    if (count <= endNodeSize) return;
     int axis = 0;
     centres.sizes().maxCoeff(&axis);
     const auto middle = order_.begin() + first + count / 2;
@@ -42,8 +39,8 @@ void BoxTree::split(std::size_t node, const std::vector<Eigen::AlignedBox3f>& bo
     nodes_.push_back({.first = first + count / 2, .count = count - count / 2});
     nodes_[node].first = child;
     nodes_[node].count = 0;
-    split(static_cast<std::size_t>(child), boxes);
-    split(static_cast<std::size_t>(child) + 1, boxes);
+    split(static_cast<std::size_t>(child), boxes, endNodeSize);
+    split(static_cast<std::size_t>(child) + 1, boxes, endNodeSize);
 }
 
 } // namespace edgescan::sim

@@ -7,8 +7,6 @@ namespace {
 
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
-float farthest(const BundleHits& hits) { return *std::max_element(hits.distanceM.begin(), hits.distanceM.end()); }
-
 /// The tree follows the centre of a beam that starts at its origin, which is the centre of the beams' starts. So the boxes grow by the
 /// radius of the beam at their far end, and by the distance of the beam's start from that centre.
 struct Around {
@@ -88,7 +86,34 @@ void meetRidges(const ConvexBody& body, const RayBundle& bundle, std::size_t lan
     }
 }
 
+/// The box of a copy in the scene.
+Eigen::AlignedBox3f boxOf(const MeshCopy& copy) {
+    Eigen::AlignedBox3f box;
+    const Eigen::Matrix3f turn = copy.scale * copy.rotation;
+    for (const Eigen::Vector3f& point : copy.mesh->points()) box.extend(turn * point);
+    return {box.min() + copy.placeM, box.max() + copy.placeM};
+}
+
+/// From the scene to the frame of a copy's mesh; distances along rays stay the same numbers.
+RayBundle carried(const RayBundle& bundle, const Eigen::Matrix3f& turn, const Eigen::Vector3f& placeM) {
+    RayBundle there;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float x = bundle.ox[i] - placeM.x();
+        const float y = bundle.oy[i] - placeM.y();
+        const float z = bundle.oz[i] - placeM.z();
+        there.ox[i] = turn(0, 0) * x + turn(0, 1) * y + turn(0, 2) * z;
+        there.oy[i] = turn(1, 0) * x + turn(1, 1) * y + turn(1, 2) * z;
+        there.oz[i] = turn(2, 0) * x + turn(2, 1) * y + turn(2, 2) * z;
+        there.dx[i] = turn(0, 0) * bundle.dx[i] + turn(0, 1) * bundle.dy[i] + turn(0, 2) * bundle.dz[i];
+        there.dy[i] = turn(1, 0) * bundle.dx[i] + turn(1, 1) * bundle.dy[i] + turn(1, 2) * bundle.dz[i];
+        there.dz[i] = turn(2, 0) * bundle.dx[i] + turn(2, 1) * bundle.dy[i] + turn(2, 2) * bundle.dz[i];
+    }
+    return there;
+}
+
 } // namespace
+
+float farthest(const BundleHits& hits) { return *std::max_element(hits.distanceM.begin(), hits.distanceM.end()); }
 
 RayCaster::RayCaster(const Scene& scene, const Footprint& footprint, const Eigen::Vector3d& centreM, double leverM) : scene_(&scene) {
     const Around around{footprint, centreM.cast<float>(), leverM};
@@ -98,6 +123,27 @@ RayCaster::RayCaster(const Scene& scene, const Footprint& footprint, const Eigen
     boxes.reserve(scene.bodies.size());
     for (const ConvexBody& body : scene.bodies) boxes.push_back(widened(body.box, around));
     bodyTree_ = BoxTree(boxes);
+    boxes.clear();
+    for (const MeshCopy& copy : scene.copies) {
+        const Eigen::AlignedBox3f box = boxOf(copy);
+        boxes.push_back(widened(box, around));
+        copyFrames_.push_back({copy.rotation.transpose() / copy.scale, 0.5F * (boxes.back().sizes() - box.sizes()).maxCoeff() / copy.scale});
+    }
+    copyTree_ = BoxTree(boxes);
+}
+
+void RayCaster::castCopy(std::size_t copy, const RayBundle& bundle, BundleHits& hits) const {
+    const MeshCopy& of = scene_->copies[copy];
+    const CopyFrame& frame = copyFrames_[copy];
+    BundleHits inside;
+    inside.distanceM = hits.distanceM;
+    of.mesh->meet(carried(bundle, frame.turn, of.placeM), frame.spread, inside);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const bool closer = inside.surface[i] >= 0;
+        hits.distanceM[i] = inside.distanceM[i];
+        hits.surface[i] = closer ? inside.surface[i] : hits.surface[i];
+        hits.copy[i] = closer ? static_cast<std::int32_t>(copy) : hits.copy[i];
+    }
 }
 
 BundleHits RayCaster::cast(const RayBundle& bundle) const {
@@ -116,6 +162,8 @@ BundleHits RayCaster::cast(const RayBundle& bundle) const {
     bodyTree_.along(
         centre, [&](std::int32_t part) { meet(scene_->bodies[static_cast<std::size_t>(part)], bundle, hits); },
         [&] { return farthest(hits); });
+    copyTree_.along(
+        centre, [&](std::int32_t copy) { castCopy(static_cast<std::size_t>(copy), bundle, hits); }, [&] { return farthest(hits); });
     return hits;
 }
 

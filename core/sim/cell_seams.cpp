@@ -18,7 +18,7 @@ std::optional<TangentPlane> onFace(const SeamSources& sources, const Eigen::Vect
     const RayBundle bundle = bundleAlong(ray, {});
     const BundleHits hits = sources.caster.cast(bundle);
     if (hits.surface[0] < 0) return std::nullopt;
-    const Surface& surface = sources.scene.surfaces[static_cast<std::size_t>(hits.surface[0])];
+    const Surface surface = surfaceOf(sources.scene, bundle, hits, 0);
     if (surface.object != object || surface.face != face) return std::nullopt;
     return TangentPlane{ray, 1000.0 * static_cast<double>(hits.distanceM[0]), surface.normal.cast<double>()};
 }

@@ -23,11 +23,13 @@ struct RayBundle {
 
 struct BundleHits {
     alignas(16) Lanes<float> distanceM;      ///< infinite for a sub-ray without a hit
-    alignas(16) Lanes<std::int32_t> surface; ///< index into Scene::surfaces, -1 without a hit
+    alignas(16) Lanes<std::int32_t> surface; ///< index into Scene::surfaces, or of a triangle of the copy; -1 without a hit
+    alignas(16) Lanes<std::int32_t> copy;    ///< index into Scene::copies, -1 if the surface is not one of a copy
 
     BundleHits() {
         distanceM.fill(std::numeric_limits<float>::infinity());
         surface.fill(-1);
+        copy.fill(-1);
     }
 };
 

@@ -28,6 +28,15 @@ void transform(Mesh& mesh, const Eigen::Matrix3f& by) {
 
 } // namespace
 
+Surface surfaceOf(const Scene& scene, const RayBundle& bundle, const BundleHits& hits, std::size_t lane) {
+    const auto part = static_cast<std::size_t>(hits.surface[lane]);
+    if (hits.copy[lane] < 0) return scene.surfaces[part];
+    const MeshCopy& copy = scene.copies[static_cast<std::size_t>(hits.copy[lane])];
+    Eigen::Vector3f normal = (copy.rotation * copy.mesh->normal(part)).normalized();
+    if (normal.x() * bundle.dx[lane] + normal.y() * bundle.dy[lane] + normal.z() * bundle.dz[lane] > 0.0F) normal = -normal;
+    return {.normal = normal, .object = copy.object, .face = copy.face, .texture = Texture::Smooth};
+}
+
 Eigen::Vector3f normalAt(const Scene& scene, const Surface& surface, const Eigen::Vector3f& point) {
     if (surface.ridge < 0) return surface.normal;
     const Ridge& ridge = scene.bodies[static_cast<std::size_t>(surface.body)].ridges[static_cast<std::size_t>(surface.ridge)];
@@ -65,6 +74,10 @@ Scene scaled(Scene scene, float factor) {
         for (Ridge& ridge : body.ridges) ridge = {ridge.from * factor, ridge.to * factor, ridge.surface};
         body.radiusM *= factor;
     }
+    for (MeshCopy& copy : scene.copies) {
+        copy.scale *= factor;
+        copy.placeM *= factor;
+    }
     for (RockTruth& rock : scene.rocks) {
         rock.centreM *= factor;
         for (float& span : rock.spansM) span *= factor;
@@ -83,6 +96,10 @@ Scene rotated(Scene scene, const Eigen::Matrix3f& rotation) {
         body.box = box;
         for (Facet& facet : body.facets) facet.normal = rotation * facet.normal;
         for (Ridge& ridge : body.ridges) ridge = {rotation * ridge.from, rotation * ridge.to, ridge.surface};
+    }
+    for (MeshCopy& copy : scene.copies) {
+        copy.rotation = rotation * copy.rotation;
+        copy.placeM = rotation * copy.placeM;
     }
     for (RockTruth& rock : scene.rocks) rock.centreM = rotation * rock.centreM;
     return scene;

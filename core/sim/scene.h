@@ -1,12 +1,16 @@
 // The surfaces that beams can hit: walls of voids, solid surfaces in them, and convex bodies.
 #pragma once
 
+#include "core/sim/rays.h"
+#include "core/sim/stored_mesh.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace edgescan::sim {
@@ -55,6 +59,16 @@ struct ConvexBody {
     float radiusM = 0.0F;
 };
 
+/// A copy of a mesh: its point p is at rotation * (scale * p) + placeM, metres, scanner frame.
+struct MeshCopy {
+    std::shared_ptr<const StoredMesh> mesh;
+    Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();
+    float scale = 1.0F;
+    Eigen::Vector3f placeM = Eigen::Vector3f::Zero();
+    std::uint16_t object = kWallObject;
+    std::uint16_t face = 1;
+};
+
 /// The true dimensions of a rock, including hidden parts.
 struct RockTruth {
     std::uint16_t object = 0;
@@ -70,8 +84,12 @@ struct Scene {
     std::vector<Mesh> voids;
     Mesh solids; ///< surfaces that stop a beam in any void
     std::vector<ConvexBody> bodies;
+    std::vector<MeshCopy> copies; ///< closed or open meshes, seen from both sides
     std::vector<RockTruth> rocks;
 };
+
+/// The surface that a sub-ray hit. Of a copy of a mesh: smooth, with the normal of the triangle on the scanner's side.
+[[nodiscard]] Surface surfaceOf(const Scene& scene, const RayBundle& bundle, const BundleHits& hits, std::size_t lane);
 
 /// Unit normal of a surface at one of its points.
 [[nodiscard]] Eigen::Vector3f normalAt(const Scene& scene, const Surface& surface, const Eigen::Vector3f& point);

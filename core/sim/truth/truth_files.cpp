@@ -111,12 +111,6 @@ constexpr const char* kFacetIgnore = "gt_ignore_facets.png";
 
 using Json = nlohmann::ordered_json;
 
-Grid<std::uint16_t> wholeMm(const Grid<float>& mm) {
-    Grid<std::uint16_t> whole(mm.lines, mm.beams);
-    for (std::size_t k = 0; k < mm.size(); ++k) whole[k] = static_cast<std::uint16_t>(std::clamp(std::round(mm[k]), 0.0F, 65535.0F));
-    return whole;
-}
-
 // Extent of the visible part along its own principal axes, metres, longest first.
 std::array<double, 3> visibleSpans(const std::vector<Eigen::Vector3d>& points) {
     std::array<double, 3> spans{};
@@ -165,6 +159,12 @@ Json rocksJson(const Simulation& simulation) {
 
 } // namespace
 
+Grid<std::uint16_t> wholeMm(const Grid<float>& mm) {
+    Grid<std::uint16_t> whole(mm.lines, mm.beams);
+    for (std::size_t k = 0; k < mm.size(); ++k) whole[k] = static_cast<std::uint16_t>(std::clamp(std::round(mm[k]), 0.0F, 65535.0F));
+    return whole;
+}
+
 Grid<std::uint16_t> wholeTears(const Grid<sim::Seam>& seams) {
     Grid<std::uint16_t> mm(seams.lines, seams.beams);
     for (std::size_t k = 0; k < mm.size(); ++k) mm[k] = static_cast<std::uint16_t>(std::clamp(std::round(seams[k].tearMm), 0.0F, 65535.0F));
@@ -194,18 +194,23 @@ TruthSet truthSetOf(const Simulation& simulation) {
     return {edgeTruth(*simulation.truth), simulation.truth->object, wholeMm(simulation.truth->cleanMm)};
 }
 
-Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const fs::path& folder) {
+Result<Done> writeTruthSet(const TruthSet& truth, const fs::path& folder) {
     std::error_code failed;
     fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), "choose one that can be written to"};
-    const TruthSet truth = truthSetOf(simulation);
+    for (const auto& [name, grid] : {std::pair{"gt_class.png", &truth.edges.edgeClass}, std::pair{"gt_ignore.png", &truth.edges.ignore}}) {
+        if (auto written = containers::savePng8(*grid, folder / name); !written) return written;
+    }
+    if (auto written = containers::savePng16(truth.object, folder / "object.png"); !written) return written;
+    return containers::savePng16(truth.cleanMm, folder / "range_clean.png");
+}
+
+Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const fs::path& folder) {
+    if (auto written = writeTruthSet(truthSetOf(simulation), folder); !written) return written;
     const auto texts = {std::pair{"rocks.json", jsonText(rocksJson(simulation), 2) + "\n"},
                         std::pair{"scene.json", jsonText(settingsJson(settings), 2) + "\n"}};
     for (const auto& [name, text] : texts) {
         if (auto written = writeWholeFile(folder / name, text); !written) return written;
-    }
-    for (const auto& [name, grid] : {std::pair{"gt_class.png", &truth.edges.edgeClass}, std::pair{"gt_ignore.png", &truth.edges.ignore}}) {
-        if (auto written = containers::savePng8(*grid, folder / name); !written) return written;
     }
     if (!settings.surface.empty()) {
         const EdgeTruth facets = edgeTruth(withFacetFolds(simulation));
@@ -213,11 +218,9 @@ Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& 
             if (auto written = containers::savePng8(*grid, folder / name); !written) return written;
         }
     }
-    if (auto written = containers::savePng16(truth.object, folder / "object.png"); !written) return written;
     if (auto written = containers::savePng16(simulation.truth->face, folder / "face.png"); !written) return written;
     if (auto written = containers::savePng16(wholeTears(simulation.truth->toNextBeam), folder / "tear_beam.png"); !written) return written;
-    if (auto written = containers::savePng16(wholeTears(simulation.truth->toNextLine), folder / "tear_line.png"); !written) return written;
-    return containers::savePng16(truth.cleanMm, folder / "range_clean.png");
+    return containers::savePng16(wholeTears(simulation.truth->toNextLine), folder / "tear_line.png");
 }
 
 Result<TruthSet> readTruth(const fs::path& folder, Facets facets) {

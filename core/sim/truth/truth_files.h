@@ -23,6 +23,12 @@ enum class Facets : std::uint8_t { None, Folds };
 /// not exist.
 Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const std::filesystem::path& folder);
 
+/// Writes gt_class.png, gt_ignore.png, object.png and range_clean.png into the folder, which is created if it does not exist.
+Result<Done> writeTruthSet(const TruthSet& truth, const std::filesystem::path& folder);
+
+/// Ranges as in range_clean.png.
+[[nodiscard]] Grid<std::uint16_t> wholeMm(const Grid<float>& mm);
+
 /// Numbers of a 16-bit picture of the truth; empty if the file does not exist. Error: damaged, not such a picture.
 Result<Grid<std::uint16_t>> readTruthNumbers(const std::filesystem::path& path);
 

@@ -1,0 +1,40 @@
+// A mesh that is stored once: every copy of it in a scene, and every scene, share its triangles and its tree.
+#pragma once
+
+#include "core/sim/bvh.h"
+#include "core/sim/rays.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace edgescan::sim {
+
+/// Immutable, so that several threads may cast rays at once.
+class StoredMesh {
+public:
+    using Corners = std::array<std::int32_t, 3>;
+
+    /// @param triangles indices into the points
+    StoredMesh(std::vector<Eigen::Vector3f> points, std::vector<Corners> triangles);
+
+    /// Shortens the hits of a bundle in the mesh's own frame, where directions need not have unit length. BundleHits::surface becomes the
+    /// number of the triangle. @param spread no sub-ray is farther than this from the centre ray as long as it is near the mesh
+    void meet(const RayBundle& bundle, float spread, BundleHits& hits) const;
+
+    /// Normal of a triangle, of any length; which side it is on depends on the order of the corners.
+    [[nodiscard]] Eigen::Vector3f normal(std::size_t triangle) const;
+
+    [[nodiscard]] const std::vector<Eigen::Vector3f>& points() const { return points_; }
+    [[nodiscard]] const std::vector<Corners>& triangles() const { return triangles_; }
+
+private:
+    std::vector<Eigen::Vector3f> points_;
+    std::vector<Corners> triangles_;
+    BoxTree tree_;
+};
+
+} // namespace edgescan::sim
