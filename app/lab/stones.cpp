@@ -67,8 +67,12 @@ void addStones(CLI::App& app, int& code) {
     lab::StoneScene& scene = asked->scene;
     CLI::App& command = *app.add_subcommand(
         "stones", "Lets scanned stones fall into a heap and scans it with the errors of an LMS511; the true edges are known");
-    command.add_option("--stones", asked->stones, "Folder of the stones: rocks.json and an NPZ file for each")->type_name("DIR")->required();
-    command.add_option("--kind", scene.kind, "bench: a heap on a floor, from above; hangup: stones held in a bell, from below; pile: muck at a draw point")
+    command.add_option("--stones", asked->stones, "Folder of the stones: rocks.json and an NPZ file for each")
+        ->type_name("DIR")
+        ->required();
+    command
+        .add_option("--kind", scene.kind,
+                    "bench: a heap on a floor, from above; hangup: stones held in a bell, from below; pile: muck at a draw point")
         ->check(CLI::IsMember(lab::siteKinds()))
         ->capture_default_str();
     command.add_option("--set", scene.set, "free: stones that weights may learn from; lab: those that only judge; all: both")

@@ -1,6 +1,8 @@
 // A tree of boxes over a scene's parts: finds the few parts that a beam can hit.
 #pragma once
 
+#include "core/sim/rays.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -24,9 +26,10 @@ public:
     template <class Visit, class Limit>
     void along(const Eigen::Vector3f& direction, Visit visit, Limit limit) const;
 
-    /// The same for a ray from `start`, and boxes that are larger by `margin` on each side. Distances are multiples of `direction`.
-    template <class Visit, class Limit>
-    void along(const Eigen::Vector3f& start, const Eigen::Vector3f& direction, float margin, Visit visit, Limit limit) const;
+    /// The same for a bundle: for every part whose box, larger by `margin` on each side, one of its rays enters before that ray's hit.
+    /// visit(part) may shorten the hits.
+    template <class Visit>
+    void along(const RayBundle& bundle, float margin, const BundleHits& hits, Visit visit) const;
 
 private:
     struct Node {
@@ -57,6 +60,26 @@ inline float entryDistance(const Eigen::Vector3f& low, const Eigen::Vector3f& hi
     return enter <= leave ? enter : std::numeric_limits<float>::infinity();
 }
 
+/// The same for a bundle: the smallest of its rays' distances, each with its hit as the limit. @param inverse origins, and directions as
+/// their inverse
+inline float entryDistance(const Eigen::Array3f& low, const Eigen::Array3f& high, const RayBundle& inverse, const BundleHits& hits) {
+    alignas(16) Lanes<float> entry;
+    const auto lesser = [](float a, float b) { return a < b ? a : b; };
+    const auto larger = [](float a, float b) { return a > b ? a : b; };
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float ax = (low[0] - inverse.ox[i]) * inverse.dx[i], bx = (high[0] - inverse.ox[i]) * inverse.dx[i];
+        const float ay = (low[1] - inverse.oy[i]) * inverse.dy[i], by = (high[1] - inverse.oy[i]) * inverse.dy[i];
+        const float az = (low[2] - inverse.oz[i]) * inverse.dz[i], bz = (high[2] - inverse.oz[i]) * inverse.dz[i];
+        const float enter = larger(larger(lesser(ax, bx), lesser(ay, by)), larger(lesser(az, bz), 0.0F));
+        const float leave = lesser(lesser(larger(ax, bx), larger(ay, by)), lesser(larger(az, bz), hits.distanceM[i]));
+        entry[i] = enter <= leave ? enter : std::numeric_limits<float>::infinity();
+    }
+    for (std::size_t half = kLanes / 2; half > 3; half /= 2) {
+        for (std::size_t i = 0; i < half; ++i) entry[i] = lesser(entry[i], entry[i + half]);
+    }
+    return lesser(lesser(entry[0], entry[1]), lesser(entry[2], lesser(entry[3], lesser(entry[4], entry[5]))));
+}
+
 inline Eigen::Vector3f inverseOf(const Eigen::Vector3f& direction) {
     Eigen::Vector3f inverse;
     for (int axis = 0; axis < 3; ++axis) inverse[axis] = 1.0F / (std::abs(direction[axis]) < 1e-12F ? 1e-12F : direction[axis]);
@@ -69,12 +92,19 @@ void BoxTree::along(const Eigen::Vector3f& direction, Visit visit, Limit limit) 
     walk([&](const Node& node) { return entryDistance(node.low, node.high, inverse, limit()); }, visit, limit);
 }
 
-template <class Visit, class Limit>
-void BoxTree::along(const Eigen::Vector3f& start, const Eigen::Vector3f& direction, float margin, Visit visit, Limit limit) const {
-    const Eigen::Vector3f inverse = inverseOf(direction);
-    const Eigen::Vector3f before = start + Eigen::Vector3f::Constant(margin);
-    const Eigen::Vector3f behind = start - Eigen::Vector3f::Constant(margin);
-    walk([&](const Node& node) { return entryDistance(node.low - before, node.high - behind, inverse, limit()); }, visit, limit);
+template <class Visit>
+void BoxTree::along(const RayBundle& bundle, float margin, const BundleHits& hits, Visit visit) const {
+    RayBundle inverse = bundle; // only its directions count
+    for (Lanes<float>* lanes : {&inverse.dx, &inverse.dy, &inverse.dz}) {
+        for (float& d : *lanes) d = 1.0F / (std::abs(d) < 1e-12F ? 1e-12F : d);
+    }
+    float limit = farthest(hits);
+    const auto visitPart = [&](std::int32_t part) {
+        visit(part);
+        limit = farthest(hits);
+    };
+    walk([&](const Node& node) { return entryDistance(node.low.array() - margin, node.high.array() + margin, inverse, hits); }, visitPart,
+         [&] { return limit; });
 }
 
 template <class Entry, class Visit, class Limit>

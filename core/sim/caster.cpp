@@ -113,8 +113,6 @@ RayBundle carried(const RayBundle& bundle, const Eigen::Matrix3f& turn, const Ei
 
 } // namespace
 
-float farthest(const BundleHits& hits) { return *std::max_element(hits.distanceM.begin(), hits.distanceM.end()); }
-
 RayCaster::RayCaster(const Scene& scene, const Footprint& footprint, const Eigen::Vector3d& centreM, double leverM) : scene_(&scene) {
     const Around around{footprint, centreM.cast<float>(), leverM};
     for (const Mesh& mesh : scene.voids) voidTrees_.push_back(treeOver(mesh, around));
@@ -125,19 +123,17 @@ RayCaster::RayCaster(const Scene& scene, const Footprint& footprint, const Eigen
     bodyTree_ = BoxTree(boxes);
     boxes.clear();
     for (const MeshCopy& copy : scene.copies) {
-        const Eigen::AlignedBox3f box = boxOf(copy);
-        boxes.push_back(widened(box, around));
-        copyFrames_.push_back({copy.rotation.transpose() / copy.scale, 0.5F * (boxes.back().sizes() - box.sizes()).maxCoeff() / copy.scale});
+        boxes.push_back(boxOf(copy));
+        toMesh_.emplace_back(copy.rotation.transpose() / copy.scale);
     }
     copyTree_ = BoxTree(boxes);
 }
 
 void RayCaster::castCopy(std::size_t copy, const RayBundle& bundle, BundleHits& hits) const {
     const MeshCopy& of = scene_->copies[copy];
-    const CopyFrame& frame = copyFrames_[copy];
     BundleHits inside;
     inside.distanceM = hits.distanceM;
-    of.mesh->meet(carried(bundle, frame.turn, of.placeM), frame.spread, inside);
+    of.mesh->meet(carried(bundle, toMesh_[copy], of.placeM), inside);
     for (std::size_t i = 0; i < kLanes; ++i) {
         const bool closer = inside.surface[i] >= 0;
         hits.distanceM[i] = inside.distanceM[i];
@@ -162,8 +158,8 @@ BundleHits RayCaster::cast(const RayBundle& bundle) const {
     bodyTree_.along(
         centre, [&](std::int32_t part) { meet(scene_->bodies[static_cast<std::size_t>(part)], bundle, hits); },
         [&] { return farthest(hits); });
-    copyTree_.along(
-        centre, [&](std::int32_t copy) { castCopy(static_cast<std::size_t>(copy), bundle, hits); }, [&] { return farthest(hits); });
+    constexpr float kMarginM = 1e-4F; // the box of a copy is not exact
+    copyTree_.along(bundle, kMarginM, hits, [&](std::int32_t copy) { castCopy(static_cast<std::size_t>(copy), bundle, hits); });
     return hits;
 }
 

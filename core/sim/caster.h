@@ -17,11 +17,6 @@ public:
     [[nodiscard]] BundleHits cast(const RayBundle& bundle) const;
 
 private:
-    /// From the scene to the frame of a copy's mesh, without its place.
-    struct CopyFrame {
-        Eigen::Matrix3f turn;
-        float spread; ///< of the widest beam at the copy, in the mesh's frame
-    };
     void castCopy(std::size_t copy, const RayBundle& bundle, BundleHits& hits) const;
 
     const Scene* scene_;
@@ -29,11 +24,8 @@ private:
     BoxTree solidTree_;
     BoxTree bodyTree_;
     BoxTree copyTree_;
-    std::vector<CopyFrame> copyFrames_; ///< of each copy
+    std::vector<Eigen::Matrix3f> toMesh_; ///< from the scene to the frame of each copy's mesh, without the place
 };
-
-/// The largest distance among the lanes.
-[[nodiscard]] float farthest(const BundleHits& hits);
 
 /// Shortens the hits to the point where the bundle meets the triangle, or enters the body.
 void meet(const Triangle& triangle, const RayBundle& bundle, BundleHits& hits);

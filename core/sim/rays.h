@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -32,6 +33,9 @@ struct BundleHits {
         copy.fill(-1);
     }
 };
+
+/// The largest distance among the lanes.
+[[nodiscard]] inline float farthest(const BundleHits& hits) { return *std::max_element(hits.distanceM.begin(), hits.distanceM.end()); }
 
 /// The end point of a sub-ray that hit a surface, metres.
 [[nodiscard]] inline Eigen::Vector3f placeOf(const RayBundle& bundle, const BundleHits& hits, std::size_t lane) {

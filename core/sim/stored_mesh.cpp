@@ -22,21 +22,20 @@ BoxTree treeOver(const std::vector<Eigen::Vector3f>& points, const std::vector<S
 } // namespace
 
 StoredMesh::StoredMesh(std::vector<Eigen::Vector3f> points, std::vector<Corners> triangles)
-    : points_(std::move(points)), triangles_(std::move(triangles)), tree_(treeOver(points_, triangles_)) {}
+    : points_(std::move(points)), triangles_(std::move(triangles)), tree_(treeOver(points_, triangles_)) {
+    for (const Eigen::Vector3f& point : points_) reach_ = std::max(reach_, point.cwiseAbs().maxCoeff());
+}
 
-void StoredMesh::meet(const RayBundle& bundle, float spread, BundleHits& hits) const {
-    const Eigen::Vector3f start(bundle.ox[0], bundle.oy[0], bundle.oz[0]);
-    const Eigen::Vector3f along(bundle.dx[0], bundle.dy[0], bundle.dz[0]);
-    float limit = farthest(hits);
-    const auto visit = [&](std::int32_t part) {
+void StoredMesh::meet(const RayBundle& bundle, BundleHits& hits) const {
+    constexpr float kRounding = 1e-5F; // of a coordinate: boxes are larger by this, so that no ray passes beside them
+    const float margin = kRounding * std::max({reach_, std::abs(bundle.ox[0]), std::abs(bundle.oy[0]), std::abs(bundle.oz[0])});
+    tree_.along(bundle, margin, hits, [&](std::int32_t part) {
         const Corners& corners = triangles_[static_cast<std::size_t>(part)];
         const Eigen::Vector3f& corner = points_[static_cast<std::size_t>(corners[0])];
         const Triangle triangle{corner, points_[static_cast<std::size_t>(corners[1])] - corner,
                                 points_[static_cast<std::size_t>(corners[2])] - corner, part};
         sim::meet(triangle, bundle, hits);
-        limit = farthest(hits);
-    };
-    tree_.along(start, along, spread, visit, [&] { return limit; });
+    });
 }
 
 Eigen::Vector3f StoredMesh::normal(std::size_t triangle) const {

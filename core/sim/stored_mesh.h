@@ -22,8 +22,8 @@ public:
     StoredMesh(std::vector<Eigen::Vector3f> points, std::vector<Corners> triangles);
 
     /// Shortens the hits of a bundle in the mesh's own frame, where directions need not have unit length. BundleHits::surface becomes the
-    /// number of the triangle. @param spread no sub-ray is farther than this from the centre ray as long as it is near the mesh
-    void meet(const RayBundle& bundle, float spread, BundleHits& hits) const;
+    /// number of the triangle.
+    void meet(const RayBundle& bundle, BundleHits& hits) const;
 
     /// Normal of a triangle, of any length; which side it is on depends on the order of the corners.
     [[nodiscard]] Eigen::Vector3f normal(std::size_t triangle) const;
@@ -35,6 +35,7 @@ private:
     std::vector<Eigen::Vector3f> points_;
     std::vector<Corners> triangles_;
     BoxTree tree_;
+    float reach_ = 0; ///< largest coordinate
 };
 
 } // namespace edgescan::sim

@@ -167,8 +167,8 @@ TEST(Usage, TheExamplesOfTheHelpWork) {
     std::size_t examples = 0;
     for (const std::string program : {"edgescan-cli", "edgescan-lab"}) {
         for (const std::string& command : commandsIn(runProgram(program, "--help").out)) {
-            // These need a scanner or a log of the viewer, or run until they are stopped.
-            if (command == "record" || command == "audit" || command == "emulate" || command == "simulate") continue;
+            // These need a scanner, a log of the viewer or scanned stones, or run until they are stopped.
+            if (command == "record" || command == "audit" || command == "emulate" || command == "simulate" || command == "stones") continue;
             for (const std::string& line : examplesIn(runProgram(program, command + " --help").out)) {
                 run(line);
                 ++examples;

@@ -20,9 +20,8 @@ struct Turn {
 Turn turnOf(double deg) { return {std::cos(radians(deg)), std::sin(radians(deg))}; }
 
 Eigen::Vector3f directionOf(Axis axis, const Turn& beam, const Turn& line) {
-    const Eigen::Vector3d direction = axis == Axis::Spin
-                                          ? Eigen::Vector3d(beam.cosine * line.cosine, beam.cosine * line.sine, beam.sine)
-                                          : Eigen::Vector3d(beam.cosine, -beam.sine * line.sine, beam.sine * line.cosine);
+    const Eigen::Vector3d direction = axis == Axis::Spin ? Eigen::Vector3d(beam.cosine * line.cosine, beam.cosine * line.sine, beam.sine)
+                                                         : Eigen::Vector3d(beam.cosine, -beam.sine * line.sine, beam.sine * line.cosine);
     return direction.cast<float>();
 }
 

@@ -32,7 +32,8 @@ Result<std::vector<double>> rowsOfThree(std::span<const std::byte> file, const s
     const auto numbers = files::readNumpy(source);
     if (!numbers) return numbers.error();
     const bool fits = numbers->fields.empty() && !numbers->fortranOrder && numbers->shape.size() == 2 && numbers->shape[1] == 3;
-    if (!fits || numbers->scalar.kind != kind || !numbers->scalar.isNumber()) return damaged(array, "is not a list of three numbers per row", where);
+    if (!fits || numbers->scalar.kind != kind || !numbers->scalar.isNumber())
+        return damaged(array, "is not a list of three numbers per row", where);
     std::vector<double> values(numbers->items());
     for (std::size_t n = 0; n < values.size(); ++n) values[n] = numbers->scalar.valueAt(numbers->data.data() + n * numbers->scalar.bytes);
     return values;
@@ -58,8 +59,7 @@ Result<std::vector<std::array<std::int32_t, 3>>> npzTriples(std::span<const std:
     std::vector<std::array<std::int32_t, 3>> triples(values->size() / 3);
     for (std::size_t n = 0; n < values->size(); ++n) {
         const double number = (*values)[n];
-        if (number < 0 || number >= static_cast<double>(end))
-            return damaged(array, "names a point that is not there", where);
+        if (number < 0 || number >= static_cast<double>(end)) return damaged(array, "names a point that is not there", where);
         triples[n / 3][n % 3] = static_cast<std::int32_t>(number);
     }
     return triples;

@@ -129,12 +129,11 @@ Site hangup(std::uint64_t seed, RandomSequence& dice) {
 Site pile(std::uint64_t seed, RandomSequence& dice) {
     constexpr double kFloorM = -1.5;
     const double half = dice.uniform(2.2, 2.7), back = -dice.uniform(6.6, 7.6);
-    const std::vector<Plane> planes{
-        {{-9, -12, kFloorM}, {18, 0, 0}, {0, 14, 0}, {220, 170}, 0.7, 3},
-        {{-half, -12, kFloorM - 0.3}, {0, 14, 0}, {0, 0, 6}, {200, 100}, 1.0, 2},
-        {{half, 2, kFloorM - 0.3}, {0, -14, 0}, {0, 0, 6}, {200, 100}, 1.0, 2},
-        {{half + 1, back, kFloorM - 0.3}, {-2 * half - 2, 0, 0}, {0, 0, 9}, {100, 140}, 2.0, 1},
-        {{-half - 1, -4.2, 2.4}, {2 * half + 2, 0, 0}, {0, 6.5, 0}, {90, 100}, 1.0, 2}};
+    const std::vector<Plane> planes{{{-9, -12, kFloorM}, {18, 0, 0}, {0, 14, 0}, {220, 170}, 0.7, 3},
+                                    {{-half, -12, kFloorM - 0.3}, {0, 14, 0}, {0, 0, 6}, {200, 100}, 1.0, 2},
+                                    {{half, 2, kFloorM - 0.3}, {0, -14, 0}, {0, 0, 6}, {200, 100}, 1.0, 2},
+                                    {{half + 1, back, kFloorM - 0.3}, {-2 * half - 2, 0, 0}, {0, 0, 9}, {100, 140}, 2.0, 1},
+                                    {{-half - 1, -4.2, 2.4}, {2 * half + 2, 0, 0}, {0, 6.5, 0}, {90, 100}, 1.0, 2}};
     Site site;
     for (const Plane& plane : planes) site.walls.push_back(planeWall(plane, seed));
     site.sizes = {420, 0.36, 0.55, 0.11, 1.5};

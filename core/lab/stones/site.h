@@ -45,8 +45,8 @@ struct Site {
     double mountDeg = 0;     ///< tilt of the scanner about the 0/180 degree line
 };
 
-/// "bench": a close look at a heap on a floor, from above. "hangup": a cluster held in a rough bell, seen from below. "pile": muck at a draw
-/// point, seen from the side.
+/// "bench": a close look at a heap on a floor, from above. "hangup": a cluster held in a rough bell, seen from below. "pile": muck at a
+/// draw point, seen from the side.
 [[nodiscard]] const std::vector<std::string>& siteKinds();
 
 /// Error: unknown kind.

@@ -8,8 +8,8 @@
 namespace edgescan::lab {
 namespace {
 
-constexpr int kReach = 2;               // cells
-constexpr double kFarthest = 2.6;       // of a cell's size and the reach: farther points are behind a jump
+constexpr int kReach = 2;         // cells
+constexpr double kFarthest = 2.6; // of a cell's size and the reach: farther points are behind a jump
 constexpr int kFewestPoints = 6;
 
 Eigen::Vector3f planeAt(const TrueCells& cells, int line, int beam) {

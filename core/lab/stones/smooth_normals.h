@@ -11,10 +11,10 @@ namespace edgescan::lab {
 
 /// What the centre ray of each cell hits.
 struct TrueCells {
-    Grid<std::uint32_t> body;        ///< 0: nothing
-    Grid<Eigen::Vector3d> pointM;    ///< scanner frame
-    double cellRad = 0;              ///< angle between cells
-    int finer = 1;                   ///< 2 in a grid of half the usual steps: then distances in cells are twice as many
+    Grid<std::uint32_t> body;     ///< 0: nothing
+    Grid<Eigen::Vector3d> pointM; ///< scanner frame
+    double cellRad = 0;           ///< angle between cells
+    int finer = 1;                ///< 2 in a grid of half the usual steps: then distances in cells are twice as many
 };
 
 /// The plane through the points of the same body within two cells (twice as many in a finer grid), towards the scanner; zero where fewer

@@ -72,7 +72,9 @@ Result<sim::Scene> sceneOf(const Site& site, const Heap& heap, const Stones& sto
     std::uint16_t object = sim::kFirstRock;
     for (const RestingStone& stone : heap) {
         const Stone* of = stones.named(stone.stone);
-        if (of == nullptr) return Error{"the heap has the stone " + stone.stone + ", which is not there", "stones", "read the folder that it was settled with"};
+        if (of == nullptr)
+            return Error{"the heap has the stone " + stone.stone + ", which is not there", "stones",
+                         "read the folder that it was settled with"};
         if (!site.isScanned(view * stone.placeM) || stone.speedMps > kRestMps) continue;
         scene.copies.push_back(copyOf(of->mesh, view, stone.turn.toRotationMatrix(), stone.placeM, stone.sizeM));
         scene.copies.back().object = object++;

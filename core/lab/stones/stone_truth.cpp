@@ -117,8 +117,7 @@ sim::EdgeTruth finished(const Marks& marks, const Creases& creases, const sim::S
 
 } // namespace
 
-sim::TruthSet stoneTruth(const sim::Scene& scene, const sim::Simulation& simulation, const sim::SimulationSettings& settings,
-                         int finer) {
+sim::TruthSet stoneTruth(const sim::Scene& scene, const sim::Simulation& simulation, const sim::SimulationSettings& settings, int finer) {
     const sim::SimulationTruth& truth = *simulation.truth;
     Scan angles;
     angles.geometry = sim::trueAngles(settings, std::get<PolarGeometry>(simulation.scan.geometry), false);

@@ -64,7 +64,8 @@ bool isInSet(std::string_view stone, std::string_view set) {
 }
 
 Result<Stones> readStones(const std::filesystem::path& folder, const std::string& set, int threads) {
-    if (std::ranges::find(stoneSets(), set) == stoneSets().end()) return Error{"there is no set \"" + set + "\"", "stones", "use free, lab or all"};
+    if (std::ranges::find(stoneSets(), set) == stoneSets().end())
+        return Error{"there is no set \"" + set + "\"", "stones", "use free, lab or all"};
     auto table = tableOf(folder / "rocks.json", set);
     if (!table) return table.error();
     std::atomic<std::size_t> next{0};

@@ -1,0 +1,133 @@
+// Scans of heaps of stones: files of stones and of heaps, the physics, one seed and one scan.
+#include "core/lab/stones/npz.h"
+#include "core/lab/stones/stone_scene.h"
+#include "tests/support/cube_stones.h"
+#include "tests/support/run_program.h"
+#include "tests/support/shared_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace edgescan::lab {
+namespace {
+
+std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+Stones cubes(const std::string& set = "all") {
+    const test::TemporaryFolder folder;
+    test::writeCubeStones(folder.path());
+    auto stones = readStones(folder.path(), set, 1);
+    EXPECT_TRUE(stones) << (stones ? "" : stones.error().sentence());
+    return stones ? *stones : Stones{};
+}
+
+TEST(StoneFiles, ArraysAreReadFromPackedAndUnpackedArchives) {
+    for (const bool packed : {false, true}) {
+        const std::string file = test::zipBytes(
+            {{"V.npy", test::arrayOfThree({1, 2.5, -3, 4, 5, 6}, "<f4")}, {"F.npy", test::arrayOfThree({0, 1, 2}, "<i4")}}, packed);
+        const auto points = npzPoints(bytesOf(file), "V", "here");
+        ASSERT_TRUE(points);
+        ASSERT_EQ(points->size(), 2U);
+        EXPECT_EQ((*points)[0], Eigen::Vector3f(1, 2.5F, -3));
+        const auto triples = npzTriples(bytesOf(file), "F", 3, "here");
+        ASSERT_TRUE(triples);
+        EXPECT_EQ((*triples)[0], (std::array<std::int32_t, 3>{0, 1, 2}));
+        EXPECT_EQ(npzTriples(bytesOf(file), "F", 2, "here").error().what, "the array F names a point that is not there");
+        EXPECT_EQ(npzPoints(bytesOf(file), "F", "here").error().what, "the array F is not a list of three numbers per row");
+        EXPECT_EQ(npzPoints(bytesOf(file), "hull", "here").error().what, "the array hull is missing");
+    }
+    EXPECT_FALSE(npzPoints(bytesOf("no archive"), "V", "here"));
+}
+
+TEST(StoneFiles, SetsHaveTheirStones) {
+    EXPECT_EQ(cubes().stones.size(), 2U);
+    ASSERT_EQ(cubes("free").stones.size(), 1U);
+    EXPECT_EQ(cubes("free").stones[0].name, "cube");
+    EXPECT_EQ(cubes("free").stones[0].mesh->triangles().size(), 12U);
+    EXPECT_EQ(cubes("lab").stones[0].name, "epflcube");
+    EXPECT_FALSE(readStones("/nowhere", "free", 1));
+    EXPECT_FALSE(readStones("/nowhere", "other", 1));
+}
+
+TEST(StoneFiles, ASettledHeapIsReadBackWithTheSameBits) {
+    const test::TemporaryFolder folder;
+    const Heap heap{{"cube", 0.1 + 0.2, {1.0 / 3, -2, 3e-7}, Eigen::Quaterniond(0.1, 0.7, -0.3, 0.6).normalized(), 0.01}};
+    ASSERT_TRUE(writeHeap(heap, folder.path() / "new", "heap.json"));
+    const auto back = readHeap(folder.path() / "new" / "heap.json");
+    ASSERT_TRUE(back);
+    ASSERT_EQ(back->size(), 1U);
+    EXPECT_EQ(back->front().stone, "cube");
+    EXPECT_EQ(back->front().sizeM, heap[0].sizeM);
+    EXPECT_EQ(back->front().placeM, heap[0].placeM);
+    EXPECT_EQ(back->front().turn.coeffs(), heap[0].turn.coeffs());
+    EXPECT_EQ(back->front().speedMps, heap[0].speedMps);
+    std::ofstream(folder / "broken.json") << R"({"format": "edgescan-settled-stones/1", "stones": [{"stone": "cube"}]})";
+    EXPECT_FALSE(readHeap(folder / "broken.json"));
+}
+
+TEST(Heaps, StonesComeToRestOnTheFloorAndASeedGivesTheSameHeap) {
+    if (!canSettle()) GTEST_SKIP() << "this build has no physics: libbullet-dev is missing";
+    auto site = siteOf("bench", 3);
+    ASSERT_TRUE(site);
+    site->sizes.count = 8;
+    const Stones stones = cubes();
+    const auto heap = settledHeap(*site, stones, "all", 3), again = settledHeap(*site, stones, "all", 3);
+    ASSERT_TRUE(heap && again);
+    ASSERT_EQ(heap->size(), 8U);
+    for (std::size_t n = 0; n < heap->size(); ++n) {
+        const RestingStone& stone = (*heap)[n];
+        EXPECT_EQ(stone.placeM, (*again)[n].placeM);
+        EXPECT_EQ(stone.turn.coeffs(), (*again)[n].turn.coeffs());
+        EXPECT_LT(stone.speedMps, 0.3);
+        EXPECT_GT(stone.placeM.z(), -2.5);
+        EXPECT_LT(stone.placeM.z(), -2.4 + 2 * stone.sizeM);
+    }
+    const auto cancelled = settledHeap(*site, stones, "all", 3, [](double) { return false; });
+    EXPECT_EQ(cancelled.error().what, "cancelled");
+}
+
+TEST(StoneScans, TheSameForAnyNumberOfThreadsAndOfTheSameHeapFromEachView) {
+    const test::TemporaryFolder folder;
+    test::writeCubeHeap(folder.path());
+    const Stones stones = cubes();
+    StoneScene scene;
+    scene.settled = folder.path();
+    const auto one = stoneScan(scene, stones, 1), three = stoneScan(scene, stones, 3);
+    ASSERT_TRUE(one && three);
+    EXPECT_EQ(one->scan.name, "bench-free-seed1-view0");
+    EXPECT_EQ(one->scan.lines(), 400);
+    EXPECT_EQ(one->scan.beams(), 500);
+    EXPECT_EQ(one->scan.rangeMm, three->scan.rangeMm);
+    EXPECT_EQ(one->truth.edges.edgeClass, three->truth.edges.edgeClass);
+    EXPECT_EQ(one->truth.edges.ignore, three->truth.edges.ignore);
+    scene.view = 1;
+    const auto moved = stoneScan(scene, stones);
+    ASSERT_TRUE(moved);
+    EXPECT_NE(one->scan.rangeMm, moved->scan.rangeMm);
+    for (const auto& scan : {*one, *moved}) {
+        for (const int cube : {2, 3}) EXPECT_GT(std::ranges::count(scan.truth.object.cells, cube), 500);
+        EXPECT_GT(std::ranges::count(scan.truth.edges.edgeClass.cells, 1), 200); // outlines of the cubes
+        EXPECT_GT(std::ranges::count(scan.truth.edges.edgeClass.cells, 3), 50);  // their creases
+    }
+}
+
+TEST(StoneScans, WhatIsNotThereIsNamed) {
+    const Stones stones = cubes("lab");
+    const test::TemporaryFolder folder;
+    test::writeCubeHeap(folder.path());
+    StoneScene scene;
+    scene.settled = folder.path();
+    EXPECT_EQ(stoneScan(scene, stones).error().what, "the heap has the stone cube, which is not there");
+    scene.kind = "cave";
+    EXPECT_EQ(stoneScan(scene, stones).error().what, "there is no kind of scene \"cave\"");
+}
+
+TEST(StoneScans, RealStonesOfTheFolderAreRead) {
+    EDGESCAN_NEEDS_SHARED("data/real_stones/stones");
+    const auto stones = readStones(test::sharedFolder() / "data/real_stones/stones", "lab");
+    ASSERT_TRUE(stones);
+    EXPECT_GE(stones->stones.size(), 10U);
+    for (const Stone& stone : stones->stones) EXPECT_GT(stone.mesh->triangles().size(), 2000U);
+}
+
+} // namespace
+} // namespace edgescan::lab
