@@ -92,9 +92,12 @@ std::uint64_t drawnSeed(const std::string& draw, const std::string& family, std:
 Result<std::vector<SceneOrder>> drawnScenes(const Family& family, const SceneDraw& draw, const FamilyPlaces& places) {
     std::vector<SceneOrder> orders;
     const bool onlyStored = draw.small && family.source->stored != nullptr;
-    const std::size_t fresh = draw.small ? family.small : std::max(draw.fresh, draw.fresh > 1 ? family.variants.size() : 1);
-    Result<Done> ready = family.source->ready == nullptr ? Error{family.source->without, family.name, "the family is skipped"}
-                                                         : family.source->ready(family, places);
+    const std::size_t variants = std::max<std::size_t>(1, family.variants.size());
+    const std::size_t whole = draw.fresh == 1 ? 1 : (draw.fresh + variants - 1) / variants * variants; // as many of each variant
+    const std::size_t fresh = draw.small ? family.small : whole;
+    Result<Done> ready = family.source->ready == nullptr
+                             ? Error{family.source->without, places.shared.string(), "name the folder with --shared"}
+                             : family.source->ready(family, places);
     for (std::size_t n = 0; ready && !onlyStored && n < fresh; ++n) orders.push_back(freshScene(family, draw, n));
     if (family.source->stored != nullptr) {
         for (const std::filesystem::path& file : family.source->stored(family, places)) {
@@ -103,7 +106,7 @@ Result<std::vector<SceneOrder>> drawnScenes(const Family& family, const SceneDra
         }
     }
     if (!orders.empty()) return orders;
-    return ready ? Error{family.source->without, family.name, "the family is skipped"} : ready.error();
+    return ready ? Error{family.source->without, places.shared.string(), "name the folder with --shared"} : ready.error();
 }
 
 Result<MadeScene> makeScene(const Family& family, const SceneOrder& order, const FamilyPlaces& places, const GoOn& goOn) {
