@@ -175,7 +175,7 @@ void addFamilies(CLI::App& app, int& code) {
         ->type_name("NAME=FLAGS");
     command.add_option("--family", asked->only, "Only this family; repeat for several")->type_name("NAME");
     lab::SceneDraw& draw = asked->run.draw;
-    addNumber(command, "--scenes", draw.fresh, {1, 10000}, "Fresh scenes per family, at least one of each variant");
+    addNumber(command, "--scenes", draw.fresh, {1, 10000}, "Fresh scenes per family; as many of each of its variants");
     command.add_option("--draw", draw.text, "Text that the seeds are drawn from; usually the commit of the program, or that of --against")
         ->type_name("TEXT");
     command.add_flag("--small", draw.small, "A dozen fixed scenes, by the default method alone, for each change");

@@ -35,8 +35,10 @@ def scored(shared):
 
     def make(new):
         flags = ["--kinect", os.path.dirname(truths[0])] if truths else []
-        subprocess.run([lab, "families", "--shared", os.path.dirname(shared), "--threads", str(AT_ONCE), "--store", os.path.join(CACHE, "families"),
-                        "--progress", "--json", new] + flags, check=True, stdout=subprocess.DEVNULL)
+        arguments = [lab, "families", "--shared", os.path.dirname(shared), "--threads", str(AT_ONCE), "--store", os.path.join(CACHE, "families"), "--progress",
+                     "--json", new] + flags
+        if subprocess.run(arguments, check=False, stdout=subprocess.DEVNULL).returncode != 0:
+            raise RuntimeError("edgescan-lab families did not come to its end; run it again to go on")
     return read(job(path, "families", make))
 
 

@@ -139,7 +139,8 @@ TEST(Usage, EveryCommandHasAGroupAnExampleAndItsExitCodes) {
             const std::string help = runProgram(program, command + " --help").out;
             EXPECT_FALSE(examplesIn(help).empty()) << command;
             for (const char* code : {"\n  0  ", "\n  1  ", "\n  2  "}) EXPECT_NE(help.find(code), std::string::npos) << command << help;
-            EXPECT_EQ(help.find("\n  3  ") != std::string::npos, command == "verify" || command == "audit" || command == "families") << command;
+            EXPECT_EQ(help.find("\n  3  ") != std::string::npos, command == "verify" || command == "audit" || command == "families")
+                << command;
         }
     }
 }

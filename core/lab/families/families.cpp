@@ -63,7 +63,8 @@ std::vector<Family> allFamilies() {
 
 SceneOrder freshScene(const Family& family, const SceneDraw& draw, std::size_t n) {
     SceneOrder order;
-    order.seed = drawnSeed(draw.text, family.name, n);
+    // The heaps of one kind are the same with any noise and grid, because stones take long to settle.
+    order.seed = drawnSeed(draw.text, family.source == &kRealStones ? std::string("real ") + family.kind : family.name, n);
     order.variant = family.variants.empty() ? 0 : n % family.variants.size();
     order.name = family.name;
     if (!family.variants.empty()) order.name += std::string(", ") + family.variants[order.variant].name;
@@ -92,9 +93,12 @@ std::uint64_t drawnSeed(const std::string& draw, const std::string& family, std:
 Result<std::vector<SceneOrder>> drawnScenes(const Family& family, const SceneDraw& draw, const FamilyPlaces& places) {
     std::vector<SceneOrder> orders;
     const bool hasStored = family.source->stored != nullptr;
-    const std::size_t fresh = draw.small ? family.small : std::max(draw.fresh, draw.fresh > 1 ? family.variants.size() : 1);
-    Result<Done> ready = family.source->ready == nullptr ? Error{family.source->without, family.name, "the family is skipped"}
-                                                         : family.source->ready(family, places);
+    const std::size_t variants = std::max<std::size_t>(1, family.variants.size());
+    const std::size_t whole = draw.fresh == 1 ? 1 : (draw.fresh + variants - 1) / variants * variants; // as many of each variant
+    const std::size_t fresh = draw.small ? family.small : whole;
+    Result<Done> ready = family.source->ready == nullptr
+                             ? Error{family.source->without, places.shared.string(), "name the folder with --shared"}
+                             : family.source->ready(family, places);
     for (std::size_t n = 0; ready && !(draw.small && hasStored) && n < fresh; ++n) orders.push_back(freshScene(family, draw, n));
     // Scenes that anybody has seen judge only where there are no others.
     if (hasStored && orders.empty()) {
@@ -104,7 +108,7 @@ Result<std::vector<SceneOrder>> drawnScenes(const Family& family, const SceneDra
         }
     }
     if (!orders.empty()) return orders;
-    return ready ? Error{family.source->without, family.name, "the family is skipped"} : ready.error();
+    return ready ? Error{family.source->without, places.shared.string(), "name the folder with --shared"} : ready.error();
 }
 
 Result<MadeScene> makeScene(const Family& family, const SceneOrder& order, const FamilyPlaces& places, const GoOn& goOn) {

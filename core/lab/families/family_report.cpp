@@ -121,13 +121,15 @@ std::string familiesText(const std::vector<ScoredFamily>& families, const std::v
         }
         text += "\n";
     }
-    text += headText("jumps / folds / other cells per scene; of walls only those away from the truth", contestants);
+    std::string cells;
     for (const ScoredFamily& family : families) {
         if (family.family->measure == Measure::Edges || family.scenes.empty()) continue;
-        text += leftAligned(family.family->name, kNameWidth) + rightAligned(std::to_string(family.scenes.size()), 7);
-        for (std::size_t n = 0; n < contestants.size(); ++n) text += cell(cellsText(family, n));
-        text += "\n";
+        cells += leftAligned(family.family->name, kNameWidth) + rightAligned(std::to_string(family.scenes.size()), 7);
+        for (std::size_t n = 0; n < contestants.size(); ++n) cells += cell(cellsText(family, n));
+        cells += "\n";
     }
+    if (!cells.empty())
+        text += headText("jumps / folds / other cells per scene; of walls only those away from the truth", contestants) + cells;
     for (const ScoredFamily& family : families) {
         if (!family.skipped.empty()) text += "skipped: " + std::string(family.family->name) + ": " + family.skipped + "\n";
     }
@@ -226,7 +228,7 @@ Result<std::vector<std::string>> fallenFigures(const std::vector<ScoredFamily>& 
         }
     }
     if (fields.problem()) return *fields.problem();
-    if (compared == 0) return Error{"none of its scenes was scored in this run", where, hint};
+    if (compared == 0) return Error{"no scene of it was scored in this run", where, hint};
     return fallen;
 }
 

@@ -126,7 +126,7 @@ const SceneSource kPolar{"real rocks where they lay", nullptr, polarScene, store
 const SceneSource kRescans{"re-scans of boulders", surfaceReady, rescannedScene, nullptr, ""};
 const SceneSource kSimulator{"simulator", simulatorReady, simulatedScene, nullptr, ""};
 const SceneSource kKinect{"Kinect", nullptr, kinectScene, storedKinect,
-                          "make the truth of each cloud with docs/measurements/kinect-truth, and name the folder with --kinect"};
+                          "the truth of the Kinect clouds is missing (docs/measurements/kinect-truth makes it for --kinect)"};
 const SceneSource kCorridors{"corridors", nullptr, corridorScene, storedCorridors, "the scans of a corridor are missing"};
 
 } // namespace edgescan::lab
