@@ -132,12 +132,12 @@ Result<Done> learn(const LearnEdges& asked) {
     for (const std::string& kind : kinds) {
         if (kinds.size() == 1) break;
         const lab::LearntTrees without = lab::learntTrees(samplesOf(*lessons, kind, false), asked.choices, threads);
-        printResult(kind + " left out: " + qualityText(lab::qualityOf(samplesOf(*lessons, kind, true), without)) + "\n");
+        printResult(kind + " left out: " + qualityText(lab::qualityOf(samplesOf(*lessons, kind, true), without)));
     }
     const lab::TreeSamples all = samplesOf(*lessons, "", false);
     const lab::LearntTrees trees = lab::learntTrees(all, asked.choices, threads);
     printResult(std::to_string(all.count()) + " edges of " + std::to_string(lessons->size()) +
-                " scenes; on themselves: " + qualityText(lab::qualityOf(all, trees)) + "\n");
+                " scenes; on themselves: " + qualityText(lab::qualityOf(all, trees)));
     return writeWholeFile(asked.output, lab::treesText(trees, "edgescan-lab learn-edges --draw " + asked.draw + " --scenes " +
                                                                   std::to_string(asked.scenes) + " --each " + std::to_string(asked.each)));
 }
