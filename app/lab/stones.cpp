@@ -22,7 +22,7 @@ struct StonesAsked {
 
 /// "2 % occluding, 3 % contact, ...": shares of all cells.
 std::string truthText(const sim::EdgeTruth& truth) {
-    constexpr std::array<const char*, 5> kNames{"", "occluding", "contact", "crease", "beside the open"};
+    constexpr std::array<const char*, 5> kNames{"", "occluding", "contact", "crease", "next to the open"};
     std::array<std::size_t, 5> count{};
     std::size_t ignored = 0;
     for (std::size_t k = 0; k < truth.edgeClass.size(); ++k) {

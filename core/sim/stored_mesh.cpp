@@ -27,7 +27,7 @@ StoredMesh::StoredMesh(std::vector<Eigen::Vector3f> points, std::vector<Corners>
 }
 
 void StoredMesh::meet(const RayBundle& bundle, BundleHits& hits) const {
-    constexpr float kRounding = 1e-5F; // of a coordinate: boxes are larger by this, so that no ray passes beside them
+    constexpr float kRounding = 1e-5F; // of a coordinate: boxes are larger by this, so that no ray misses them
     const float margin = kRounding * std::max({reach_, std::abs(bundle.ox[0]), std::abs(bundle.oy[0]), std::abs(bundle.oz[0])});
     tree_.along(bundle, margin, hits, [&](std::int32_t part) {
         const Corners& corners = triangles_[static_cast<std::size_t>(part)];

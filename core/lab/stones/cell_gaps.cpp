@@ -77,7 +77,7 @@ CellGap gapOf(const sim::BundleHits& hits, float fromM, float toM) {
 
 CellGaps cellGaps(const sim::Scene& scene, const PolarGeometry& angles, const Grid<float>& cleanMm,
                   const sim::SimulationSettings& settings) {
-    // The rays beside the middle one are at most 3/8 of a step from it; the caster takes half of the divergence.
+    // All rays are within 3/8 of a step of the middle one; the caster takes half of the divergence.
     const double step = std::max(largestStepRad(angles.beamDeg), largestStepRad(angles.lineDeg));
     const sim::RayCaster caster(scene, {0.0, 0.75 * step});
     const std::vector<Turn> beams = turnsBetween(angles.beamDeg), lines = turnsBetween(angles.lineDeg);

@@ -1,5 +1,6 @@
 // Lets stones fall until they rest, with the physics of Bullet.
 #include "core/base/portable_math.h"
+#include "core/base/simd.h"
 #include "core/lab/stones/heap.h"
 
 #ifdef EDGESCAN_BULLET
@@ -7,7 +8,8 @@
 #endif
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdint>
 #include <memory>
 
 namespace edgescan::lab {
@@ -47,29 +49,57 @@ Heap heapAtStart(const Site& site, const Stones& stones, const std::string& set,
 
 #ifdef EDGESCAN_BULLET
 
-/// Corners of a hull that are farthest in some direction: the time of the physics is proportional to their number.
-std::vector<Eigen::Vector3f> fewCorners(const std::vector<Eigen::Vector3f>& hull) {
-    constexpr int kDirections = 48;
-    constexpr double kGoldenAngle = 2.399963229728653; // directions on a spiral around the sphere, evenly spread
-    std::vector<bool> taken(hull.size());
-    std::vector<Eigen::Vector3f> corners;
-    for (int n = 0; n < kDirections && !hull.empty(); ++n) {
-        const double z = 1.0 - (2.0 * n + 1.0) / kDirections, across = std::sqrt(1.0 - z * z);
-        const Eigen::Vector3f direction =
-            Eigen::Vector3d(across * portable::cos(n * kGoldenAngle), across * portable::sin(n * kGoldenAngle), z).cast<float>();
-        std::size_t farthest = 0;
-        for (std::size_t k = 1; k < hull.size(); ++k) {
-            if (hull[k].dot(direction) > hull[farthest].dot(direction)) farthest = k;
-        }
-        if (!taken[farthest]) corners.push_back(hull[farthest]);
-        taken[farthest] = true;
-    }
-    return corners;
-}
-
 btVector3 toBullet(const Eigen::Vector3d& v) {
     return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
+
+/// Bullet's convex hull with a faster search for the corner that is farthest in a direction, where most of the time goes. Its type is not
+/// that of a hull, because Bullet calls its own search for a hull.
+class StoneShape : public btConvexHullShape {
+public:
+    StoneShape(const std::vector<Eigen::Vector3f>& hull, btScalar size) {
+        for (const Eigen::Vector3f& corner : hull) addPoint(btVector3(corner.x(), corner.y(), corner.z()) * size, false);
+        setMargin(0.002F * size + 0.001F);
+        recalcLocalAabb();
+        m_shapeType = CUSTOM_CONVEX_SHAPE_TYPE;
+        const auto inRow = [this](int n) { return getUnscaledPoints()[std::min(n, getNumPoints() - 1)]; };
+        for (int n = 0; n < getNumPoints(); n += kTogether) {
+            Group& group = groups_.emplace_back();
+            for (int k = 0; k < kTogether; ++k) {
+                group.x[k / 4][k % 4] = inRow(n + k).x();
+                group.y[k / 4][k % 4] = inRow(n + k).y();
+                group.z[k / 4][k % 4] = inRow(n + k).z();
+            }
+        }
+    }
+
+    btVector3 localGetSupportingVertexWithoutMargin(const btVector3& along) const override {
+        const FourLanes x = along.x() - FourLanes{}, y = along.y() - FourLanes{}, z = along.z() - FourLanes{};
+        std::array<FourLanes, kChains> farthest;
+        std::array<Numbers, kChains> number{};
+        for (std::size_t c = 0; c < kChains; ++c) farthest[c] = groups_[0].x[c] * x + groups_[0].y[c] * y + groups_[0].z[c] * z;
+        for (std::size_t n = 1; n < groups_.size(); ++n) {
+            const Group& group = groups_[n];
+            for (std::size_t c = 0; c < kChains; ++c) { // independent of each other, so that none waits for the one before
+                const FourLanes reach = group.x[c] * x + group.y[c] * y + group.z[c] * z;
+                const Numbers farther = reach > farthest[c];
+                farthest[c] = farther ? reach : farthest[c];
+                number[c] = farther ? static_cast<int>(n) - Numbers{} : number[c];
+            }
+        }
+        std::size_t best = 0;
+        for (std::size_t k = 1; k < kTogether; ++k) best = farthest[k / 4][k % 4] > farthest[best / 4][best % 4] ? k : best;
+        return getUnscaledPoints()[std::min(kTogether * number[best / 4][best % 4] + static_cast<int>(best), getNumPoints() - 1)];
+    }
+
+private:
+    static constexpr int kChains = 4, kTogether = 4 * kChains;
+    using Numbers = std::int32_t __attribute__((vector_size(16)));
+    struct Group {
+        std::array<FourLanes, kChains> x, y, z;
+    };
+    std::vector<Group> groups_;
+};
 
 /// Finds the contacts of two stones that hardly move only in every fourth step; in between, their known contacts move with them. That
 /// halves the time, because most stones are at rest.
@@ -123,10 +153,7 @@ public:
 
     void letGo(const RestingStone& stone, const std::vector<Eigen::Vector3f>& hull) {
         const auto size = static_cast<btScalar>(stone.sizeM);
-        auto shape = std::make_unique<btConvexHullShape>();
-        for (const Eigen::Vector3f& corner : fewCorners(hull)) shape->addPoint(btVector3(corner.x(), corner.y(), corner.z()) * size, false);
-        shape->setMargin(0.002F * size + 0.001F);
-        shape->recalcLocalAabb();
+        auto shape = std::make_unique<StoneShape>(hull, size);
         const btScalar mass = 2700.0F * 0.4F * size * size * size; // kg; about 0.4 of the cube around a stone is rock
         btVector3 inertia;
         shape->calculateLocalInertia(mass, inertia);

@@ -104,14 +104,16 @@ sim::EdgeTruth finished(const Marks& marks, const Creases& creases, const sim::S
     const Grid<std::uint8_t> thin = sim::thinned(any), besideEdges = grown(any, 2);
     const Grid<std::uint8_t> small = smallStones(truth.object), besideSmall = grown(small, 1), besideAbsorbed = grown(absorbed, 2);
     sim::EdgeTruth edges{{lines, beams}, {lines, beams}};
+    Grid<std::uint8_t> unsure(lines, beams);
     for (std::size_t k = 0; k < any.size(); ++k) {
         const bool left = small[k] != 0 || absorbed[k] != 0;
         if (thin[k] != 0 && !left) edges.edgeClass[k] = marks.edgeClass[k];
-        const bool unsure = marks.unsure[k] != 0 || (creases.weak[k] != 0 && besideEdges[k] == 0);
-        const bool beside = besideSmall[k] != 0 || besideAbsorbed[k] != 0;
-        // A definite edge is scored even next to an undefined one.
-        if (beside || (unsure && edges.edgeClass[k] == 0)) edges.ignore[k] = 255;
+        const bool weak = creases.weak[k] != 0 && besideEdges[k] == 0;
+        unsure[k] = marks.unsure[k] != 0 || weak || besideSmall[k] != 0 || besideAbsorbed[k] != 0 ? 1 : 0;
     }
+    // An edge within two cells may be that of the place that is not sure. A definite edge is scored even there.
+    const Grid<std::uint8_t> besideUnsure = grown(unsure, 2);
+    for (std::size_t k = 0; k < any.size(); ++k) edges.ignore[k] = besideUnsure[k] != 0 && edges.edgeClass[k] == 0 ? 255 : 0;
     return edges;
 }
 

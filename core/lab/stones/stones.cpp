@@ -25,6 +25,7 @@ Result<Stone> readStone(Stone stone, const std::filesystem::path& path) {
     if (!triangles) return triangles.error();
     auto hull = npzPoints(*file, "hull", path.string());
     if (!hull) return hull.error();
+    if (triangles->empty() || hull->empty()) return Error{"the stone has no surface", path.string(), "make the stones again"};
     stone.mesh = std::make_shared<const sim::StoredMesh>(std::move(*points), std::move(*triangles));
     stone.hull = std::move(*hull);
     return stone;
