@@ -21,7 +21,7 @@ const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
                                    {kClassSilhouette, "silhouette", "outline before a void"},
                                    {kClassVoidRim, "rim", "void rim"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
-const std::vector<Choice> kShownEdges{{0, "off", "all edges"}, {1, "on", "rock borders"}};
+const std::vector<Choice> kShownEdges{{0, "off", "All edges"}, {1, "on", "Rock borders"}};
 const std::vector<Choice> kScalings{{0, "thesis", "Thesis"}, {1, "window", "Even"}, {2, "log", "Logarithmic"}};
 const std::vector<Choice> kKernels{{1, "1", "1 (off)"}, {3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}, {9, "9", "9"}, {11, "11", "11"}};
 const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}};

@@ -79,14 +79,17 @@ InkByClass inkOf(const EdgeColours& colours, QRgb none) {
 struct Look {
     enum Index : std::uint8_t { Strong = kStrongEdge, Weak = kWeakEdge, Thin = kThinEdge, RimGap, ThinGap, Count };
 };
-constexpr int kGapPercent = 50; // of the brightness of a rim
+
+int brightnessOf(std::uint8_t look, bool byClass) {
+    if (look == Look::RimGap) return 50;
+    if (byClass) return 100;
+    return look == Look::ThinGap ? 25 : kStrengthPercent[look];
+}
 
 // The colours of a picture with a byte per cell: look by look those of the classes follow. By class, all strengths look alike.
 QVector<QRgb> withEdges(QVector<QRgb> table, const InkByClass& ink, bool byClass) {
-    const QRgb none = table.front();
     for (std::uint8_t look = 0; look < Look::Count; ++look) {
-        const int percent = look == Look::RimGap ? kGapPercent : byClass || look == Look::ThinGap ? 100 : kStrengthPercent[look];
-        for (const QRgb colour : ink) table << (look == Look::ThinGap && !byClass ? none : dimmedTo(colour, percent).rgb());
+        for (const QRgb colour : ink) table << dimmedTo(colour, brightnessOf(look, byClass)).rgb();
     }
     return table;
 }
