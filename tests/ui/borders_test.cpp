@@ -64,7 +64,8 @@ private slots:
         QVERIFY(scene.byStrength && scene.cells.all == detection.edges);
         QCOMPARE(scene.cells.byClass[kWeakEdge]->size(), counts[1]);
         QCOMPARE(scene.cells.byClass[kThinEdge]->size(), counts[2]);
-        QVERIFY(scene.cells.sizes[kStrongEdge] > scene.cells.sizes[kWeakEdge] && scene.cells.sizes[kWeakEdge] > scene.cells.sizes[kThinEdge]);
+        QVERIFY(scene.cells.sizes[kStrongEdge] > scene.cells.sizes[kWeakEdge] &&
+                scene.cells.sizes[kWeakEdge] > scene.cells.sizes[kThinEdge]);
         // The legend says what they mean.
         const auto number = [](std::size_t count) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(count)); };
         QCOMPARE(row(on, "legend-strong"), "Rock border, 70 % and more: " + number(counts[0]));
@@ -107,7 +108,8 @@ private slots:
         const std::size_t all = edgesIn(on);
         const auto likely = [&](int from) {
             std::size_t count = 0;
-            for (const edges::BorderPercent percent : *edges::detectEdges(on.picture().detection->scan, {})->borders) count += percent >= from ? 1 : 0;
+            for (const edges::BorderPercent percent : *edges::detectEdges(on.picture().detection->scan, {})->borders)
+                count += percent >= from ? 1 : 0;
             return count;
         };
         QVERIFY(shownEdges(on)->isVisible() && !on.slider("border-from")->isVisible());
@@ -124,8 +126,8 @@ private slots:
         const auto from = static_cast<int>(on.viewer.engine.settings().borderPercent);
         QVERIFY(from > 50);
         QCOMPARE(edgesIn(on), likely(from));
-        QVERIFY(on.viewer.statusLine.countsShown().contains(
-            QLocale(QLocale::English).toString(static_cast<qulonglong>(likely(from))) + " edge cells"));
+        QVERIFY(on.viewer.statusLine.countsShown().contains(QLocale(QLocale::English).toString(static_cast<qulonglong>(likely(from))) +
+                                                            " edge cells"));
         while (on.viewer.undo.canUndo()) on.viewer.undo.undo();
         QVERIFY(on.settled());
         QCOMPARE(edgesIn(on), all);

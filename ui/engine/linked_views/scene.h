@@ -76,8 +76,8 @@ struct Scene {
     // In the cloud:
     EdgeCells cells;
     EdgeColours colours = kUsualColours;
-    bool byClass = false;    ///< the lists of `cells` are drawn, each in its colour
-    bool byStrength = false; ///< these lists are those of EdgeStrength
+    bool byClass = false;                                                 ///< the lists of `cells` are drawn, each in its colour
+    bool byStrength = false;                                              ///< these lists are those of EdgeStrength
     std::shared_ptr<const std::vector<std::uint32_t>> points, pointsFrom; ///< null: as they are; from: as the overlay has them
     std::shared_ptr<const std::vector<std::uint32_t>> pointsOver;         ///< some of another overlay are over these; null: no others
     bool edgesOverPoints = false;

@@ -36,15 +36,14 @@ constexpr auto kBetweenProgress = std::chrono::milliseconds(40);
 } // namespace
 
 Engine::Engine(QObject* parent)
-    : QObject(parent),
-      borders_(
-          Urgency::Soon, [this](const std::weak_ptr<const Picture>& of) { return workOutBorders(of.lock()); },
-          [this](const std::weak_ptr<const Picture>& of, const std::shared_ptr<const Picture>& made) {
-              if (of.lock() != picture_) return;
-              bordered_ = made;
-              emit borderedReady();
-          },
-          [](const QString&) {}), // they stay as they are
+    : QObject(parent), borders_(
+                           Urgency::Soon, [this](const std::weak_ptr<const Picture>& of) { return workOutBorders(of.lock()); },
+                           [this](const std::weak_ptr<const Picture>& of, const std::shared_ptr<const Picture>& made) {
+                               if (of.lock() != picture_) return;
+                               bordered_ = made;
+                               emit borderedReady();
+                           },
+                           [](const QString&) {}), // they stay as they are
       // While a slider moves, older pictures are shown as well; the picture before stays when it fails, and OpenCV reports a lack of memory
       // in its own words.
       pictures_(

@@ -124,7 +124,7 @@ private:
         bool coarseFirst = false;
     };
     void setCoarse(const std::shared_ptr<const CoarsePicture>& coarse);
-    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked, const Asker& asker); // pool's thread
+    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked, const Asker& asker);                   // pool's thread
     [[nodiscard]] std::shared_ptr<const Picture> workOutBorders(const std::shared_ptr<const Picture>& picture); // pool's thread
     void takePicture(const std::shared_ptr<const Picture>& newest);
 
@@ -139,7 +139,7 @@ private:
     std::shared_ptr<const CoarsePicture> coarse_;
     std::size_t coarseAbove_ = kCoarseAbove;
     int savings_ = 0;
-    std::shared_ptr<const InputClaims> inputs_; // of the last opened scan
+    std::shared_ptr<const InputClaims> inputs_;           // of the last opened scan
     std::mutex poolMutex_;                                // of what the pool's threads share:
     std::vector<std::shared_ptr<const Picture>> retired_; // pictures to be freed by the pool's thread
     KnownBorders knownBorders_;                           // the newest that were worked out

@@ -47,12 +47,11 @@ struct Picture {
     std::shared_ptr<const CloudGeometry> cloud;
     std::shared_ptr<const QImage>
         gray; ///< beams x shownLines() pixels; missing data hatched violet, lost cells dark, filled cells striped green
-    std::shared_ptr<const QImage>
-        edges; ///< a byte per cell and a table of colours: white edges and blue rims of voids on black, the less likely borders of rocks
-               ///< dimmer and dotted; missing data hatched violet
+    std::shared_ptr<const QImage> edges; ///< a byte per cell and a table of colours: white edges and blue rims of voids on black, the less
+                                         ///< likely borders of rocks dimmer and dotted; missing data hatched violet
     std::shared_ptr<const QImage> overlay; ///< likewise: green edges and rims of voids, transparent elsewhere
     EdgeCells edgeCells;
-    EdgeCells borderCells; ///< by strength; null: all are drawn alike
+    EdgeCells borderCells;   ///< by strength; null: all are drawn alike
     std::vector<QRect> lost; ///< areas of lost cells, x = beam, y = line: views draw dashes over them
 };
 

@@ -152,12 +152,11 @@ QLabel* EdgeLegend::addSign(QGridLayout& grid, const char* name) {
 }
 
 void EdgeLegend::showStrengths(const std::optional<std::array<std::size_t, kEdgeStrengths>>& cells) {
-    const bool changes = std::exchange(byStrength_, cells.has_value()) != byStrength_;
-    if (cells) {
-        const std::array names{tr("Rock border, 70 % and more: %1"), tr("Perhaps, 30 to 69 %: %1"), tr("Fold in a rock, below 30 %: %1")};
-        for (std::size_t n = 0; n < kEdgeStrengths; ++n) strengths_[n]->setText(names[n].arg(countText((*cells)[n])));
-    }
-    if (changes) showRows();
+    if (!cells && !byStrength_) return;
+    byStrength_ = cells.has_value();
+    const std::array names{tr("Rock border, 70 % and more: %1"), tr("Perhaps, 30 to 69 %: %1"), tr("Fold in a rock, below 30 %: %1")};
+    for (std::size_t n = 0; cells && n < kEdgeStrengths; ++n) strengths_[n]->setText(names[n].arg(countText((*cells)[n])));
+    showRows();
     adjustSize();
 }
 

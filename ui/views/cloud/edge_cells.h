@@ -41,8 +41,8 @@ inline EdgeColours drawnColours(const EdgeColours& colours, bool byClass) {
     drawn[kRimClass] = colours[kRimClass];
     return drawn;
 }
-/// How strongly an edge is drawn while edges are not drawn by class: a border of a rock, or one whose probability is unknown; less likely; a
-/// fold within a rock. EdgeCells::byClass has the strengths first, and the rims of open voids in their place.
+/// How strongly an edge is drawn while edges are not drawn by class: a border of a rock, or one whose probability is unknown; less likely;
+/// a fold within a rock. EdgeCells::byClass has the strengths first, and the rims of open voids in their place.
 enum EdgeStrength : std::uint8_t { kStrongEdge, kWeakEdge, kThinEdge };
 inline constexpr std::size_t kEdgeStrengths = 3;
 inline constexpr std::array<float, kEdgeStrengths> kStrengthSizes{1.0F, 0.75F, 0.5F}; // of points
