@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QLayout>
 
 #include <algorithm>
 
@@ -106,11 +107,9 @@ private slots:
         on.window.resize(1280, 900);
         QVERIFY(on.showWith(scan_) && on.activate() && known(on));
         const std::size_t all = edgesIn(on);
+        const auto found = edges::detectEdges(on.picture().detection->scan, {});
         const auto likely = [&](int from) {
-            std::size_t count = 0;
-            for (const edges::BorderPercent percent : *edges::detectEdges(on.picture().detection->scan, {})->borders)
-                count += percent >= from ? 1 : 0;
-            return count;
+            return static_cast<std::size_t>(std::ranges::count_if(*found->borders, [from](int percent) { return percent >= from; }));
         };
         QVERIFY(shownEdges(on)->isVisible() && !on.slider("border-from")->isVisible());
         QCOMPARE(shownEdges(on)->currentText(), QString("All edges"));
