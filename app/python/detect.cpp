@@ -49,6 +49,15 @@ py::array grayOf(const ResultObject& result) {
     return gridArray(detection->gray->levels, detection);
 }
 
+py::object bordersOf(const ResultObject& result) {
+    const auto detection = unlocked([&] {
+        auto found = whole(result);
+        if (found->borders) (void)*found->borders;
+        return found;
+    });
+    return detection->borders ? vectorArray(*detection->borders, detection) : py::object(py::none());
+}
+
 py::object reportOf(const ResultObject& result) {
     return objectOf(unlocked([&] { return exports::detectReport(*whole(result), 0.0); }));
 }
@@ -142,6 +151,11 @@ void bindResult(py::module_& module) {
     type.def_property_readonly("strength", &strengthOf,
                                "float64, lines x beams: the highest value of the parameter `threshold` at which the cell is an edge; "
                                "negative: at none, infinite: at all. Worked out when first asked for. No copy, read only.");
+    type.def_property_readonly(
+        "borders", &bordersOf,
+        "uint8, as many as `edges`: how likely each edge is the border of a rock and not a fold within one, in percent; "
+        "255: unknown. None where the method does not measure the surface. Worked out when first asked for. "
+        "No copy, read only.");
     type.def_property_readonly("gray", &grayOf, "uint8, lines x beams: gray levels, 0 where there is no range. No copy, read only.");
     type.def("__repr__", [](const ResultObject& self) { return textOf(*self.detection); });
 }

@@ -1,12 +1,14 @@
 // The table of columns: a new column is a row here, and also a row of kWritingChoices if it is written on request only.
 #include "core/exports/cell_columns.h"
 
+#include "core/edges/rock_borders/rock_borders.h"
 #include "core/edges/tuning/confidence.h"
 #include "core/files/point_tables/source.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/gap_filling/gap_filling.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace edgescan::exports {
 namespace {
@@ -27,6 +29,17 @@ Result<files::CellValues> confidencePercent(const edges::Detection& detection, c
     return files::CellValues(std::move(edges::edgeConfidence(detection)->percent)); // nothing cancels it
 }
 
+Result<files::CellValues> borderPercent(const edges::Detection& detection, const fs::path& path, const ExportOptions& /*options*/) {
+    if (!detection.borders)
+        return Error{"this method does not distinguish borders of rocks", path.string(), "use EdgeScan+, or leave --with-borders out"};
+    Grid<float> percent(detection.mask->lines, detection.mask->beams, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t n = 0; n < detection.edges->size(); ++n) {
+        const edges::BorderPercent border = (*detection.borders)[n];
+        if (border != edges::kUnknownBorder) percent[(*detection.edges)[n]] = border;
+    }
+    return files::CellValues(std::move(percent));
+}
+
 struct ColumnRow {
     const char* name;                    ///< of the field
     const char* what;                    ///< in errors
@@ -37,6 +50,7 @@ constexpr ColumnRow kColumns[]{
     {"rock", nullptr, nullptr, rockOfCells},
     {"filled_sd_mm", "the mark of filled cells", &files::WritingChoices::filled, filledSdMm},
     {"confidence", "a field of confidence", &files::WritingChoices::confidence, confidencePercent},
+    {"border", "a field of borders of rocks", &files::WritingChoices::borders, borderPercent},
 };
 
 /// Whether the file names its fields, so that it can hold any of them.

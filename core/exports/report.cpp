@@ -162,6 +162,7 @@ nlohmann::ordered_json detectReport(const edges::Detection& detection, double lo
                   {"saturated", detection.gray->saturated}}},
                 {"edges", detection.edges->size()},
                 {"classes", classesReport(detection)},
+                {"rock_borders", rockBordersReport(detection)},
                 {"noise_mm_at_5_m", detection.responses ? json(tidy(detection.responses->noise.at(5.0), 1000)) : json()},
                 {"noise", detection.responses ? noiseReport(*detection.responses) : json()},
                 {"roughness", roughnessReport(detection)},
@@ -180,7 +181,7 @@ nlohmann::ordered_json detectReport(const edges::Detection& detection, double lo
 }
 
 nlohmann::ordered_json roughnessReport(const edges::Detection& detection) {
-    if (!detection.responses || !detection.settings.roughScans || !edges::reads(detection.settings.method, edges::kReadsCreases))
+    if (!detection.responses || !detection.settings.roughScans || !edges::findParameter("rough-scans")->usedBy(detection.settings))
         return nullptr;
     const edges::Roughness& found = detection.responses->roughness;
     return {{"rough", found.rough}, {"folding_share", tidy(found.share, 1000)}, {"around_folds", tidy(found.aroundFolds, 1000)}};
@@ -193,6 +194,12 @@ nlohmann::ordered_json classesReport(const edges::Detection& detection) {
     for (std::size_t kind = 1; kind < counts.size(); ++kind)
         report[edges::edgeClassName(static_cast<edges::DepthEdge>(kind))] = counts[kind];
     return report;
+}
+
+nlohmann::ordered_json rockBordersReport(const edges::Detection& detection) {
+    if (!detection.borders) return nullptr;
+    const edges::BorderCounts counts = edges::countBorders(detection);
+    return {{"strong", counts.strong}, {"weak", counts.weak}, {"folds", counts.folds}, {"unknown", counts.unknown}};
 }
 
 nlohmann::ordered_json filledReport(const GapFilling& filling) {

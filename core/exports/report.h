@@ -25,6 +25,10 @@ namespace edgescan::exports {
 /// {"jump": n, "convex": n, "concave": n, "border": n, "silhouette": n, "rim": n}, or null if the method does not distinguish classes.
 [[nodiscard]] nlohmann::ordered_json classesReport(const edges::Detection& detection);
 
+/// {"strong": n, "weak": n, "folds": n, "unknown": n}: edges by their probability to be the border of a rock; null if the method does not
+/// measure the surface.
+[[nodiscard]] nlohmann::ordered_json rockBordersReport(const edges::Detection& detection);
+
 /// {"gaps": n, "cells": n, "by_plane": n, "by_line": n, "sd_mm_p50": x}: the filled gaps; `filling` of the scan.
 [[nodiscard]] nlohmann::ordered_json filledReport(const GapFilling& filling);
 

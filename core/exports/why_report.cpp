@@ -81,6 +81,15 @@ json depthReport(const edges::DepthProbe& depth) {
     return report;
 }
 
+json borderReport(const edges::Why& why) {
+    if (!why.border) return nullptr;
+    json report{{"percent", *why.border == edges::kUnknownBorder ? json(nullptr) : json(*why.border)}, {"left_out", why.leftOut}};
+    report["evidence"] = json::array();
+    for (const edges::BorderReason& reason : why.borderReasons)
+        report["evidence"].push_back({{"of", edges::evidenceKey(reason.evidence)}, {"log_odds", reason.added / double{kLogOddsUnit}}});
+    return report;
+}
+
 // The text for a person, with one or two sentences per line.
 json linesOf(const std::string& text) {
     json lines = json::array();
@@ -119,6 +128,7 @@ nlohmann::ordered_json whyReport(const edges::Detection& detection, const edges:
     report["measured"] = why.depth ? depthReport(*why.depth) : json(nullptr);
     report["response_class"] = why.kind != edges::DepthEdge::None ? json(edges::edgeClassName(why.kind)) : json(nullptr);
     report["round_gap"] = why.movedFromGap;
+    report["border"] = borderReport(why);
     report["unit"] = why.unit;
     report["strength"] = why.strength;
     report["thresholds"] = {{"lower", why.lower}, {"upper", why.upper}};

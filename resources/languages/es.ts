@@ -414,6 +414,7 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>Su fuerza es %1. Un borde alcanza la Fuerza del borde %2 en un lugar, y %3 en el resto.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Su fuerza %1 supera la Fuerza del borde %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Su fuerza %1 es menor que la Fuerza del borde %2, pero continúa un borde que llega a %3 en la línea %4, haz %5. A una celda así le basta %6.</translation></message>
+<message><source>This is an edge, but it is left out: only borders of rocks are shown.</source><translation>Es un borde, pero se omite: solo se muestran contornos de rocas.</translation></message>
 <message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>La superficie cambia aquí, pero tanto o más en la celda vecina, línea %1, haz %2: un borde tiene una celda de ancho.</translation></message>
 <message><source>In the direction of that cell their strengths are %1 and %2.</source><translation>En la dirección de esa celda sus fuerzas son %1 y %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La superficie cambia demasiado poco aquí para ser un borde.</translation></message>
@@ -1425,6 +1426,7 @@ RL %3 m</translation></message>
 <message><source>other classes take the cells</source><translation>otras clases toman las celdas</translation></message>
 <message><source>Edges</source><translation>Bordes</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
+<message><source>How likely an edge is the border of a rock; where that is unknown, it is drawn like one.</source><translation>La probabilidad de que un borde sea el contorno de una roca; donde se desconoce, se dibuja como un contorno.</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
 <message><source>With a higher edge strength this number can rise: cells that were jumps or folds before count here.</source><translation>Con una fuerza del borde mayor este número puede subir: las celdas que ya no son saltos ni pliegues cuentan aquí.</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
@@ -1432,6 +1434,9 @@ RL %3 m</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
+<message><source>Rock border, 70 % and more: %1</source><translation>Contorno de roca, 70 % y más: %1</translation></message>
+<message><source>Perhaps, 30 to 69 %: %1</source><translation>Quizá, 30 a 69 %: %1</translation></message>
+<message><source>Fold in a rock, below 30 %: %1</source><translation>Pliegue en una roca, menos de 30 %: %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Rayas violetas en las imágenes: sin retorno, fuera de la ventana de distancias o enmascarado. La barra de estado cuenta cada caso.</translation></message>
 <message><source>Laser ray to the marked cell</source><translation>Rayo láser a la celda marcada</translation></message>
 <message><source>No return: %1</source><translation>Sin retorno: %1</translation></message>
@@ -1460,6 +1465,8 @@ RL %3 m</translation></message>
 <message><source>The thesis, with more contrast</source><translation>La tesis, con más contraste</translation></message>
 <message><source>Smooth walls</source><translation>Paredes lisas</translation></message>
 <message><source>For flat walls with low steps</source><translation>Paredes planas, saltos bajos</translation></message>
+<message><source>Version 4</source><translation>Versión 4</translation></message>
+<message><source>To compare with version 4</source><translation>Para comparar con la versión 4</translation></message>
 <message><source>Version 3</source><translation>Versión 3</translation></message>
 <message><source>To compare with version 3</source><translation>Para comparar con la versión 3</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
@@ -1805,6 +1812,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Surpac strings</source><translation>Líneas de Surpac</translation></message>
 <message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Cómo se encuentran los bordes: saltos y pliegues de la superficie, partes de estos, o Canny en niveles de gris como en la tesis, o uno de los otros detectores que la tesis compara.</translation></message>
+<message><source>Edges shown</source><translation>Bordes mostrados</translation></message>
+<message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Solo se muestran y exportan los bordes que probablemente son el contorno de una roca; los pliegues dentro de una roca se omiten.</translation></message>
+<message><source>Border from</source><translation>Contorno desde</translation></message>
+<message><source>How likely an edge must be the border of a rock to be shown among the rock borders.</source><translation>La probabilidad de que un borde sea el contorno de una roca, desde la que se muestra entre los contornos de rocas.</translation></message>
 <message><source>Edge strength</source><translation>Fuerza del borde</translation></message>
 <message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Qué fuerza debe tener un borde (más fuerza, menos bordes): 1 es el salto y el ángulo de pliegue de abajo, 2 es el doble.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>
@@ -1832,8 +1843,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma de las distancias a 5 m; auto lo mide en el escaneo.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Ruido de celda a celda</translation></message>
 <message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Si cada celda yerra por sí misma, como con un láser, o si las vecinas yerran juntas, como con una cámara de profundidad cuya profundidad viene en escalones: los pliegues deben entonces superar lo que parecen tales escalones.</translation></message>
+<message><source>Rules</source><translation>Reglas</translation></message>
+<message><source>How noise is measured and where the rim of a void ends: as today, or as in default set 4, which also has a rule for rough scans.</source><translation>Cómo se mide el ruido y dónde acaba el borde de un vacío: como hoy, o como en el conjunto predeterminado 4, que tiene además una regla para escaneos rugosos.</translation></message>
 <message><source>Rough scans</source><translation>Escaneos rugosos</translation></message>
-<message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Cuando la mitad de los pliegues está en superficies plegadas por todas partes, como montones de bolos pequeños, un pliegue solo cuenta si supera su entorno.</translation></message>
+<message><source>Only by the rules of default set 4. Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Solo con las reglas del conjunto predeterminado 4. Donde la mitad de los pliegues están en superficies plegadas por todas partes, como montones de piedras pequeñas, un pliegue cuenta solo si supera su entorno.</translation></message>
 <message><source>Fill gaps</source><translation>Rellenar huecos</translation></message>
 <message><source>Gaps up to this width are filled from their surroundings, never across a jump. Filled cells are marked and never count as measured. 0 switches filling off.</source><translation>Los huecos de hasta este ancho se rellenan con lo que los rodea, nunca sobre un salto; las celdas rellenadas se marcan y no cuentan como medidas. 0 no rellena ninguno.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordes en huecos</translation></message>
@@ -1871,6 +1884,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
 <message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
 <message><source>void rim</source><translation>borde de un vacío</translation></message>
+<message><source>All edges</source><translation>Todos los bordes</translation></message>
+<message><source>Rock borders</source><translation>Contornos de rocas</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>
 <message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desactivado)</translation></message>
@@ -1878,6 +1893,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2 √(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vecinas</translation></message>
 <message><source>8 neighbours</source><translation>8 vecinas</translation></message>
+<message><source>of default set 4</source><translation>del conjunto predeterminado 4</translation></message>
+<message><source>of today</source><translation>de hoy</translation></message>
 <message><source>as measured</source><translation>según lo medido</translation></message>
 <message><source>laser</source><translation>láser</translation></message>
 <message><source>depth camera</source><translation>cámara 3D</translation></message>
@@ -1898,6 +1915,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La tesis al pie de la letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, los huecos son negros.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como la tesis, pero los niveles de gris van de la distancia más cercana a la más lejana.</translation></message>
 <message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Como default, para superficies planas y con poco ruido: los escalones bajos son bordes también de lejos.</translation></message>
+<message><source>The default settings of version 4: the noise includes relief, rims end where a surface slants by 70 degrees, and on a scan of rough surfaces folds must exceed their surroundings.</source><translation>Los ajustes predeterminados de la versión 4: el ruido incluye el relieve, los bordes de vacíos acaban donde una superficie se inclina 70 grados, y en un escaneo rugoso los pliegues deben superar su entorno.</translation></message>
 <message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Los ajustes predeterminados de la versión 3: sin bordes de vacíos abiertos, cadenas de cinco celdas o más, sin atender a escaneos rugosos ni a retrocesos del motor.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grueso</translation></message>
 <message><source>How easily pieces are joined into one rock. Lower: more and smaller rocks. Higher: fewer and larger rocks.</source><translation>Con qué facilidad los trozos se unen en una roca. Más bajo: más rocas y más pequeñas. Más alto: menos rocas y más grandes.</translation></message>
@@ -1964,6 +1982,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: también las líneas de borde de solo dos puntos</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY y CSV: también las celdas rellenadas y no medidas, que el campo filled_sd_mm marca</translation></message>
 <message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY y CSV: el campo confidence, qué porcentaje de ajustes cercanos halla también el borde; 0 donde no hay</translation></message>
+<message><source>PCD, PLY and CSV: the field border, how likely each edge is the border of a rock, in percent; NaN where unknown and where no edge is</source><translation>PCD, PLY y CSV: el campo border, la probabilidad de que cada borde sea el contorno de una roca, en porcentaje; NaN donde se desconoce y donde no hay borde</translation></message>
 <message><source>&amp;Edge Cloud…</source><translation>Nube de &amp;bordes…</translation></message>
 <message><source>Edge points (%1)</source><translation>Puntos de borde (%1)</translation></message>
 <message><source>&amp;Full Cloud…</source><translation>Nube &amp;completa…</translation></message>
@@ -2047,6 +2066,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the threshold %1</source><translation>el umbral %1</translation></message>
 <message><source>the lower threshold %1</source><translation>el umbral inferior %1</translation></message>
 <message><source>the upper threshold %1</source><translation>el umbral superior %1</translation></message>
+<message><source>it is an edge, but only %1 % likely the border of a rock, and only those from %2 % on are shown (%3)</source><translation>es un borde, pero solo con un %1 % de probabilidad el contorno de una roca, y solo se muestran los que tienen %2 % o más (%3)</translation></message>
 <message><source>%1 the fold at %2 next to it is stronger (%3 against %4), and an edge is one cell wide</source><translation>%1 el pliegue en %2, a su lado, es más fuerte (%3 frente a %4), y un borde tiene una celda de ancho</translation></message>
 <message><source>%1 the fold at %2 next to it is as strong (%3 against %4), and an edge is one cell wide</source><translation>%1 el pliegue en %2, a su lado, es igual de fuerte (%3 frente a %4), y un borde tiene una celda de ancho</translation></message>
 <message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1, a su lado, es más fuerte (%2), y un borde tiene una celda de ancho</translation></message>
@@ -2097,6 +2117,12 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, thresholds %1 and %2</source><translation>, umbrales %1 y %2</translation></message>
 <message><source>Chain: 1 cell, strongest at %1 (%2).</source><translation>Cadena: 1 celda, la más fuerte en %1 (%2).</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadena: %1 celdas, la más fuerte en %2 (%3).</translation></message>
+<message><source>It is unknown if it is the border of a rock: the grid ends nearby, ranges are missing, or neighbours err alike.</source><translation>No se sabe si es el contorno de una roca: la cuadrícula acaba cerca, faltan distancias, o los vecinos yerran igual.</translation></message>
+<message><source>It is %1 % likely the border of a rock, and not a fold within one.</source><translation>Con un %1 % de probabilidad es el contorno de una roca, y no un pliegue dentro de una.</translation></message>
+<message><source>%1 (for it)</source><translation>%1 (a favor)</translation></message>
+<message><source>%1 (against it)</source><translation>%1 (en contra)</translation></message>
+<message><source>What decided that: %1.</source><translation>Lo que lo decide: %1.</translation></message>
+<message><source>Left out: %1.</source><translation>Omitido: %1.</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borde: %1; ningún valor de “%2” la hace borde.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>No es borde: %1; ningún valor de “%2” la hace borde.</translation></message>
 <message><source>Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.</source><translation>Borde: %1; como parte de su cadena sigue siendo borde con cada %2, hasta el mayor valor: %3.</translation></message>
@@ -2109,6 +2135,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
+<message><source>steps in depth around it</source><translation>los saltos de profundidad a su alrededor</translation></message>
+<message><source>its own fold</source><translation>su propio pliegue</translation></message>
+<message><source>the surface across the edge</source><translation>la superficie a través del borde</translation></message>
+<message><source>the surface along the edge</source><translation>la superficie a lo largo del borde</translation></message>
+<message><source>its height over the surroundings</source><translation>su altura sobre el entorno</translation></message>
+<message><source>folds around it</source><translation>los pliegues a su alrededor</translation></message>
+<message><source>distance and noise</source><translation>la distancia y el ruido</translation></message>
 <message><source>end %1 not on an edge</source><translation>extremo %1 fuera de un borde</translation></message>
 <message><source>%1 ends not on an edge</source><translation>%1 extremos fuera de un borde</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>

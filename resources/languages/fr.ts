@@ -414,6 +414,7 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>Sa force est %1. Une arête atteint la Force de l'arête %2 à un endroit, et %3 sur le reste.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Sa force %1 dépasse la Force de l'arête %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Sa force %1 est sous la Force de l'arête %2, mais elle continue une arête qui atteint %3 à la ligne %4, faisceau %5. À une telle cellule, %6 suffit.</translation></message>
+<message><source>This is an edge, but it is left out: only borders of rocks are shown.</source><translation>C'est une arête, mais elle est omise : seuls les contours de roches sont affichés.</translation></message>
 <message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>La surface change ici, mais autant ou plus dans la cellule voisine, ligne %1, faisceau %2 : une arête a une cellule de large.</translation></message>
 <message><source>In the direction of that cell their strengths are %1 and %2.</source><translation>Dans la direction de cette cellule, leurs forces sont %1 et %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La surface change trop peu ici pour être une arête.</translation></message>
@@ -1425,6 +1426,7 @@ RL %3 m</translation></message>
 <message><source>other classes take the cells</source><translation>d'autres classes prennent les cellules</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
+<message><source>How likely an edge is the border of a rock; where that is unknown, it is drawn like one.</source><translation>La probabilité qu'une arête soit le contour d'une roche ; où elle est inconnue, l'arête est dessinée comme un contour.</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
 <message><source>With a higher edge strength this number can rise: cells that were jumps or folds before count here.</source><translation>Avec une force de l'arête plus élevée, ce nombre peut monter : les cellules qui ne sont plus des sauts ni des plis comptent ici.</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
@@ -1432,6 +1434,9 @@ RL %3 m</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
+<message><source>Rock border, 70 % and more: %1</source><translation>Contour de roche, 70 % et plus : %1</translation></message>
+<message><source>Perhaps, 30 to 69 %: %1</source><translation>Peut-être, 30 à 69 % : %1</translation></message>
+<message><source>Fold in a rock, below 30 %: %1</source><translation>Pli dans une roche, moins de 30 % : %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Rayures violettes dans les images : sans retour, hors de la fenêtre de distance, ou masqué. La barre d'état compte chaque cas.</translation></message>
 <message><source>Laser ray to the marked cell</source><translation>Rayon laser vers la cellule marquée</translation></message>
 <message><source>No return: %1</source><translation>Sans retour : %1</translation></message>
@@ -1460,6 +1465,8 @@ RL %3 m</translation></message>
 <message><source>The thesis, with more contrast</source><translation>La thèse, plus contrastée</translation></message>
 <message><source>Smooth walls</source><translation>Parois lisses</translation></message>
 <message><source>For flat walls with low steps</source><translation>Parois planes, petits sauts</translation></message>
+<message><source>Version 4</source><translation>Version 4</translation></message>
+<message><source>To compare with version 4</source><translation>Pour comparer à la version 4</translation></message>
 <message><source>Version 3</source><translation>Version 3</translation></message>
 <message><source>To compare with version 3</source><translation>Pour comparer à la version 3</translation></message>
 <message><source>Open…</source><translation>Ouvrir…</translation></message>
@@ -1805,6 +1812,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Surpac strings</source><translation>Polylignes Surpac</translation></message>
 <message><source>Method</source><translation>Méthode</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Comment les arêtes sont trouvées : sauts et plis de la surface, parties de ceux-ci, ou Canny sur niveaux de gris comme dans la thèse, ou un des autres détecteurs que la thèse compare.</translation></message>
+<message><source>Edges shown</source><translation>Arêtes affichées</translation></message>
+<message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Seules les arêtes qui sont probablement le contour d'une roche sont affichées et exportées ; les plis dans une roche sont omis.</translation></message>
+<message><source>Border from</source><translation>Contour dès</translation></message>
+<message><source>How likely an edge must be the border of a rock to be shown among the rock borders.</source><translation>La probabilité qu'une arête soit le contour d'une roche, à partir de laquelle elle est affichée parmi les contours de roches.</translation></message>
 <message><source>Edge strength</source><translation>Force de l'arête</translation></message>
 <message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Quelle force une arête doit avoir : 1 est le saut et l'angle de pli ci-dessous, 2 en est le double.</translation></message>
 <message><source>Jump</source><translation>Saut</translation></message>
@@ -1832,8 +1843,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma des distances à 5 m ; auto le mesure dans le scan.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Bruit de cellule à cellule</translation></message>
 <message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Si chaque cellule se trompe pour elle-même, comme avec un laser, ou si les voisines se trompent ensemble, comme avec une caméra de profondeur dont la profondeur vient par paliers : les plis doivent alors dépasser ce à quoi ressemblent ces paliers.</translation></message>
+<message><source>Rules</source><translation>Règles</translation></message>
+<message><source>How noise is measured and where the rim of a void ends: as today, or as in default set 4, which also has a rule for rough scans.</source><translation>Comment le bruit est mesuré et où finit le bord d'un vide : comme aujourd'hui, ou comme dans le jeu par défaut 4, qui a aussi une règle pour les scans rugueux.</translation></message>
 <message><source>Rough scans</source><translation>Scans rugueux</translation></message>
-<message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Quand la moitié des plis se trouvent sur des surfaces plissées partout, comme des tas de petits blocs, un pli ne compte que s'il dépasse son entourage.</translation></message>
+<message><source>Only by the rules of default set 4. Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Seulement selon les règles du jeu par défaut 4. Où la moitié des plis sont sur des surfaces plissées partout, comme des tas de petits blocs, un pli ne compte que s'il dépasse son entourage.</translation></message>
 <message><source>Fill gaps</source><translation>Combler les vides</translation></message>
 <message><source>Gaps up to this width are filled from their surroundings, never across a jump. Filled cells are marked and never count as measured. 0 switches filling off.</source><translation>Les vides jusqu'à cette largeur sont comblés d'après ce qui les entoure, jamais par-dessus un saut ; les cellules remplies sont marquées, et ne servent à aucune mesure. 0 n'en comble aucun.</translation></message>
 <message><source>Edges in gaps</source><translation>Arêtes dans les vides</translation></message>
@@ -1871,6 +1884,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
 <message><source>outline before a void</source><translation>contour devant un vide</translation></message>
 <message><source>void rim</source><translation>bord d'un vide</translation></message>
+<message><source>All edges</source><translation>Toutes les arêtes</translation></message>
+<message><source>Rock borders</source><translation>Contours de roches</translation></message>
 <message><source>Even</source><translation>Régulière</translation></message>
 <message><source>Logarithmic</source><translation>Logarithmique</translation></message>
 <message><source>1 (off)</source><translation>1 (désactivé)</translation></message>
@@ -1878,6 +1893,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2 √(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 voisines</translation></message>
 <message><source>8 neighbours</source><translation>8 voisines</translation></message>
+<message><source>of default set 4</source><translation>du jeu par défaut 4</translation></message>
+<message><source>of today</source><translation>d'aujourd'hui</translation></message>
 <message><source>as measured</source><translation>tel que mesuré</translation></message>
 <message><source>laser</source><translation>laser</translation></message>
 <message><source>depth camera</source><translation>caméra 3D</translation></message>
@@ -1898,6 +1915,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Comme la thèse, mais les niveaux de gris vont de la distance la plus proche à la plus lointaine.</translation></message>
 <message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Comme default, pour des surfaces planes et peu bruitées : les marches basses sont des arêtes même au loin.</translation></message>
+<message><source>The default settings of version 4: the noise includes relief, rims end where a surface slants by 70 degrees, and on a scan of rough surfaces folds must exceed their surroundings.</source><translation>Les réglages par défaut de la version 4 : le bruit comprend le relief, les bords de vides finissent où une surface est inclinée de 70 degrés, et sur un scan rugueux les plis doivent dépasser leur entourage.</translation></message>
 <message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Les réglages par défaut de la version 3 : sans bords de vides ouverts, chaînes de cinq cellules et plus, sans égard aux scans rugueux ni aux retours du moteur.</translation></message>
 <message><source>Fine to coarse</source><translation>Fin à grossier</translation></message>
 <message><source>How easily pieces are joined into one rock. Lower: more and smaller rocks. Higher: fewer and larger rocks.</source><translation>Avec quelle facilité les morceaux sont joints en un bloc. Plus bas : des blocs plus nombreux et plus petits. Plus haut : des blocs moins nombreux et plus grands.</translation></message>
@@ -1964,6 +1982,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF : aussi les lignes d'arête de deux points seulement</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY et CSV : aussi les cellules comblées et non mesurées, que le champ filled_sd_mm marque</translation></message>
 <message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY et CSV : le champ confidence, le pourcentage de réglages voisins qui trouvent aussi l'arête ; 0 où il n'y en a pas</translation></message>
+<message><source>PCD, PLY and CSV: the field border, how likely each edge is the border of a rock, in percent; NaN where unknown and where no edge is</source><translation>PCD, PLY et CSV : le champ border, la probabilité que chaque arête soit le contour d'une roche, en pour cent ; NaN où elle est inconnue et où il n'y a pas d'arête</translation></message>
 <message><source>&amp;Edge Cloud…</source><translation>Nuage des &amp;arêtes…</translation></message>
 <message><source>Edge points (%1)</source><translation>Points d'arête (%1)</translation></message>
 <message><source>&amp;Full Cloud…</source><translation>Nuage &amp;complet…</translation></message>
@@ -2047,6 +2066,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the threshold %1</source><translation>le seuil %1</translation></message>
 <message><source>the lower threshold %1</source><translation>le seuil bas %1</translation></message>
 <message><source>the upper threshold %1</source><translation>le seuil haut %1</translation></message>
+<message><source>it is an edge, but only %1 % likely the border of a rock, and only those from %2 % on are shown (%3)</source><translation>c'est une arête, mais le contour d'une roche à %1 % seulement, et seuls ceux à partir de %2 % sont affichés (%3)</translation></message>
 <message><source>%1 the fold at %2 next to it is stronger (%3 against %4), and an edge is one cell wide</source><translation>%1 le pli en %2, à côté, est plus fort (%3 contre %4), et une arête est large d'une cellule</translation></message>
 <message><source>%1 the fold at %2 next to it is as strong (%3 against %4), and an edge is one cell wide</source><translation>%1 le pli en %2, à côté, est aussi fort (%3 contre %4), et une arête est large d'une cellule</translation></message>
 <message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1 à côté est plus forte (%2), et une arête est large d'une cellule</translation></message>
@@ -2097,6 +2117,12 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, thresholds %1 and %2</source><translation>, seuils %1 et %2</translation></message>
 <message><source>Chain: 1 cell, strongest at %1 (%2).</source><translation>Chaîne : 1 cellule, la plus forte à %1 (%2).</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Chaîne : %1 cellules, la plus forte à %2 (%3).</translation></message>
+<message><source>It is unknown if it is the border of a rock: the grid ends nearby, ranges are missing, or neighbours err alike.</source><translation>On ne sait pas si c'est le contour d'une roche : la grille finit à côté, des distances manquent, ou les voisins se trompent ensemble.</translation></message>
+<message><source>It is %1 % likely the border of a rock, and not a fold within one.</source><translation>C'est à %1 % le contour d'une roche, et non un pli dans une roche.</translation></message>
+<message><source>%1 (for it)</source><translation>%1 (pour)</translation></message>
+<message><source>%1 (against it)</source><translation>%1 (contre)</translation></message>
+<message><source>What decided that: %1.</source><translation>Ce qui en décide : %1.</translation></message>
+<message><source>Left out: %1.</source><translation>Omise : %1.</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Pas d'arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
 <message><source>Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.</source><translation>Arête : %1 ; comme partie de sa chaîne elle reste une arête pour chaque %2, jusqu'à la plus grande valeur : %3.</translation></message>
@@ -2109,6 +2135,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
+<message><source>steps in depth around it</source><translation>les sauts de profondeur autour d'elle</translation></message>
+<message><source>its own fold</source><translation>son propre pli</translation></message>
+<message><source>the surface across the edge</source><translation>la surface en travers de l'arête</translation></message>
+<message><source>the surface along the edge</source><translation>la surface le long de l'arête</translation></message>
+<message><source>its height over the surroundings</source><translation>sa hauteur au-dessus de l'entourage</translation></message>
+<message><source>folds around it</source><translation>les plis autour d'elle</translation></message>
+<message><source>distance and noise</source><translation>la distance et le bruit</translation></message>
 <message><source>end %1 not on an edge</source><translation>extrémité %1 hors d'une arête</translation></message>
 <message><source>%1 ends not on an edge</source><translation>%1 extrémités hors d'une arête</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>

@@ -414,6 +414,7 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>A força é %1. Uma borda atinge a Força da borda %2 em um lugar, e %3 no resto.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>A sua força %1 está acima da Força da borda %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>A sua força %1 está abaixo da Força da borda %2, mas continua uma borda que chega a %3 na linha %4, feixe %5. Para uma célula assim basta %6.</translation></message>
+<message><source>This is an edge, but it is left out: only borders of rocks are shown.</source><translation>É uma borda, mas fica de fora: só se mostram contornos de rochas.</translation></message>
 <message><source>The surface changes here, but as much or more in the cell next to it, line %1, beam %2: an edge is one cell wide.</source><translation>A superfície muda aqui, mas tanto ou mais na célula vizinha, linha %1, feixe %2: uma borda tem uma célula de largura.</translation></message>
 <message><source>In the direction of that cell their strengths are %1 and %2.</source><translation>Na direção dessa célula, as suas forças são %1 e %2.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>A superfície muda pouco demais aqui para ser uma borda.</translation></message>
@@ -1425,6 +1426,7 @@ RL %3 m</translation></message>
 <message><source>other classes take the cells</source><translation>outras classes tomam as células</translation></message>
 <message><source>Edges</source><translation>Bordas</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
+<message><source>How likely an edge is the border of a rock; where that is unknown, it is drawn like one.</source><translation>A probabilidade de uma borda ser o contorno de uma rocha; onde é desconhecida, desenha-se como um contorno.</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sem uma classe, os outros números também mudam: uma célula tem uma só classe, e uma célula fraca conta onde continua uma forte de qualquer classe.</translation></message>
 <message><source>With a higher edge strength this number can rise: cells that were jumps or folds before count here.</source><translation>Com uma força da borda maior este número pode subir: as células que já não são saltos nem dobras contam aqui.</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
@@ -1432,6 +1434,9 @@ RL %3 m</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
+<message><source>Rock border, 70 % and more: %1</source><translation>Contorno de rocha, 70 % ou mais: %1</translation></message>
+<message><source>Perhaps, 30 to 69 %: %1</source><translation>Talvez, 30 a 69 %: %1</translation></message>
+<message><source>Fold in a rock, below 30 %: %1</source><translation>Dobra numa rocha, menos de 30 %: %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Listras violetas nas imagens: sem retorno, fora da janela de distâncias ou mascarado. A barra de status conta cada caso.</translation></message>
 <message><source>Laser ray to the marked cell</source><translation>Raio laser até a célula marcada</translation></message>
 <message><source>No return: %1</source><translation>Sem retorno: %1</translation></message>
@@ -1460,6 +1465,8 @@ RL %3 m</translation></message>
 <message><source>The thesis, with more contrast</source><translation>A tese, com mais contraste</translation></message>
 <message><source>Smooth walls</source><translation>Paredes lisas</translation></message>
 <message><source>For flat walls with low steps</source><translation>Paredes planas, saltos baixos</translation></message>
+<message><source>Version 4</source><translation>Versão 4</translation></message>
+<message><source>To compare with version 4</source><translation>Para comparar com a versão 4</translation></message>
 <message><source>Version 3</source><translation>Versão 3</translation></message>
 <message><source>To compare with version 3</source><translation>Para comparar com a versão 3</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
@@ -1805,6 +1812,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Surpac strings</source><translation>Linhas do Surpac</translation></message>
 <message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Como as bordas são encontradas: saltos e dobras da superfície, partes destes, ou Canny em níveis de cinza como na tese, ou um dos outros detectores que a tese compara.</translation></message>
+<message><source>Edges shown</source><translation>Bordas mostradas</translation></message>
+<message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Só se mostram e exportam as bordas que provavelmente são o contorno de uma rocha; as dobras dentro de uma rocha ficam de fora.</translation></message>
+<message><source>Border from</source><translation>Contorno desde</translation></message>
+<message><source>How likely an edge must be the border of a rock to be shown among the rock borders.</source><translation>A probabilidade de uma borda ser o contorno de uma rocha, a partir da qual se mostra entre os contornos de rochas.</translation></message>
 <message><source>Edge strength</source><translation>Força da borda</translation></message>
 <message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Que força uma borda deve ter (mais força, menos bordas): 1 é o salto e o ângulo de dobra abaixo, 2 é o dobro.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>
@@ -1832,8 +1843,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma das distâncias a 5 m; auto o mede na varredura.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Ruído de célula a célula</translation></message>
 <message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Se cada célula erra por si, como com um laser, ou se as vizinhas erram juntas, como com uma câmara de profundidade cuja profundidade vem em degraus: as dobras têm então de exceder o que tais degraus parecem.</translation></message>
+<message><source>Rules</source><translation>Regras</translation></message>
+<message><source>How noise is measured and where the rim of a void ends: as today, or as in default set 4, which also has a rule for rough scans.</source><translation>Como se mede o ruído e onde acaba a beira de um vazio: como hoje, ou como no conjunto padrão 4, que tem também uma regra para varreduras rugosas.</translation></message>
 <message><source>Rough scans</source><translation>Varreduras rugosas</translation></message>
-<message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Quando metade das dobras está em superfícies dobradas por toda a parte, como montes de blocos pequenos, uma dobra só conta se exceder o que a rodeia.</translation></message>
+<message><source>Only by the rules of default set 4. Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Só pelas regras do conjunto padrão 4. Onde metade das dobras está em superfícies que dobram por toda a parte, como montes de pedras pequenas, uma dobra só conta se exceder o que a rodeia.</translation></message>
 <message><source>Fill gaps</source><translation>Preencher lacunas</translation></message>
 <message><source>Gaps up to this width are filled from their surroundings, never across a jump. Filled cells are marked and never count as measured. 0 switches filling off.</source><translation>As lacunas de até esta largura são preenchidas com o que as cerca, nunca sobre um salto; as células preenchidas são marcadas e não contam como medidas. 0 não preenche nenhuma.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordas em lacunas</translation></message>
@@ -1871,6 +1884,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
 <message><source>void rim</source><translation>beira de um vazio</translation></message>
+<message><source>All edges</source><translation>Todas as bordas</translation></message>
+<message><source>Rock borders</source><translation>Contornos de rochas</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>
 <message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desligado)</translation></message>
@@ -1878,6 +1893,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2 √(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vizinhas</translation></message>
 <message><source>8 neighbours</source><translation>8 vizinhas</translation></message>
+<message><source>of default set 4</source><translation>do conjunto padrão 4</translation></message>
+<message><source>of today</source><translation>de hoje</translation></message>
 <message><source>as measured</source><translation>conforme medido</translation></message>
 <message><source>laser</source><translation>laser</translation></message>
 <message><source>depth camera</source><translation>câmara 3D</translation></message>
@@ -1898,6 +1915,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>A tese à letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, os buracos são pretos.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como a tese, mas os níveis de cinza vão da distância mais próxima à mais distante.</translation></message>
 <message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Como default, para superfícies planas e com pouco ruído: os degraus baixos são bordas também ao longe.</translation></message>
+<message><source>The default settings of version 4: the noise includes relief, rims end where a surface slants by 70 degrees, and on a scan of rough surfaces folds must exceed their surroundings.</source><translation>Os ajustes padrão da versão 4: o ruído inclui o relevo, as beiras de vazios acabam onde uma superfície se inclina 70 graus, e numa varredura rugosa as dobras têm de exceder o que as rodeia.</translation></message>
 <message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Os ajustes padrão da versão 3: sem beiras de vazios abertos, cadeias de cinco células ou mais, sem considerar varreduras rugosas nem recuos do motor.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grosso</translation></message>
 <message><source>How easily pieces are joined into one rock. Lower: more and smaller rocks. Higher: fewer and larger rocks.</source><translation>Com que facilidade os pedaços são unidos em uma rocha. Mais baixo: mais rochas, e menores. Mais alto: menos rochas, e maiores.</translation></message>
@@ -1964,6 +1982,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: também as linhas de borda de apenas dois pontos</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY e CSV: também as células preenchidas e não medidas, que o campo filled_sd_mm marca</translation></message>
 <message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY e CSV: o campo confidence, que porcentagem de ajustes próximos também encontra a borda; 0 onde não há</translation></message>
+<message><source>PCD, PLY and CSV: the field border, how likely each edge is the border of a rock, in percent; NaN where unknown and where no edge is</source><translation>PCD, PLY e CSV: o campo border, a probabilidade de cada borda ser o contorno de uma rocha, em percentagem; NaN onde é desconhecida e onde não há borda</translation></message>
 <message><source>&amp;Edge Cloud…</source><translation>Nuvem de &amp;bordas…</translation></message>
 <message><source>Edge points (%1)</source><translation>Pontos de borda (%1)</translation></message>
 <message><source>&amp;Full Cloud…</source><translation>Nuvem &amp;completa…</translation></message>
@@ -2047,6 +2066,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the threshold %1</source><translation>o limiar %1</translation></message>
 <message><source>the lower threshold %1</source><translation>o limiar inferior %1</translation></message>
 <message><source>the upper threshold %1</source><translation>o limiar superior %1</translation></message>
+<message><source>it is an edge, but only %1 % likely the border of a rock, and only those from %2 % on are shown (%3)</source><translation>é uma borda, mas só com %1 % de probabilidade o contorno de uma rocha, e só se mostram os que têm %2 % ou mais (%3)</translation></message>
 <message><source>%1 the fold at %2 next to it is stronger (%3 against %4), and an edge is one cell wide</source><translation>%1 a dobra em %2, ao lado, é mais forte (%3 contra %4), e uma borda tem uma célula de largura</translation></message>
 <message><source>%1 the fold at %2 next to it is as strong (%3 against %4), and an edge is one cell wide</source><translation>%1 a dobra em %2, ao lado, é igualmente forte (%3 contra %4), e uma borda tem uma célula de largura</translation></message>
 <message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1, ao lado, é mais forte (%2), e uma borda tem uma célula de largura</translation></message>
@@ -2097,6 +2117,12 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, thresholds %1 and %2</source><translation>, limiares %1 e %2</translation></message>
 <message><source>Chain: 1 cell, strongest at %1 (%2).</source><translation>Cadeia: 1 célula, a mais forte em %1 (%2).</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadeia: %1 células, a mais forte em %2 (%3).</translation></message>
+<message><source>It is unknown if it is the border of a rock: the grid ends nearby, ranges are missing, or neighbours err alike.</source><translation>Não se sabe se é o contorno de uma rocha: a grade acaba perto, faltam distâncias, ou os vizinhos erram juntos.</translation></message>
+<message><source>It is %1 % likely the border of a rock, and not a fold within one.</source><translation>Com %1 % de probabilidade é o contorno de uma rocha, e não uma dobra dentro de uma.</translation></message>
+<message><source>%1 (for it)</source><translation>%1 (a favor)</translation></message>
+<message><source>%1 (against it)</source><translation>%1 (contra)</translation></message>
+<message><source>What decided that: %1.</source><translation>O que o decide: %1.</translation></message>
+<message><source>Left out: %1.</source><translation>De fora: %1.</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Não é borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
 <message><source>Edge: %1; as part of its chain it remains an edge at each %2, up to the largest: %3.</source><translation>Borda: %1; como parte da sua cadeia continua sendo borda com cada %2, até o maior valor: %3.</translation></message>
@@ -2109,6 +2135,13 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, gray %1</source><translation>, cinza %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
+<message><source>steps in depth around it</source><translation>os saltos de profundidade à sua volta</translation></message>
+<message><source>its own fold</source><translation>a sua própria dobra</translation></message>
+<message><source>the surface across the edge</source><translation>a superfície através da borda</translation></message>
+<message><source>the surface along the edge</source><translation>a superfície ao longo da borda</translation></message>
+<message><source>its height over the surroundings</source><translation>a sua altura sobre o que a rodeia</translation></message>
+<message><source>folds around it</source><translation>as dobras à sua volta</translation></message>
+<message><source>distance and noise</source><translation>a distância e o ruído</translation></message>
 <message><source>end %1 not on an edge</source><translation>extremo %1 fora de uma borda</translation></message>
 <message><source>%1 ends not on an edge</source><translation>%1 extremos fora de uma borda</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>

@@ -212,7 +212,7 @@ class Pickled(unittest.TestCase):
             result = edgescan.detect(scan, **settings)
             other = pickle.loads(pickle.dumps(result))
             self.same(result.scan, other.scan)
-            for name in ("mask", "classes", "edges", "gray", "strength"):
+            for name in ("mask", "classes", "borders", "edges", "gray", "strength"):
                 np.testing.assert_array_equal(getattr(result, name), getattr(other, name), name)
             for name in ("settings", "threshold", "times_ms", "mask_sha256"):
                 self.assertEqual(getattr(result, name), getattr(other, name), name)

@@ -128,7 +128,8 @@ class Documents(unittest.TestCase):
                              (reports.Detected, edgescan.detect(opened, method="canny").report()), (reports.Why, edgescan.why(result, line, beam)),
                              (reports.Why, edgescan.why(edgescan.detect(opened, method="sobel"), 0, 0)), (reports.Compared, change),
                              (reports.Compared, edgescan.compare(result, result)), (reports.Region, change["regions"][0]),
-                             (reports.Limits, result.report()["range_mm"]), (reports.Roughness, result.report()["roughness"]),
+                             (reports.Limits, result.report()["range_mm"]), (reports.Roughness, edgescan.detect(bell.scan, preset="default-4").report()["roughness"]),
+                             (reports.RockBorders, result.report()["rock_borders"]),
                              (reports.Rock, edgescan.rocks(result).table[0]), (reports.Rock, edgescan.rocks(result).table_in("scanner")[0]),
                              (reports.RockRegion, edgescan.rocks(result).region_table[0]), (reports.Parameter, edgescan.parameters()[0])):
             self.assertLessEqual(kind.__required_keys__, set(report), kind)

@@ -96,7 +96,7 @@ class Arrays(unittest.TestCase):
 
     def test_no_copies(self):
         result = edgescan.detect(self.scan)
-        for owner, name in ((self.scan, "range_mm"), (self.scan, "state"), (self.scan, "line_deg"), (result, "mask"), (result, "classes"),
+        for owner, name in ((self.scan, "range_mm"), (self.scan, "state"), (self.scan, "line_deg"), (result, "mask"), (result, "classes"), (result, "borders"),
                             (result, "strength"), (result, "edges")):
             first, second = getattr(owner, name), getattr(owner, name)
             self.assertEqual(first.__array_interface__["data"], second.__array_interface__["data"], name)
@@ -151,6 +151,18 @@ class Arrays(unittest.TestCase):
             value = result.settings[result.threshold]
             own = result.strength > value if settings.get("method") == "sobel" else result.strength >= value
             np.testing.assert_array_equal(own, result.mask > 0, str(settings))
+
+    def test_borders(self):
+        result = edgescan.detect(self.scan)
+        self.assertEqual((result.borders.dtype, len(result.borders)), (np.uint8, len(result.edges)))
+        known = result.borders[result.borders != 255]
+        self.assertTrue(len(known) and known.max() <= 100)
+        self.assertIsNone(edgescan.detect(self.scan, preset="thesis").borders)
+        likely = edgescan.detect(self.scan, rock_borders=True, border_from=60)
+        np.testing.assert_array_equal(likely.edges, result.edges[result.borders >= 60])
+        counts = {"strong": (result.borders >= 70) & (result.borders <= 100), "weak": (result.borders >= 30) & (result.borders < 70),
+                  "folds": result.borders < 30, "unknown": result.borders == 255}
+        self.assertEqual(result.report()["rock_borders"], {key: int(np.count_nonzero(which)) for key, which in counts.items()})
 
     def test_classes(self):
         result = edgescan.detect(self.scan)

@@ -184,8 +184,8 @@ private slots:
         QVERIFY(action(on, "Show What Changed")->isChecked());
         action(on, "Forget A")->trigger();
         QVERIFY(!on.viewer.views.scene().instead && !on.viewer.changeLegend.isVisible() && on.viewer.legend.isVisible());
-        QVERIFY(on.viewer.views.edges().image() == on.picture().edges);
-        QVERIFY(!on.viewer.views.cloud().edgesByClass());
+        QVERIFY(on.viewer.views.edges().image() == on.drawn().edges);
+        QCOMPARE(on.viewer.views.cloud().edgesByClass(), on.viewer.views.scene().byStrength);
     }
 
     void aKeyFlipsImagesAndCloudTogetherWhileItIsHeld() {

@@ -94,7 +94,7 @@ private slots:
         // Off: the normal picture.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
         QVERIFY(!on.viewer.views.scene().instead && on.viewer.legend.isVisible() && !legend.isVisible());
-        QVERIFY(on.viewer.views.edges().image() == on.picture().edges);
+        QVERIFY(on.viewer.views.edges().image() == on.drawn().edges);
     }
 
     void anotherPictureIsWorkedOutAnewAndAbHasPrecedence() {

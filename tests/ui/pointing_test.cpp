@@ -363,7 +363,8 @@ private slots:
             }
             return std::nullopt;
         };
-        QCOMPARE(*colourOfClass(edges::DepthEdge::Jump), qRgb(0, 255, 0));
+        const QRgb jump = *colourOfClass(edges::DepthEdge::Jump); // as strong as it is likely to be the border of a rock
+        QVERIFY(qGreen(jump) > 0 && qRed(jump) == 0 && qBlue(jump) == 0);
         QTest::keyClick(window_, Qt::Key_C);
         int classes = 0;
         for (int n = 0; n < kEdgeClasses; ++n) {

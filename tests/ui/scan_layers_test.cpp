@@ -104,7 +104,7 @@ private slots:
         press(on, "layer-activate");
         QVERIFY(eventually([&] { return on.picture().detection->scan->sha256 != sha256; }));
         QVERIFY(rests(on));
-        QVERIFY(on.viewer.views.edges().image() == on.picture().edges);
+        QVERIFY(on.viewer.views.edges().image() == on.drawn().edges);
         QVERIFY2(words(on, 1).endsWith("active"), qPrintable(words(on, 1)));
         QCOMPARE(on.viewer.cloud.layers().size(), 1U);
         const RigidTransform both = there * on.viewer.cloud.layers().front().toShown;

@@ -117,7 +117,7 @@ private:
         else if (plain)
             QVERIFY(scene.overGray == shown.overlay);
         else
-            QVERIFY(*scene.overGray == edgeOverlay(*shown.detection, on.state.colours, on.state.byClass, shown.gray->height()));
+            QVERIFY(*scene.overGray == edgeOverlay(shown, on.state.colours, on.state.byClass));
     }
 
     void checkPoints(const Case& on, const Scene& scene) const {

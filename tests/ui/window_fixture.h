@@ -55,6 +55,8 @@ struct WindowFixture {
     }
 
     [[nodiscard]] const Picture& picture() { return *viewer.engine.picture(); }
+    /// The same, as it is drawn: with likely borders of rocks, as soon as they are known.
+    [[nodiscard]] const Picture& drawn() { return viewer.engine.bordered() ? *viewer.engine.bordered() : picture(); }
     [[nodiscard]] QSlider* slider(const char* key) { return viewer.panel.row(key)->slider(); }
 
     Preferences preferences;

@@ -76,6 +76,8 @@ QString enough(const edges::Why& why) {
 
 QString noEdge(const edges::Why& why) {
     switch (edges::noEdgeReason(why)) {
+    case edges::NoEdge::NotBorder:
+        return Explanation::tr("This is an edge, but it is left out: only borders of rocks are shown.");
     case edges::NoEdge::StrongerNeighbour: {
         const edges::CellStrength& other = *why.suppressedBy;
         const QString where =
@@ -100,8 +102,7 @@ QString noEdge(const edges::Why& why) {
     return Explanation::tr("The surface changes here, but another cell of it is the edge.");
 }
 
-/// For readers who do not know the terms of the verdict.
-QString plainWords(const edges::Why& why) {
+QString surfaceWords(const edges::Why& why) {
     if (why.probe.state != CellState::Valid && !why.probe.filled) return Explanation::tr("Nothing was measured here.");
     if (!why.probe.edge) return noEdge(why);
     switch (why.probe.kind) {
@@ -120,6 +121,12 @@ QString plainWords(const edges::Why& why) {
         break;
     }
     return Explanation::tr("The surface changes strongly here.");
+}
+
+/// For readers who do not know the terms of the verdict.
+QString plainWords(const edges::Why& why) {
+    const QString border = shownText(edges::whyBorder(why, inLanguage));
+    return border.isEmpty() ? surfaceWords(why) : surfaceWords(why) + ' ' + border;
 }
 
 } // namespace

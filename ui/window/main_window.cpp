@@ -340,6 +340,12 @@ void MainWindow::connectEngine() {
                                                                         : Cell::Pin);
     });
     connect(&viewer_.engine, &Engine::placePendingChanged, this, [this] { viewer_.views.probeAgain(); });
+    connect(&viewer_.views, &LinkedViews::picturesChanged, this, [this] {
+        const Scene& scene = viewer_.views.scene();
+        if (!scene.byStrength) return viewer_.legend.showStrengths({});
+        const std::size_t weak = scene.cells.byClass[kWeakEdge]->size(), thin = scene.cells.byClass[kThinEdge]->size();
+        viewer_.legend.showStrengths({{scene.cells.all->size() - weak - thin, weak, thin}});
+    });
     connect(&viewer_.views, &LinkedViews::boxed, &viewer_.statusLine, &StatusLine::showBox);
     connect(&viewer_.engine, &Engine::pictureReady, this, [this] {
         showFacts();

@@ -43,6 +43,13 @@ class Roughness(TypedDict):
     around_folds: float
 
 
+class RockBorders(TypedDict):
+    strong: int
+    weak: int
+    folds: int
+    unknown: int
+
+
 class _Detected(TypedDict):
     input: str
     sha256: str
@@ -55,6 +62,7 @@ class _Detected(TypedDict):
     gray: Dict[str, Any]
     edges: int
     classes: Optional[Dict[str, int]]
+    rock_borders: Optional[RockBorders]
     noise_mm_at_5_m: Optional[float]
     noise: Optional[Dict[str, Any]]
     roughness: Optional[Roughness]
@@ -95,6 +103,7 @@ class Why(_Class):
     measured: Optional[Dict[str, Any]]
     response_class: Optional[str]
     round_gap: bool
+    border: Optional[Dict[str, Any]]
     unit: str
     strength: float
     thresholds: Dict[str, Any]

@@ -5,6 +5,7 @@
 #include "core/edges/settings/parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -66,6 +67,24 @@ StrengthLevel standingOf(double strength, const Why& why) {
     return strength > why.upper ? StrengthLevel::Above : strength > why.lower ? StrengthLevel::Between : StrengthLevel::Below;
 }
 
+// Whether the cell is an edge that is left out, and how likely it is the border of a rock. `k`: the cell.
+void followBorder(Why& why, const Detection& detection, std::size_t k) {
+    if (!detection.responses || (!why.probe.edge && !detection.settings.rockBorders)) return;
+    const Settings& settings = detection.settings;
+    DepthEdges all;
+    if (!why.probe.edge) all = decideDepthEdges(*detection.responses, settings, 0);
+    why.leftOut = !why.probe.edge && all.mask[k] != 0;
+    if (!why.probe.edge && !why.leftOut) return;
+    const Grid<DepthEdge>& classes = why.leftOut ? all.kind : *detection.classes;
+    const std::array cells{static_cast<std::uint32_t>(k)};
+    why.border = borderPercents(*detection.surface, *detection.responses, settings, classes, cells).front();
+    if (*why.border == kUnknownBorder || classes[k] >= DepthEdge::Border) return; // of these no evidence is weighed
+    constexpr std::size_t kMostReasons = 3;
+    why.borderReasons = borderReasons(*detection.surface, *detection.responses, settings, k);
+    std::erase_if(why.borderReasons, [](const BorderReason& reason) { return reason.added == 0; });
+    if (why.borderReasons.size() > kMostReasons) why.borderReasons.resize(kMostReasons);
+}
+
 // Converts strengths and thresholds to the units of the settings.
 void convertToShownUnits(Why& why, const Settings& settings) {
     const auto shown = [&](double& value) { value = why.shown(value, settings); };
@@ -88,6 +107,7 @@ Why whyCell(const Detection& detection, std::size_t k) {
     Why why;
     static_cast<Judgement&>(why) = decision.judge(detection, k);
     why.probe = probeCell(detection, k);
+    followBorder(why, detection, k);
     why.parameter = parameter.key;
     why.unit = parameter.unit;
     if (detection.smoothed) why.smoothed = (*detection.smoothed)[k];

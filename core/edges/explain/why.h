@@ -5,6 +5,7 @@
 #include "core/edges/explain/cell_values.h"
 #include "core/edges/pipeline/detection.h"
 #include "core/edges/pipeline/judgement.h"
+#include "core/edges/rock_borders/rock_borders.h"
 
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ struct Why : Judgement {
     std::optional<CellStrength> chainTop;    ///< the strongest of them
     const char* parameter = "";              ///< key of the parameter with the most direct influence
     std::optional<double> appearsAt;         ///< the cell is an edge up to this value of the parameter; null: at no value
+    bool leftOut = false;                    ///< it is an edge, but only rock borders are shown
+    std::optional<BorderPercent> border;     ///< of an edge and of one that is left out; null: the method does not measure the surface
+    std::vector<BorderReason> borderReasons; ///< the three that decided it
     std::string verdict;                     ///< one sentence, with the parameter's key as on the command line
 };
 
@@ -34,6 +38,7 @@ struct Why : Judgement {
 
 /// The first of these that holds for a cell without an edge.
 enum class NoEdge : std::uint8_t {
+    NotBorder,         ///< it is one, but not likely enough the border of a rock
     StrongerNeighbour, ///< a cell next to it is as strong or stronger, and an edge is one cell wide
     StepOfNeighbour,   ///< its step is strong enough, but belongs to the nearer cell
     TooWeak,           ///< not above the lower threshold
@@ -49,6 +54,10 @@ enum class NoEdge : std::uint8_t {
 /// The names of parameters: the flags of the command line, or the labels of the sliders.
 enum class Naming : std::uint8_t { Keys, Labels };
 [[nodiscard]] std::string whyVerdict(const Why& why, const Settings& settings, Naming naming, Translated translated = asWritten);
+
+[[nodiscard]] const char* evidenceKey(BorderEvidence evidence); ///< one word, for JSON
+/// How likely it is the border of a rock, and what decided that: one or two sentences; empty where `border` is.
+[[nodiscard]] std::string whyBorder(const Why& why, Translated translated = asWritten);
 
 /// Several lines for the window: the measurements and their limits.
 [[nodiscard]] std::string whyNumbers(const Why& why, const Settings& settings, Translated translated = asWritten);

@@ -5,6 +5,8 @@
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 
@@ -42,6 +44,22 @@ const DepthStepAtCell* stepOfNeighbour(const Why& why) {
     return strongest;
 }
 
+struct EvidenceWords {
+    BorderEvidence evidence;
+    const char *key, *words;
+};
+constexpr std::array<EvidenceWords, kBorderEvidences> kEvidences{{
+    {BorderEvidence::Steps, "steps", "steps in depth around it"},
+    {BorderEvidence::Fold, "fold", "its own fold"},
+    {BorderEvidence::Across, "across", "the surface across the edge"},
+    {BorderEvidence::Along, "along", "the surface along the edge"},
+    {BorderEvidence::Height, "height", "its height over the surroundings"},
+    {BorderEvidence::Folds, "folds", "folds around it"},
+    {BorderEvidence::Distance, "distance", "distance and noise"},
+}};
+
+const EvidenceWords& wordsOf(BorderEvidence evidence) { return *std::ranges::find(kEvidences, evidence, &EvidenceWords::evidence); }
+
 /// The texts of one cell, in the words of the command line or of the window.
 class WhyWords {
 public:
@@ -50,6 +68,7 @@ public:
 
     [[nodiscard]] std::string verdict() const;
     [[nodiscard]] std::string numbers() const;
+    [[nodiscard]] std::string border() const;
 
 private:
     /// The pattern in the language of the texts, with the values in place of %1, %2 ... (resources/languages/collect finds the patterns).
@@ -140,6 +159,10 @@ std::string WhyWords::upperThreshold() const {
 
 std::string WhyWords::reasonOfNone(const std::string& strength) const {
     switch (noEdgeReason(why_)) {
+    case NoEdge::NotBorder:
+        return say(
+            "it is an edge, but only %1 % likely the border of a rock, and only those from %2 % on are shown (%3)",
+            {std::to_string(*why_.border), formatValue(*findParameter("border-from"), settings_.borderPercent), named("border-from")});
     case NoEdge::StrongerNeighbour: {
         const CellStrength& other = *why_.suppressedBy;
         const bool isStronger = other.strength > why_.compared;
@@ -292,9 +315,23 @@ std::string WhyWords::chainText() const {
                                         : say("Chain: %1 cells, strongest at %2 (%3).", {std::to_string(why_.chainCells), top, strength}));
 }
 
+std::string WhyWords::border() const {
+    if (!why_.border) return "";
+    if (*why_.border == kUnknownBorder)
+        return say("It is unknown if it is the border of a rock: the grid ends nearby, ranges are missing, or neighbours err alike.");
+    const std::string text = say("It is %1 % likely the border of a rock, and not a fold within one.", {std::to_string(*why_.border)});
+    std::string evidence;
+    for (const BorderReason& reason : why_.borderReasons) {
+        const std::string what = translated_(wordsOf(reason.evidence).words);
+        evidence += (evidence.empty() ? "" : ", ") + (reason.added > 0 ? say("%1 (for it)", {what}) : say("%1 (against it)", {what}));
+    }
+    return evidence.empty() ? text : text + " " + say("What decided that: %1.", {evidence});
+}
+
 std::string WhyWords::verdict() const {
     const std::string name = named(why_.parameter);
     const bool edge = why_.probe.edge;
+    if (why_.leftOut) return say("Left out: %1.", {reasonOfNone({})});
     if (!why_.appearsAt)
         return edge ? say("Edge: %1; no value of %2 makes it one.", {reason(), name})
                     : say("No edge: %1; no value of %2 makes it one.", {reason(), name});
@@ -323,12 +360,14 @@ std::string WhyWords::numbers() const {
     if (probe.edge && probe.kind != DepthEdge::None) text += say(", class %1", {kindName(probe.kind)});
     text += "\n" + strengthText();
     if (isDepth()) text += depthText();
+    if (why_.border) text += "\n" + border();
     return text + chainText();
 }
 
 } // namespace
 
 NoEdge noEdgeReason(const Why& why) {
+    if (why.leftOut) return NoEdge::NotBorder;
     if (why.suppressedBy && (why.strength > why.lower || why.strength == 0)) return NoEdge::StrongerNeighbour;
     if (stepOfNeighbour(why) != nullptr) return NoEdge::StepOfNeighbour;
     if (why.level == StrengthLevel::Below) return NoEdge::TooWeak;
@@ -338,6 +377,10 @@ NoEdge noEdgeReason(const Why& why) {
 std::string whyVerdict(const Why& why, const Settings& settings, Naming naming, Translated translated) {
     return WhyWords(why, settings, naming, translated).verdict();
 }
+
+const char* evidenceKey(BorderEvidence evidence) { return wordsOf(evidence).key; }
+
+std::string whyBorder(const Why& why, Translated translated) { return WhyWords(why, {}, Naming::Labels, translated).border(); }
 
 std::string whyText(const Why& why, const Settings& settings) {
     return whyNumbers(why, settings) + "\n" + whyVerdict(why, settings, Naming::Labels);

@@ -62,6 +62,13 @@ struct Detection {
 /// Number of edge cells by DepthEdge; all 0 if the method does not distinguish classes.
 [[nodiscard]] std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection);
 
+/// Edge cells by their probability to be the border of a rock: from kStrongBorder on, from kWeakBorder on, below, unknown.
+struct BorderCounts {
+    std::size_t strong = 0, weak = 0, folds = 0, unknown = 0;
+};
+/// All 0 if the method does not measure the surface.
+[[nodiscard]] BorderCounts countBorders(const Detection& detection);
+
 /// The edge cell nearest to a cell, which may be that cell itself, of those up to `reach` lines and beams away; empty: all of them are
 /// without an edge.
 [[nodiscard]] std::optional<std::size_t> nearestEdge(const Grid<std::uint8_t>& mask, std::size_t cell, int reach);

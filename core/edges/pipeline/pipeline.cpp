@@ -175,6 +175,17 @@ std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection) {
     return counts;
 }
 
+BorderCounts countBorders(const Detection& detection) {
+    BorderCounts counts;
+    if (!detection.borders) return counts;
+    for (const BorderPercent percent : *detection.borders)
+        ++(percent == kUnknownBorder  ? counts.unknown
+           : percent >= kStrongBorder ? counts.strong
+           : percent >= kWeakBorder   ? counts.weak
+                                      : counts.folds);
+    return counts;
+}
+
 std::optional<std::size_t> nearestEdge(const Grid<std::uint8_t>& mask, std::size_t cell, int reach) {
     return nearestEdge(mask, cell, reach, reach, 1.0);
 }

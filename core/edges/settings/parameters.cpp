@@ -21,6 +21,7 @@ const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
                                    {kClassSilhouette, "silhouette", "outline before a void"},
                                    {kClassVoidRim, "rim", "void rim"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
+const std::vector<Choice> kShownEdges{{0, "off", "All edges"}, {1, "on", "Rock borders"}};
 const std::vector<Choice> kScalings{{0, "thesis", "Thesis"}, {1, "window", "Even"}, {2, "log", "Logarithmic"}};
 const std::vector<Choice> kKernels{{1, "1", "1 (off)"}, {3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}, {9, "9", "9"}, {11, "11", "11"}};
 const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}};
@@ -65,6 +66,10 @@ const std::vector<Parameter>& table() {
     static const std::vector<Parameter> rows{
         {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.",
          0, static_cast<double>(methodTraits().size() - 1), 1, 0, EDGESCAN_NUMBER(Settings, method), static_cast<double>(methodTraits().size() - 1), kNoAuto, !kAdvanced, methodChoices(), !kSeveral, always, Stage::Edges},
+        {"rock-borders", "Edges shown", "", "Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.",
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, rockBorders), 1, kNoAuto, !kAdvanced, kShownEdges, !kSeveral, surface, Stage::Edges},
+        {"border-from", "Border from", "%", "How likely an edge must be the border of a rock to be shown among the rock borders.",
+         1, 99, 1, 0, EDGESCAN_NUMBER(Settings, borderPercent), 99, kNoAuto, !kAdvanced, {}, !kSeveral, rockBorders, Stage::Edges},
         {"sensitivity", "Edge strength", "x", "How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.",
          0.3, 3, 0.05, 2, EDGESCAN_NUMBER(Settings, sensitivity), 3, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Threshold},
         {"jump", "Jump", "mm", "Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.",
@@ -73,10 +78,6 @@ const std::vector<Parameter>& table() {
          0, 3, 0.05, 2, EDGESCAN_NUMBER(Settings, growthPercent), 3, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"crease", "Crease angle", "degrees", "Smallest fold of the surface that is an edge.",
          15, 90, 1, 0, EDGESCAN_NUMBER(Settings, creaseDeg), 90, kNoAuto, !kAdvanced, {}, !kSeveral, readers<kReadsCreases>, Stage::Responses},
-        {"rock-borders", "Rock borders", "", "Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.",
-         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, rockBorders), 1, kNoAuto, !kAdvanced, kOffOn, !kSeveral, surface, Stage::Edges},
-        {"border-from", "Border from", "%", "How likely an edge must be the border of a rock to be shown among the rock borders.",
-         1, 99, 1, 0, EDGESCAN_NUMBER(Settings, borderPercent), 99, kNoAuto, !kAdvanced, {}, !kSeveral, rockBorders, Stage::Edges},
         {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.",
          1, 50, 1, 0, EDGESCAN_NUMBER(Settings, minimumLength), 50, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Edges},
         {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.",

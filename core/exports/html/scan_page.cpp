@@ -190,7 +190,15 @@ std::string edgeLegend(const edges::Detection& detection) {
         html += "<span><i style=\"background:" + cssColour(files::kEdgeColours[kind]) + "\"></i>" + kNames[kind] + " (" +
                 std::to_string(count) + ")</span>";
     }
-    return html + "</div>\n";
+    html += "</div>\n";
+    if (!detection.borders) return html;
+    const edges::BorderCounts borders = edges::countBorders(detection);
+    const auto share = [&](std::size_t count) {
+        return fixedText(100.0 * static_cast<double>(count) / std::max<double>(1, static_cast<double>(detection.edges->size())), 0) + " %";
+    };
+    return html + "<p class=\"note\" id=\"borders\">" + share(borders.strong + borders.weak) +
+           " of the edge cells are likely the border of a rock (30 % likely and more), " + share(borders.folds) +
+           " are folds within a rock, " + share(borders.unknown) + " are unknown.</p>\n";
 }
 
 std::string scaleOf(const Scan& scan) {

@@ -14,6 +14,7 @@ struct WritingChoices {
     bool shortLines = false;
     bool filled = false;
     bool confidence = false;
+    bool borders = false;
 
     bool operator==(const WritingChoices&) const = default;
 };
@@ -29,7 +30,7 @@ struct WritingChoice {
     }
 };
 
-inline constexpr std::array<WritingChoice, 6> kWritingChoices{{
+inline constexpr std::array<WritingChoice, 7> kWritingChoices{{
     {"comments",
      "XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them",
      &WritingChoices::comments,
@@ -47,6 +48,10 @@ inline constexpr std::array<WritingChoice, 6> kWritingChoices{{
     {"with-confidence",
      "PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none",
      &WritingChoices::confidence,
+     {".pcd", ".ply", ".csv"}},
+    {"with-borders",
+     "PCD, PLY and CSV: the field border, how likely each edge is the border of a rock, in percent; NaN where unknown and where no edge is",
+     &WritingChoices::borders,
      {".pcd", ".ply", ".csv"}},
 }};
 

@@ -33,6 +33,10 @@ LinkedViews::LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges
     : engine_(engine), images_{&gray, &edges}, cloud_(cloud) {
     for (ImageView* view : images_) view->setNote(openSomething());
     connect(&engine_, &Engine::coarseChanged, this, &LinkedViews::followCoarse);
+    connect(&engine_, &Engine::borderedReady, this, [this] {
+        state_.bordered = engine_.bordered();
+        draw();
+    });
     cloud_.setPointSizeFollows(true);
     linkImages();
     linkCloud();
@@ -89,6 +93,7 @@ void LinkedViews::showCoarse() {
 void LinkedViews::followPicture() {
     flipTo(nullptr);
     const std::shared_ptr<const Picture> last = std::exchange(picture_, engine_.picture());
+    state_.bordered = nullptr;
     if (!last || last->source.stream != picture_->source.stream)
         showNewScan(last != nullptr && sameRanges(*last->detection->scan, *picture_->detection->scan) ? last.get() : nullptr);
     else if (last->detection->scan != picture_->detection->scan)

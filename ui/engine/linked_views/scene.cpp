@@ -7,7 +7,9 @@
 namespace edgescan::ui {
 namespace {
 
-bool sameEdgeLook(const SceneState& a, const SceneState& b) { return a.byClass == b.byClass && a.colours == b.colours; }
+bool sameEdgeLook(const SceneState& a, const SceneState& b) {
+    return a.byClass == b.byClass && a.colours == b.colours && a.bordered == b.bordered;
+}
 
 std::shared_ptr<const QImage> grayOf(const SceneState& state, const Picture& picture, const Scene* last) {
     if (!state.window) return picture.gray;
@@ -27,7 +29,7 @@ std::shared_ptr<const QImage> overGrayOf(const SceneState& state, const Picture&
     if (!state.edgesOverImage) return nullptr;
     if (!state.byClass && state.colours == kUsualColours) return picture.overlay;
     if (last != nullptr && last->insteadNow() == nullptr && last->overGray && sameEdgeLook(last->state, state)) return last->overGray;
-    return std::make_shared<const QImage>(edgeOverlay(*picture.detection, state.colours, state.byClass, picture.gray->height()));
+    return std::make_shared<const QImage>(edgeOverlay(picture, state.colours, state.byClass));
 }
 
 /// Lines may have come or gone since the overlay was made: the cells of both are the same ones.
@@ -87,12 +89,14 @@ Scene sceneOf(const SceneState& state, const std::shared_ptr<const Picture>& pic
     if (!scene.picture) return scene;
     const Scene* same = last.picture == scene.picture ? &last : nullptr;
     const OverlayEdges* instead = scene.insteadNow();
+    const Picture& edges = state.bordered && !scene.flipped() ? *state.bordered : *scene.picture;
     scene.gray = grayOf(state, *scene.picture, same);
-    scene.edgeMap = edgeMapOf(state, *scene.picture, instead, same);
-    scene.overGray = overGrayOf(state, *scene.picture, instead, same);
-    scene.cells = instead != nullptr ? instead->cells : scene.picture->edgeCells;
-    scene.colours = instead != nullptr ? instead->colours : state.colours;
-    scene.byClass = instead != nullptr || state.byClass;
+    scene.edgeMap = edgeMapOf(state, edges, instead, same);
+    scene.overGray = overGrayOf(state, edges, instead, same);
+    scene.byStrength = instead == nullptr && !state.byClass && edges.borderCells.all != nullptr;
+    scene.cells = instead != nullptr ? instead->cells : scene.byStrength ? edges.borderCells : edges.edgeCells;
+    scene.colours = instead != nullptr ? instead->colours : scene.byStrength ? strengthColours(state.colours) : state.colours;
+    scene.byClass = instead != nullptr || state.byClass || scene.byStrength;
     if (points != nullptr && !scene.flipped()) colourPoints(scene, *points, below, same);
     return scene;
 }

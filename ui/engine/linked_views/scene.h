@@ -19,6 +19,7 @@ struct SceneState {
     bool edgesOverImage = false;       ///< edges over the range image
     bool byClass = false;              ///< edges in the colours of their classes
     EdgeColours colours = kUsualColours;
+    std::shared_ptr<const Picture> bordered{};  ///< the picture with its edges as likely borders of rocks; null: not known yet
     std::shared_ptr<const Picture> flippedTo{}; ///< shown instead of the picture for a moment; null: none
 
     bool operator==(const SceneState&) const = default;
@@ -75,7 +76,8 @@ struct Scene {
     // In the cloud:
     EdgeCells cells;
     EdgeColours colours = kUsualColours;
-    bool byClass = false;
+    bool byClass = false;                                                 ///< the lists of `cells` are drawn, each in its colour
+    bool byStrength = false;                                              ///< these lists are those of EdgeStrength
     std::shared_ptr<const std::vector<std::uint32_t>> points, pointsFrom; ///< null: as they are; from: as the overlay has them
     std::shared_ptr<const std::vector<std::uint32_t>> pointsOver;         ///< some of another overlay are over these; null: no others
     bool edgesOverPoints = false;

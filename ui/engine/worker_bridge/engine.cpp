@@ -36,7 +36,14 @@ constexpr auto kBetweenProgress = std::chrono::milliseconds(40);
 } // namespace
 
 Engine::Engine(QObject* parent)
-    : QObject(parent),
+    : QObject(parent), borders_(
+                           Urgency::Soon, [this](const std::weak_ptr<const Picture>& of) { return workOutBorders(of.lock()); },
+                           [this](const std::weak_ptr<const Picture>& of, const std::shared_ptr<const Picture>& made) {
+                               if (of.lock() != picture_) return;
+                               bordered_ = made;
+                               emit borderedReady();
+                           },
+                           [](const QString&) {}), // they stay as they are
       // While a slider moves, older pictures are shown as well; the picture before stays when it fails, and OpenCV reports a lack of memory
       // in its own words.
       pictures_(
@@ -242,9 +249,11 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked, const Asker& aske
         });
     };
     std::vector<std::shared_ptr<const Picture>> retired;
+    KnownBorders known;
     {
-        const std::lock_guard lock(retiredMutex_);
+        const std::lock_guard lock(poolMutex_);
         retired.swap(retired_);
+        known = knownBorders_;
     }
     retired.clear();
     if (cloudScan_ != asked.scan) {
@@ -266,11 +275,19 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked, const Asker& aske
         show("finding edges", 0.2);
         const auto detection = pipeline_.run(asked.scan, source.growth.growing ? window_.fix(*asked.scan, asked.settings) : asked.settings);
         show("drawing", 0.9);
-        return lastMade_ = makePicture(detection, source, asked.settings, cloud_, lastMade_);
+        return lastMade_ = makePicture(detection, source, asked.settings, cloud_, lastMade_, known);
     } catch (...) { // an interrupted computation starts again from the beginning
         pipeline_ = edges::Pipeline();
         throw;
     }
+}
+
+std::shared_ptr<const Picture> Engine::workOutBorders(const std::shared_ptr<const Picture>& picture) {
+    if (!picture) return nullptr;
+    auto made = withBorders(picture);
+    const std::lock_guard lock(poolMutex_);
+    knownBorders_ = knownBordersOf(*made);
+    return made;
 }
 
 void Engine::takePicture(const std::shared_ptr<const Picture>& newest) {
@@ -282,12 +299,14 @@ void Engine::takePicture(const std::shared_ptr<const Picture>& newest) {
         emit opened(path);
     }
     std::shared_ptr<const Picture> last = std::exchange(picture_, newest);
+    bordered_ = nullptr;
+    if (newest->detection->borders) borders_.ask(newest);
     emit pictureReady();
     if (!last || last->source.stream != picture_->source.stream) emit streamChanged();
     if (arrives && !opening()) endOpening();
     // The picture is no longer shown. The pool's thread frees it, because freeing so much memory after every line takes time.
     if (!last || !last->source.growth.growing) return;
-    const std::lock_guard lock(retiredMutex_);
+    const std::lock_guard lock(poolMutex_);
     retired_.push_back(std::move(last));
 }
 

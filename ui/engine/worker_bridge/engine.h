@@ -64,6 +64,8 @@ public:
 
     /// The newest picture, null before the first.
     [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
+    /// The same with its edges as strong as they are likely to be borders of rocks; null until that is worked out.
+    [[nodiscard]] const std::shared_ptr<const Picture>& bordered() const { return bordered_; }
     /// Of the scan that is being opened, until its first picture is there; null: it is small, or another scan is on the screen.
     [[nodiscard]] const std::shared_ptr<const CoarsePicture>& coarse() const { return coarse_; }
     /// Scans with more cells have a coarse picture first.
@@ -87,6 +89,7 @@ signals:
     void failed(const QString& sentence);
     void settingsChanged();
     void pictureReady();
+    void borderedReady();
     /// After pictureReady(): the first picture of another file, scanner or recording.
     void streamChanged();
 
@@ -121,7 +124,8 @@ private:
         bool coarseFirst = false;
     };
     void setCoarse(const std::shared_ptr<const CoarsePicture>& coarse);
-    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked, const Asker& asker); // pool's thread
+    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked, const Asker& asker);                   // pool's thread
+    [[nodiscard]] std::shared_ptr<const Picture> workOutBorders(const std::shared_ptr<const Picture>& picture); // pool's thread
     void takePicture(const std::shared_ptr<const Picture>& newest);
 
     Works works_;
@@ -131,13 +135,14 @@ private:
     QTimer replacingTimer_;
     bool replacing_ = false;
     bool placePending_ = false;
-    std::shared_ptr<const Picture> picture_;
+    std::shared_ptr<const Picture> picture_, bordered_;
     std::shared_ptr<const CoarsePicture> coarse_;
     std::size_t coarseAbove_ = kCoarseAbove;
     int savings_ = 0;
-    std::shared_ptr<const InputClaims> inputs_; // of the last opened scan
-    std::mutex retiredMutex_;
+    std::shared_ptr<const InputClaims> inputs_;           // of the last opened scan
+    std::mutex poolMutex_;                                // of what the pool's threads share:
     std::vector<std::shared_ptr<const Picture>> retired_; // pictures to be freed by the pool's thread
+    KnownBorders knownBorders_;                           // the newest that were worked out
 
     // Used only by run().
     edges::Pipeline pipeline_;
@@ -147,7 +152,8 @@ private:
     PictureSource lastSource_;              // of the last run
     std::shared_ptr<const Picture> lastMade_;
 
-    Derived<Asked, Picture> pictures_; // last, with the opener: they use all of the above
+    Derived<std::weak_ptr<const Picture>, Picture> borders_; // weak: the pool's thread frees a picture that is gone
+    Derived<Asked, Picture> pictures_;                       // last, with the opener: they use all of the above
     Derived<Opening, Opened> opener_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/base/bands.h"
 #include "core/edges/gray/gray.h"
+#include "core/edges/rock_borders/rock_borders.h"
 #include "core/scan/gap_filling/gap_filling.h"
 
 #include <QColor>
@@ -74,28 +75,83 @@ InkByClass inkOf(const EdgeColours& colours, QRgb none) {
     return ink;
 }
 
-QRgb dimmed(QRgb colour) { return qRgb(qRed(colour) / 2, qGreen(colour) / 2, qBlue(colour) / 2); }
+// How a cell of an edge is drawn: by its strength, or as a gap of a dashed or dotted line. Colour is not the only sign.
+struct Look {
+    enum Index : std::uint8_t { Strong = kStrongEdge, Weak = kWeakEdge, Thin = kThinEdge, RimGap, ThinGap, Count };
+};
 
-// The colours of a picture with a byte per cell: those of the classes follow, then those of the gaps of dashed lines.
-QVector<QRgb> withEdges(QVector<QRgb> table, const InkByClass& ink) {
-    for (const QRgb colour : ink) table << colour;
-    for (const QRgb colour : ink) table << dimmed(colour);
+int brightnessOf(std::uint8_t look, bool byClass) {
+    if (look == Look::RimGap) return 50;
+    if (byClass) return 100;
+    return look == Look::ThinGap ? 25 : kStrengthPercent[look];
+}
+
+// The colours of a picture with a byte per cell: look by look those of the classes follow. By class, all strengths look alike.
+QVector<QRgb> withEdges(QVector<QRgb> table, const InkByClass& ink, bool byClass) {
+    for (std::uint8_t look = 0; look < Look::Count; ++look) {
+        for (const QRgb colour : ink) table << dimmedTo(colour, brightnessOf(look, byClass)).rgb();
+    }
     return table;
 }
 
-// Paints the pixels of the edge cells with the colours that withEdges() added. Rims of open voids are dashed, in every direction: colour is
-// not their only sign.
-void paintEdges(QImage& image, const edges::Detection& detection) {
+using Strengths = std::vector<std::uint8_t>; // EdgeStrength of each edge; empty: all are strong
+
+EdgeStrength strengthOf(edges::BorderPercent percent) {
+    return percent >= edges::kStrongBorder ? kStrongEdge : percent >= edges::kWeakBorder ? kWeakEdge : kThinEdge; // unknown: 255
+}
+
+Strengths strengthsOf(const edges::Detection& detection) {
+    Strengths strengths;
+    for (const edges::BorderPercent percent : *detection.borders) strengths.push_back(strengthOf(percent));
+    return strengths;
+}
+
+Strengths strengthsOf(const edges::Detection& detection, const PictureSource& source, const KnownBorders& known) {
+    if (!detection.borders) return {};
+    if (detection.borders.isMade()) return strengthsOf(detection);
+    const bool same = known.edges && known.source.stream == source.stream && known.source.growth.sweep == source.growth.sweep &&
+                      known.beams == detection.scan->beams();
+    if (!same) return {};
+    Strengths strengths(detection.edges->size(), kStrongEdge);
+    std::size_t at = 0;
+    for (std::size_t n = 0; n < strengths.size(); ++n) {
+        while (at < known.edges->size() && (*known.edges)[at] < (*detection.edges)[n]) ++at;
+        if (at < known.edges->size() && (*known.edges)[at] == (*detection.edges)[n]) strengths[n] = strengthOf((*known.percents)[at]);
+    }
+    return strengths;
+}
+
+// Paints the pixels of the edge cells with the colours that withEdges() added. Rims of open voids are dashed and folds dotted, in every
+// direction.
+void paintEdges(QImage& image, const edges::Detection& detection, const Strengths& strengths) {
     constexpr std::size_t kInks = std::tuple_size_v<InkByClass>;
-    const std::size_t others = static_cast<std::size_t>(image.colorCount()) - 2 * kInks;
+    const std::size_t others = static_cast<std::size_t>(image.colorCount()) - Look::Count * kInks;
     constexpr auto kVoidRim = static_cast<std::size_t>(edges::DepthEdge::VoidRim);
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
-    for (const std::uint32_t k : *detection.edges) {
-        const std::size_t line = k / beams, beam = k % beams;
+    for (std::size_t n = 0; n < detection.edges->size(); ++n) {
+        const std::uint32_t k = (*detection.edges)[n];
+        const std::size_t line = k / beams, beam = k % beams, at = line + 2 * beam;
         const std::size_t kind = detection.classes ? static_cast<std::size_t>((*detection.classes)[k]) : 0;
-        const bool gap = kind == kVoidRim && (line + 2 * beam) % 6 >= 3;
-        image.scanLine(static_cast<int>(line))[beam] = static_cast<std::uint8_t>(others + kind + (gap ? kInks : 0));
+        std::size_t look = strengths.empty() ? std::size_t{Look::Strong} : strengths[n];
+        if (kind == kVoidRim && at % 6 >= 3) look = Look::RimGap;
+        if (look == Look::Thin && at % 4 >= 2) look = Look::ThinGap;
+        image.scanLine(static_cast<int>(line))[beam] = static_cast<std::uint8_t>(others + look * kInks + kind);
     }
+}
+
+EdgeCells borderCellsOf(const edges::Detection& detection, const Strengths& strengths) {
+    if (std::ranges::all_of(strengths, [](std::uint8_t strength) { return strength == kStrongEdge; })) return {};
+    std::array<std::vector<std::uint32_t>, kEdgeClasses> lists;
+    for (std::size_t n = 0; n < strengths.size(); ++n) {
+        const std::uint32_t k = (*detection.edges)[n];
+        lists[(*detection.classes)[k] == edges::DepthEdge::VoidRim ? kRimClass : strengths[n]].push_back(k);
+    }
+    EdgeCells cells{detection.edges, {}};
+    for (std::size_t n = 0; n < lists.size(); ++n)
+        cells.byClass[n] = std::make_shared<const std::vector<std::uint32_t>>(std::move(lists[n]));
+    std::ranges::copy(kStrengthSizes, cells.sizes.begin());
+    cells.sizes[kRimClass] = kRimPoints;
+    return cells;
 }
 
 EdgeCells edgeCellsOf(const edges::Detection& detection) {
@@ -111,6 +167,29 @@ EdgeCells edgeCellsOf(const edges::Detection& detection) {
     cells.sizes[kRimClass] = kRimPoints;
     return cells;
 }
+
+QImage edgeMap(const edges::Detection& detection, const Strengths& strengths, int rows) {
+    QImage image(detection.scan->beams(), rows, QImage::Format_Indexed8);
+    InkByClass ink;
+    ink.fill(kEdge);
+    ink[kRimClass + 1] = kRim;
+    image.setColorTable(withEdges({kOnBlack.begin(), kOnBlack.end()}, ink, false));
+    std::array<std::uint8_t, CellInk::Count> inks{};
+    std::iota(inks.begin(), inks.end(), std::uint8_t{0});
+    paintCells<std::uint8_t>(image, detection, inks, [](std::size_t) { return std::uint8_t{CellInk::Valid}; });
+    paintEdges(image, detection, strengths); // last: without masking they can also be on cells without a range
+    return image;
+}
+
+QImage overlayOf(const edges::Detection& detection, const Strengths& strengths, int rows) {
+    QImage image(detection.scan->beams(), rows, QImage::Format_Indexed8);
+    image.setColorTable(withEdges({qRgba(0, 0, 0, 0)}, inkOf(drawnColours(kUsualColours, false), kUsualColours.front().rgba()), false));
+    image.fill(0);
+    paintEdges(image, detection, strengths);
+    return image;
+}
+
+std::shared_ptr<const QImage> drawn(QImage image) { return std::make_shared<const QImage>(std::move(image)); }
 
 } // namespace
 
@@ -137,30 +216,15 @@ QImage grayPicture(const edges::Detection& detection, const std::optional<RangeS
     return image;
 }
 
-QImage edgePicture(const edges::Detection& detection, int rows) {
-    QImage image(detection.scan->beams(), rows, QImage::Format_Indexed8);
-    InkByClass ink;
-    ink.fill(kEdge);
-    ink[kRimClass + 1] = kRim;
-    image.setColorTable(withEdges({kOnBlack.begin(), kOnBlack.end()}, ink));
-    std::array<std::uint8_t, CellInk::Count> inks{};
-    std::iota(inks.begin(), inks.end(), std::uint8_t{0});
-    paintCells<std::uint8_t>(image, detection, inks, [](std::size_t) { return std::uint8_t{CellInk::Valid}; });
-    paintEdges(image, detection); // last: without masking they can also be on cells without a range
-    return image;
-}
-
 QImage classPicture(const Picture& picture, const EdgeColours& colours) {
     QImage image = *picture.edges;
-    if (picture.detection->classes) image.setColorTable(withEdges(image.colorTable().mid(0, CellInk::Count), inkOf(colours, kEdge)));
+    if (picture.detection->classes) image.setColorTable(withEdges(image.colorTable().mid(0, CellInk::Count), inkOf(colours, kEdge), true));
     return image;
 }
 
-QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours, bool byClass, int rows) {
-    QImage image(detection.scan->beams(), rows, QImage::Format_Indexed8);
-    image.setColorTable(withEdges({qRgba(0, 0, 0, 0)}, inkOf(drawnColours(colours, byClass), colours.front().rgba())));
-    image.fill(0);
-    paintEdges(image, detection);
+QImage edgeOverlay(const Picture& picture, const EdgeColours& colours, bool byClass) {
+    QImage image = *picture.overlay;
+    image.setColorTable(withEdges({qRgba(0, 0, 0, 0)}, inkOf(drawnColours(colours, byClass), colours.front().rgba()), byClass));
     return image;
 }
 
@@ -201,7 +265,7 @@ QRect linesToCome(const Picture& picture) {
 
 std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::Detection>& detection, const PictureSource& source,
                                            const edges::Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
-                                           const std::shared_ptr<const Picture>& last) {
+                                           const std::shared_ptr<const Picture>& last, const KnownBorders& known) {
     auto picture = std::make_shared<Picture>();
     picture->source = source;
     picture->asked = asked;
@@ -210,16 +274,36 @@ std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::De
     const int rows = shownLines(*detection->scan, source.growth);
     const bool grayHolds = last && last->detection->gray == detection->gray && last->detection->filled == detection->filled &&
                            last->detection->scan == detection->scan && last->gray->height() == rows;
-    const auto drawn = [](QImage image) { return std::make_shared<const QImage>(std::move(image)); };
+    const Strengths strengths = strengthsOf(*detection, source, known);
     runParts(bandsFor(detection->scan->cells(), 0),
-             {[&] { picture->edges = drawn(edgePicture(*detection, rows)); },
-              [&] { picture->overlay = drawn(edgeOverlay(*detection, kUsualColours, false, rows)); },
+             {[&] { picture->edges = drawn(edgeMap(*detection, strengths, rows)); },
+              [&] { picture->overlay = drawn(overlayOf(*detection, strengths, rows)); },
               [&] { picture->gray = grayHolds ? last->gray : drawn(grayPicture(*detection, std::nullopt, rows)); },
               [&] {
                   picture->edgeCells = edgeCellsOf(*detection);
+                  picture->borderCells = borderCellsOf(*detection, strengths);
                   picture->lost = lostAreas(*detection->scan);
               }});
     return picture;
+}
+
+KnownBorders knownBordersOf(const Picture& picture) {
+    const edges::Detection& detection = *picture.detection;
+    return {picture.source, detection.scan->beams(), detection.edges, detection.borders};
+}
+
+std::shared_ptr<const Picture> withBorders(const std::shared_ptr<const Picture>& picture) {
+    const edges::Detection& detection = *picture->detection;
+    if (!detection.borders) return picture;
+    const Strengths strengths = strengthsOf(detection);
+    auto made = std::make_shared<Picture>(*picture);
+    for (std::shared_ptr<const QImage>* image : {&made->edges, &made->overlay}) {
+        QImage painted = **image;
+        paintEdges(painted, detection, strengths);
+        *image = drawn(std::move(painted));
+    }
+    made->borderCells = borderCellsOf(detection, strengths);
+    return made;
 }
 
 } // namespace edgescan::ui

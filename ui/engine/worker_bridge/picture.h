@@ -47,10 +47,11 @@ struct Picture {
     std::shared_ptr<const CloudGeometry> cloud;
     std::shared_ptr<const QImage>
         gray; ///< beams x shownLines() pixels; missing data hatched violet, lost cells dark, filled cells striped green
-    std::shared_ptr<const QImage>
-        edges; ///< a byte per cell and a table of colours: white edges and blue rims of voids on black; missing data hatched violet
+    std::shared_ptr<const QImage> edges; ///< a byte per cell and a table of colours: white edges and blue rims of voids on black, the less
+                                         ///< likely borders of rocks dimmer and dotted; missing data hatched violet
     std::shared_ptr<const QImage> overlay; ///< likewise: green edges and rims of voids, transparent elsewhere
     EdgeCells edgeCells;
+    EdgeCells borderCells;   ///< by strength; null: all are drawn alike
     std::vector<QRect> lost; ///< areas of lost cells, x = beam, y = line: views draw dashes over them
 };
 
@@ -60,11 +61,22 @@ struct Picture {
 
 // beams x `rows` pixels; rows that the scan does not have yet are plain dark. Without `span`: the gray levels of the method.
 [[nodiscard]] QImage grayPicture(const edges::Detection& detection, const std::optional<RangeSpan>& span, int rows);
-[[nodiscard]] QImage edgePicture(const edges::Detection& detection, int rows);
 /// The picture's edge map in the colours of the classes; for methods without classes the plain map.
 [[nodiscard]] QImage classPicture(const Picture& picture, const EdgeColours& colours);
-/// Edges on a transparent background, in drawnColours(); methods without classes in the first one.
-[[nodiscard]] QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours, bool byClass, int rows);
+/// The picture's edges on a transparent background, in drawnColours(); methods without classes in the first one.
+[[nodiscard]] QImage edgeOverlay(const Picture& picture, const EdgeColours& colours, bool byClass);
+
+/// Probabilities that were worked out for another picture of the same sweep.
+struct KnownBorders {
+    PictureSource source;
+    int beams = 0;
+    std::shared_ptr<const std::vector<std::uint32_t>> edges;
+    MadeWhenRead<std::vector<edges::BorderPercent>> percents; ///< made, in the order of `edges`
+};
+[[nodiscard]] KnownBorders knownBordersOf(const Picture& picture);
+
+/// The same picture with its edges as strong as they are likely to be borders of rocks: computes the probabilities. Any thread.
+[[nodiscard]] std::shared_ptr<const Picture> withBorders(const std::shared_ptr<const Picture>& picture);
 
 /// Rectangles that together are the lost cells, from the first line on; at most a few thousand.
 [[nodiscard]] std::vector<QRect> lostAreas(const Scan& scan);
@@ -72,10 +84,11 @@ struct Picture {
 /// Rows of the images for lines that a sweep does not have, or not yet; empty for a file.
 [[nodiscard]] QRect linesToCome(const Picture& picture);
 
-/// Images of `detection`; unchanged parts are reused from `last` (may be null).
+/// Images of `detection`; unchanged parts are reused from `last` (may be null). Edges that `known` has too are as strong as there, so that
+/// nothing flickers until the probabilities are there.
 [[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::Detection>& detection,
                                                          const PictureSource& source, const edges::Settings& asked,
                                                          const std::shared_ptr<const CloudGeometry>& cloud,
-                                                         const std::shared_ptr<const Picture>& last);
+                                                         const std::shared_ptr<const Picture>& last, const KnownBorders& known = {});
 
 } // namespace edgescan::ui

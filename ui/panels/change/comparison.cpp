@@ -172,6 +172,7 @@ std::shared_ptr<const Picture> beforeOf(const std::shared_ptr<const Picture>& be
         if ((*earlier.edges)[k] != 0) edges.push_back(static_cast<std::uint32_t>(k));
     }
     moved->edges = std::make_shared<const std::vector<std::uint32_t>>(std::move(edges));
+    moved->borders = {};
     return makePicture(moved, {before->source.stream, {}}, before->asked, makeCloudGeometry(*earlier.scan), nullptr);
 }
 
@@ -224,7 +225,7 @@ Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked,
         auto change = inspect::sceneChange(now, {made->earlier->detection->scan, made->earlier->detection->mask}, registrationOf(asked));
         if (!change) return change.error();
         made->change = std::move(*change);
-        made->before = beforeOf(made->earlier, made->change.earlier);
+        made->before = withBorders(beforeOf(made->earlier, made->change.earlier)); // drawn as B is
     }
     if (asked.byDistance && made->isOfTwoScans()) {
         const bool known = last != nullptr && last->distances && sameScans(asked, *last);

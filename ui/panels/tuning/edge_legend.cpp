@@ -46,6 +46,8 @@ QString takenWords(int classes) {
            '\n' + EdgeLegend::tr("other classes take the cells");
 }
 
+QLabel* signOf(const QLabel* words) { return static_cast<QLabel*>(words->parentWidget()->layout()->itemAt(0)->widget()); }
+
 } // namespace
 
 EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
@@ -86,6 +88,11 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         if (brief_ || low_) return;
         emit unfolded(open);
     });
+    constexpr std::array kStrengthNames{"legend-strong", "legend-weak", "legend-thin"};
+    for (std::size_t n = 0; n < kEdgeStrengths; ++n) {
+        strengths_[n] = addSign(*grid, kStrengthNames[n]);
+        strengths_[n]->setToolTip(tr("How likely an edge is the border of a rock; where that is unknown, it is drawn like one."));
+    }
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         rows_[n] = addRow(*grid, classLabel(n), nullptr);
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
@@ -130,6 +137,29 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     hide(); // no content yet
 }
 
+/// Words with a sign before them, hidden.
+QLabel* EdgeLegend::addSign(QGridLayout& grid, const char* name) {
+    auto* place = new QWidget;
+    place->setObjectName(name);
+    auto* row = new QHBoxLayout(place);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* words = new QLabel;
+    row->addWidget(new QLabel);
+    row->addWidget(words, 1);
+    place->hide();
+    grid.addWidget(place, grid.rowCount(), 0, 1, 2);
+    return words;
+}
+
+void EdgeLegend::showStrengths(const std::optional<std::array<std::size_t, kEdgeStrengths>>& cells) {
+    if (!cells && !byStrength_) return;
+    byStrength_ = cells.has_value();
+    const std::array names{tr("Rock border, 70 % and more: %1"), tr("Perhaps, 30 to 69 %: %1"), tr("Fold in a rock, below 30 %: %1")};
+    for (std::size_t n = 0; cells && n < kEdgeStrengths; ++n) strengths_[n]->setText(names[n].arg(countText((*cells)[n])));
+    showRows();
+    adjustSize();
+}
+
 /// What else has a colour of its own in the views: hatched violet cells, a thin red line.
 void EdgeLegend::addOthers(QGridLayout& grid) {
     QPixmap hatch(16, 11), line(16, 11);
@@ -137,24 +167,12 @@ void EdgeLegend::addOthers(QGridLayout& grid) {
     line.fill(Qt::transparent);
     QPainter(&hatch).fillRect(hatch.rect(), QBrush(QColor(24, 12, 36), Qt::BDiagPattern));
     QPainter(&line).fillRect(QRect(0, 5, 16, 2), QColor(255, 90, 80));
-    const auto add = [&](const char* name, const QPixmap& sign) {
-        auto* place = new QWidget;
-        place->setObjectName(name);
-        auto* row = new QHBoxLayout(place);
-        row->setContentsMargins(0, 0, 0, 0);
-        auto* picture = new QLabel;
-        picture->setPixmap(sign);
-        auto* words = new QLabel;
-        row->addWidget(picture);
-        row->addWidget(words, 1);
-        place->hide();
-        grid.addWidget(place, grid.rowCount(), 0, 1, 2);
-        return words;
-    };
-    missing_ = add("legend-missing", hatch);
+    missing_ = addSign(grid, "legend-missing");
+    signOf(missing_)->setPixmap(hatch);
     missing_->setToolTip(
         tr("Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each."));
-    ray_ = add("legend-ray", line);
+    ray_ = addSign(grid, "legend-ray");
+    signOf(ray_)->setPixmap(line);
     ray_->setText(tr("Laser ray to the marked cell"));
 }
 
@@ -210,6 +228,7 @@ void EdgeLegend::showRows() {
         const bool shown = offered_[n] && open && (!brief_ || n < kOfRocks || n == kRimClass || counts);
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
+    for (QLabel* strength : strengths_) strength->parentWidget()->setVisible(byStrength_ && open && roomy_ && !brief_);
     byClass_->setVisible(known_ && !brief_ && open);
     unfold_->setVisible(known_ && (!low_ || canOpen()));
     unfold_->setArrowType(brief_ ? Qt::NoArrow : open ? Qt::DownArrow : Qt::UpArrow);
@@ -316,6 +335,18 @@ void EdgeLegend::paintSwatches() {
         painter.end();
         rows_[n].box->setIconSize(swatch.size());
         rows_[n].box->setIcon(QIcon(swatch));
+    }
+    // Wide, narrower and dotted, as in the views.
+    const EdgeColours strengths = strengthColours(colours_);
+    for (int n = 0; n < static_cast<int>(kEdgeStrengths); ++n) {
+        QPixmap sign(16, 11);
+        sign.fill(Qt::transparent);
+        QPainter line(&sign);
+        const int wide = 6 - 2 * n, gap = n == kThinEdge ? 4 : 0;
+        for (int x = 0; x < sign.width(); x += 4 + gap)
+            line.fillRect(QRect(x, (sign.height() - wide) / 2, 4, wide), strengths[static_cast<std::size_t>(n)]);
+        line.end();
+        signOf(strengths_[static_cast<std::size_t>(n)])->setPixmap(sign);
     }
     // With gloves on the rows of the classes are folded: the switch of the edges shows their colours.
     QPixmap all(18, 8);

@@ -6,6 +6,7 @@
 #include "ui/views/cloud/edge_cells.h"
 
 #include <array>
+#include <optional>
 
 class QCheckBox;
 class QGridLayout;
@@ -24,6 +25,8 @@ public:
     void showResult(const edges::Detection& detection);
     void showColours(const EdgeColours& colours);
     void showByClass(bool on);
+    /// The number of cells of each strength, while the views draw edges by strength.
+    void showStrengths(const std::optional<std::array<std::size_t, kEdgeStrengths>>& cells);
     void showEdges(bool on);
     /// On: rocks are drawn over the edges of the cloud; the counts then refer to the images, and the switch draws the edges over the rocks.
     void showCovered(bool on);
@@ -61,6 +64,7 @@ private:
     [[nodiscard]] bool canOpen() const;
     void placeHead();
     void paintSwatches();
+    [[nodiscard]] QLabel* addSign(QGridLayout& grid, const char* name);
     void addOthers(QGridLayout& grid);
     void showMissing(const Scan& scan);
     void emitClasses();
@@ -69,6 +73,7 @@ private:
     QCheckBox* edges_ = nullptr;
     QLabel* total_ = nullptr;
     std::array<Row, kEdgeClasses> rows_;
+    std::array<QLabel*, kEdgeStrengths> strengths_{}; // with their signs before them
     QCheckBox* byClass_ = nullptr;
     QLabel* filled_ = nullptr;
     QLabel* missing_ = nullptr; // violet cells, with its sign before it
@@ -78,7 +83,7 @@ private:
     bool known_ = false;                       // the counts of the classes are known
     bool brief_ = false, low_ = false, roomy_ = true;
     bool openAtDesk_ = true, openInCab_ = false, openLow_ = false; // what the operator left, with room and in one row
-    bool areOn_ = true, isCovered_ = false, isFilled_ = false, isMissing_ = false;
+    bool areOn_ = true, isCovered_ = false, isFilled_ = false, isMissing_ = false, byStrength_ = false;
     QLabel* covered_ = nullptr;
     QToolButton* unfold_ = nullptr; // on: the rows are shown
     QLabel* taken_ = nullptr;       // where the cells of a class that is off went; empty: nowhere

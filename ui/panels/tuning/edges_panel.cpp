@@ -128,12 +128,13 @@ EdgesPanel::EdgesPanel(QWidget* parent)
 struct PresetWords {
     const char *key, *label, *purpose;
 };
-constexpr std::array<PresetWords, 6> kPresetWords{{
+constexpr std::array<PresetWords, 7> kPresetWords{{
     {"default", QT_TRANSLATE_NOOP("QObject", "Default"), QT_TRANSLATE_NOOP("QObject", "For most scans of rock")},
     {"log", QT_TRANSLATE_NOOP("QObject", "Percent of range"), QT_TRANSLATE_NOOP("QObject", "Steps in percent of the range")},
     {"thesis", QT_TRANSLATE_NOOP("QObject", "Thesis"), QT_TRANSLATE_NOOP("QObject", "To compare with the thesis")},
     {"window", QT_TRANSLATE_NOOP("QObject", "Thesis, contrast"), QT_TRANSLATE_NOOP("QObject", "The thesis, with more contrast")},
     {"smooth-walls", QT_TRANSLATE_NOOP("QObject", "Smooth walls"), QT_TRANSLATE_NOOP("QObject", "For flat walls with low steps")},
+    {"default-4", QT_TRANSLATE_NOOP("QObject", "Version 4"), QT_TRANSLATE_NOOP("QObject", "To compare with version 4")},
     {"default-3", QT_TRANSLATE_NOOP("QObject", "Version 3"), QT_TRANSLATE_NOOP("QObject", "To compare with version 3")},
 }};
 

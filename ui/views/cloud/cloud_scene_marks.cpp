@@ -11,6 +11,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace edgescan::ui {
 
@@ -91,6 +92,13 @@ void CloudScene::setSelection(EdgeCells::Indices cells) {
 void CloudScene::setEdges(EdgeCells cells) {
     setLayer(edge_, cells.all);
     EdgeCells::Indices halo = cells.all;
+    for (std::size_t n = 0; n < classes_.size() && halo; ++n) {
+        constexpr float kLeast = 0.5F; // smaller points would be less than their halo
+        if (!cells.byClass[n] || cells.sizes[n] >= kLeast) continue;
+        std::vector<std::uint32_t> larger;
+        std::ranges::set_difference(*halo, *cells.byClass[n], std::back_inserter(larger));
+        halo = std::make_shared<const std::vector<std::uint32_t>>(std::move(larger));
+    }
     setLayer(halo_, halo);
     for (std::size_t n = 0; n < classes_.size(); ++n) setLayer(classes_[n], cells.byClass[n]);
     edges_ = std::move(cells);

@@ -41,6 +41,21 @@ inline EdgeColours drawnColours(const EdgeColours& colours, bool byClass) {
     drawn[kRimClass] = colours[kRimClass];
     return drawn;
 }
+/// How strongly an edge is drawn while edges are not drawn by class: a border of a rock, or one whose probability is unknown; less likely;
+/// a fold within a rock. EdgeCells::byClass has the strengths first, and the rims of open voids in their place.
+enum EdgeStrength : std::uint8_t { kStrongEdge, kWeakEdge, kThinEdge };
+inline constexpr std::size_t kEdgeStrengths = 3;
+inline constexpr std::array<float, kEdgeStrengths> kStrengthSizes{1.0F, 0.75F, 0.45F}; // of points
+inline constexpr std::array<int, kEdgeStrengths> kStrengthPercent{100, 75, 55};       // of brightness
+inline QColor dimmedTo(const QColor& colour, int percent) {
+    return {colour.red() * percent / 100, colour.green() * percent / 100, colour.blue() * percent / 100};
+}
+inline EdgeColours strengthColours(const EdgeColours& colours) {
+    EdgeColours drawn = colours;
+    for (std::size_t n = 0; n < kEdgeStrengths; ++n) drawn[n] = dimmedTo(colours.front(), kStrengthPercent[n]);
+    return drawn;
+}
+
 /// Distinct with red-green colour blindness: along yellow, white and blue. Contrast to the cloud's gray at least 3 : 1.
 inline const EdgeColours kColourBlindColours{QColor(240, 228, 66),  QColor(178, 223, 255), QColor(255, 255, 255),
                                              QColor(255, 210, 190), QColor(190, 255, 190), QColor(230, 215, 255)};

@@ -79,9 +79,9 @@ TEST(Roughness, SharesAreThoseOfCountingEachCell) {
 
 TEST(Roughness, OnlyAScanThatFoldsEverywhereIsRough) {
     const auto smooth = std::make_shared<const Scan>(test::boxesScan(120, 160, 4));
-    Settings off;
+    Settings off = defaultSettings(4);
     off.roughScans = false;
-    const auto boxes = detectEdges(smooth, Settings{}), same = detectEdges(smooth, off);
+    const auto boxes = detectEdges(smooth, defaultSettings(4)), same = detectEdges(smooth, off);
     EXPECT_FALSE(boxes->responses->roughness.rough);
     EXPECT_EQ(boxes->responses->crease, same->responses->crease);
     EXPECT_EQ(*boxes->mask, *same->mask);
@@ -95,16 +95,16 @@ TEST(Roughness, ACoarseScanOfRocksIsNotRough) {
         options.lines = 100;
         options.beams = 120;
         const auto scan = std::make_shared<const Scan>(sim::simulate(options)->scan);
-        const auto detection = detectEdges(scan, Settings{});
+        const auto detection = detectEdges(scan, defaultSettings(4));
         EXPECT_FALSE(detection->responses->roughness.rough) << seed << " " << detection->responses->roughness.aroundFolds;
     }
 }
 
 TEST(Roughness, OnARoughScanFoldsLoseAndRocksDoNot) {
     const auto scan = pyramids();
-    Settings off;
+    Settings off = defaultSettings(4);
     off.roughScans = false;
-    const auto on = detectEdges(scan, Settings{}, KeepFor::Rocks), without = detectEdges(scan, off, KeepFor::Rocks);
+    const auto on = detectEdges(scan, defaultSettings(4), KeepFor::Rocks), without = detectEdges(scan, off, KeepFor::Rocks);
     const Roughness& found = on->responses->roughness;
     ASSERT_TRUE(found.rough) << found.aroundFolds << " " << found.share;
     EXPECT_LT(2 * on->edges->size(), without->edges->size());
@@ -121,7 +121,7 @@ TEST(Roughness, OnARoughScanFoldsLoseAndRocksDoNot) {
 
 TEST(Roughness, TheReasonOfACellGivesTheShare) {
     const auto scan = pyramids();
-    const auto detection = detectEdges(scan, Settings{});
+    const auto detection = detectEdges(scan, defaultSettings(4));
     ASSERT_TRUE(detection->responses->roughness.rough);
     int reasons = 0;
     for (std::size_t k = 0; k < scan->cells(); k += 97) {

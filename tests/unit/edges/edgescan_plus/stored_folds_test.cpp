@@ -90,6 +90,7 @@ TEST(StoredFolds, GiveTheBitsOfMeasuredFoldsAtEveryAngle) {
         Settings settings;
         if (random() % 4 == 0) settings.noiseMm = static_cast<double>(1 + random() % 30);
         settings.roughScans = random() % 4 != 0;
+        settings.rules = 4 + static_cast<int>(random() % 2);
         settings.noiseKind = random() % 5 == 0 ? NoiseKind::Camera : NoiseKind::Measured;
         const DepthSurface surface = depthSurface(scan, settings, 1);
         settings.creaseDeg = static_cast<double>(15 + random() % 76);

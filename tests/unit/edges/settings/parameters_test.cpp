@@ -95,6 +95,17 @@ TEST(Parameters, ASetTakesNamesInAnyOrder) {
     for (const char* text : {"jump,", ",", "jump,border2", "jump concave", "3"}) EXPECT_FALSE(parseValue(classes, text)) << text;
 }
 
+TEST(Parameters, BordersAndRoughScansAreReadOnlyWhereTheyActed) {
+    const auto used = [](const char* key, const Settings& settings) { return findParameter(key)->usedBy(settings); };
+    Settings s;
+    EXPECT_TRUE(used("rock-borders", s) && !used("border-from", s) && !used("rough-scans", s));
+    s.rockBorders = true;
+    s.rules = 4;
+    EXPECT_TRUE(used("border-from", s) && used("rough-scans", s));
+    s.method = Method::Canny;
+    for (const char* key : {"rock-borders", "border-from", "rules", "rough-scans"}) EXPECT_FALSE(used(key, s)) << key;
+}
+
 TEST(Presets, AFileFromBeforeThereWereMethodsIsCanny) {
     const auto path = std::filesystem::temp_directory_path() / "edgescan-old-preset.json";
     std::ofstream(path) << R"({"format": "edgescan-preset/1", "settings": {"kernel": 5}})";
@@ -128,16 +139,17 @@ TEST(Presets, AFileComesBackAsItWas) {
 
 // Records name the default settings by their version: after a change of a default, raise kDefaultSet.version and enter the new ones here.
 TEST(Presets, TheDefaultSettingsAreThoseOfTheirVersion) {
-    EXPECT_EQ(kDefaultSet.version, 4);
+    EXPECT_EQ(kDefaultSet.version, 5);
     EXPECT_EQ(
         settingsToJson(Settings{}).dump(),
-        R"({"aperture":3,"classes":"jump,convex,concave,silhouette,rim","crease":30,"far":"auto","fill":0,"fill-edges":"off","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
+        R"({"aperture":3,"border-from":30,"classes":"jump,convex,concave,silhouette,rim","crease":30,"far":"auto","fill":0,"fill-edges":"off","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
         R"("kernel":3,"log-mask":"four","lower":6,"mask-isolated":"on","mask-missing":"on","method":"edgescan+","min-length":4,"near":"auto",)"
-        R"("noise":"auto","noise-kind":"measured","norm":"l1","ratio":3,"rough-scans":"on","scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3,"turns":"on"})");
+        R"("noise":"auto","noise-kind":"measured","norm":"l1","ratio":3,"rock-borders":"off","rough-scans":"on","rules":5,"scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3,"turns":"on"})");
     EXPECT_EQ(builtInPresets().front().name, kDefaultSet.name);
     EXPECT_TRUE(changedFromDefault(Settings{}).empty());
     EXPECT_EQ(changedFromDefault(findPreset("default-3")->settings),
-              (std::vector<std::string>{"min-length", "classes", "turns", "rough-scans"}));
+              (std::vector<std::string>{"min-length", "classes", "turns", "rules", "rough-scans"}));
+    EXPECT_EQ(changedFromDefault(findPreset("default-4")->settings), std::vector<std::string>{"rules"});
     // Parameters that the method does not read are not listed.
     Settings turned;
     turned.jumpMm = 50;
@@ -154,6 +166,9 @@ TEST(Presets, ARecordOfAnEarlierSetKeepsItsMeaning) {
     EXPECT_EQ(settingsOfRecord(nlohmann::json::object(), 2), settingsToJson(defaultSettings(3)));
     EXPECT_EQ(settingsOfRecord(nlohmann::json::object(), 0), settingsToJson(defaultSettings(3)));
     EXPECT_EQ(settingsOfRecord(settingsToJson(Settings{}), 0), settingsToJson(Settings{}));
+    nlohmann::json four = settingsToJson(defaultSettings(4)); // as version 4 wrote them
+    for (const char* later : {"rules", "rock-borders", "border-from"}) four.erase(later);
+    for (const int version : {0, 4}) EXPECT_EQ(settingsOfRecord(four, version), settingsToJson(defaultSettings(4))) << version;
     EXPECT_EQ(settingsOfRecord(nlohmann::json::object(), kDefaultSet.version), settingsToJson(Settings{}));
 }
 
