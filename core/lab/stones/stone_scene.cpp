@@ -6,7 +6,6 @@
 #include "core/sim/sweep.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace edgescan::lab {
 namespace {
@@ -101,7 +100,8 @@ Eigen::Matrix3d mountOf(const StoneScene& scene, const Site& site) {
 /// The errors of the device, as in docs/method/edges.md, "Simulator"; the meshes have all the relief.
 sim::SimulationSettings settingsOf(const StoneScene& scene, const PolarGeometry& polar, int threads) {
     sim::SimulationSettings settings;
-    settings.seed = sim::hashOf(scene.seed, Purpose::Noise, static_cast<std::uint64_t>(scene.view));
+    const auto kind = static_cast<std::uint64_t>(std::ranges::find(siteKinds(), scene.kind) - siteKinds().begin());
+    settings.seed = sim::hashOf(scene.seed, Purpose::Noise, siteKinds().size() * static_cast<std::uint64_t>(scene.view) + kind);
     settings.lines = static_cast<int>(polar.lineDeg.size());
     settings.beams = static_cast<int>(polar.beamDeg.size());
     settings.turnDeg = (polar.lineDeg[1] - polar.lineDeg[0]) * settings.lines;
