@@ -1,6 +1,7 @@
 // Reads arrays out of NPZ files.
 #include "core/lab/stones/npz.h"
 
+#include "core/base/whole_file.h"
 #include "core/containers/compression/zip_archive.h"
 #include "core/files/formats/numpy_header.h"
 
@@ -30,10 +31,14 @@ struct Table {
     std::vector<double> values;
 };
 
-/// @param kinds of its numbers: f floating point, i and u whole, b true or false
+/// @param kinds of its numbers: f floating point, i and u whole; true and false are whole numbers of one byte
 Result<Table> tableOf(std::span<const std::byte> file, const std::string& array, std::string_view kinds, const std::string& where) {
-    const auto bytes = npyFile(file, array, where);
+    auto bytes = npyFile(file, array, where);
     if (!bytes) return bytes.error();
+    constexpr std::size_t kHeader = 128;
+    constexpr std::string_view kTruth = "'|b1'";
+    if (const std::size_t at = textOf(*bytes).substr(0, kHeader).find(kTruth); at != std::string_view::npos)
+        (*bytes)[at + kTruth.find('b')] = std::byte{'u'};
     files::Source source;
     source.bytes = *bytes;
     source.path = where;
@@ -84,7 +89,7 @@ Result<std::vector<std::array<std::int32_t, 3>>> npzTriples(std::span<const std:
 }
 
 Result<Grid<std::uint16_t>> npzGrid(std::span<const std::byte> file, const std::string& array, const std::string& where) {
-    const Result<Table> table = tableOf(file, array, "iub", where);
+    const Result<Table> table = tableOf(file, array, "iu", where);
     if (!table) return table.error();
     Grid<std::uint16_t> grid(table->rows, table->columns);
     for (std::size_t k = 0; k < grid.size(); ++k) {
