@@ -209,7 +209,9 @@ private slots:
         const QPointF port = views.gray().viewPort()->toPixel(QPointF(3, 5), views.gray().size());
         QTest::keyPress(&views.gray(), Qt::Key_Backslash);
         QVERIFY(views.flipped());
-        QVERIFY(views.gray().image() == a->gray && views.edges().image() == a->edges);
+        QVERIFY(views.gray().image() == a->gray);
+        QVERIFY2(views.edges().image() == on.viewer.comparing.comparison()->before->edges,
+                 "its edges as likely borders of rocks, as B has them");
         QVERIFY(cloud.scan() == a->detection->scan);
         QVERIFY2(on.viewer.changeLegend.titleText().contains("On the screen: A"), qPrintable(on.viewer.changeLegend.titleText()));
         QVERIFY((cloud.camera().position + cloud.geometryOfCloud()->originM - camera.position - b->cloud->originM).norm() < 1e-9);

@@ -121,7 +121,7 @@ private:
     CloudLook look_;
     EdgeCells edges_; // owns the indices that VTK draws
     std::shared_ptr<const std::vector<std::uint32_t>> facesWanted_;
-    EdgeCells::Indices outlined_, selected_, selectedRim_;
+    EdgeCells::Indices haloed_, outlined_, selected_, selectedRim_;
     Layer halo_, edge_, outlineHalo_, outline_, selection_, selectionRim_;
     std::array<Layer, kEdgeClasses> classes_; // used instead of edge_ if the method has classes
     vtkNew<vtkSphereSource> focusSphere_;

@@ -100,6 +100,7 @@ void CloudScene::setEdges(EdgeCells cells) {
         halo = std::make_shared<const std::vector<std::uint32_t>>(std::move(larger));
     }
     setLayer(halo_, halo);
+    haloed_ = std::move(halo);
     for (std::size_t n = 0; n < classes_.size(); ++n) setLayer(classes_[n], cells.byClass[n]);
     edges_ = std::move(cells);
     showEdgeLayers();

@@ -46,7 +46,7 @@ inline EdgeColours drawnColours(const EdgeColours& colours, bool byClass) {
 enum EdgeStrength : std::uint8_t { kStrongEdge, kWeakEdge, kThinEdge };
 inline constexpr std::size_t kEdgeStrengths = 3;
 inline constexpr std::array<float, kEdgeStrengths> kStrengthSizes{1.0F, 0.75F, 0.45F}; // of points
-inline constexpr std::array<int, kEdgeStrengths> kStrengthPercent{100, 75, 55};       // of brightness
+inline constexpr std::array<int, kEdgeStrengths> kStrengthPercent{100, 75, 55};        // of brightness
 inline QColor dimmedTo(const QColor& colour, int percent) {
     return {colour.red() * percent / 100, colour.green() * percent / 100, colour.blue() * percent / 100};
 }
