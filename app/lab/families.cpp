@@ -10,8 +10,8 @@
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/base/whole_file.h"
-#include "core/lab/stones/stones.h"
 #include "core/lab/families/family_report.h"
+#include "core/lab/stones/stones.h"
 
 #include <nlohmann/json.hpp>
 
@@ -145,8 +145,12 @@ std::optional<Error> wrongUsage(FamiliesAsked& asked) {
         return Error{"neither a contestant nor a .json is called \"" + asked.against + "\"", "--against",
                      "give the --json of an earlier run, or the name of a --with"};
     if (!asked.named.empty() && asked.against.empty()) return Error{"nothing is compared", "--named", "give --against too"};
-    asked.run.places = {.shared = asked.shared, .surface = asked.surface, .kinect = asked.kinect, .stones = asked.stones,
-                        .stoneSet = asked.stoneSet, .settled = asked.settled};
+    asked.run.places = {.shared = asked.shared,
+                        .surface = asked.surface,
+                        .kinect = asked.kinect,
+                        .stones = asked.stones,
+                        .stoneSet = asked.stoneSet,
+                        .settled = asked.settled};
     asked.run.store = asked.store;
     return std::nullopt;
 }

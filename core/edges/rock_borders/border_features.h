@@ -1,4 +1,4 @@
-// The numbers by which an edge is told apart: the border of a rock, or a fold within one (docs/method/edges.md, "Rock border or fold").
+// The numbers that distinguish the border of a rock from a fold within one (docs/method/edges.md, "Rock border or fold").
 #pragma once
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"
@@ -15,7 +15,7 @@ enum class BorderEvidence : std::uint8_t {
     Fold,     ///< the fold at the cell
     Across,   ///< the course of the surface across the edge
     Along,    ///< the same along the edge
-    Height,   ///< how far the cell stands out of its surroundings
+    Height,   ///< how much nearer the cell is than its surroundings
     Folds,    ///< folds and other edges around it
     Distance, ///< range, distance of points, noise
 };

@@ -23,7 +23,8 @@ struct Preset {
 /// method.
 [[nodiscard]] Settings cannySettings();
 
-/// "default" first, then "log", "thesis", "window", "smooth-walls", "default-4" and "default-3" (docs/method/edges.md, "Gray levels and presets").
+/// "default" first, then "log", "thesis", "window", "smooth-walls", "default-4" and "default-3" (docs/method/edges.md, "Gray levels and
+/// presets").
 [[nodiscard]] std::span<const Preset> builtInPresets();
 
 /// Name and version of the default settings; the version increases if a default changes. docs/reference/rules.md, "S19".

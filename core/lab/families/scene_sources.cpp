@@ -40,7 +40,11 @@ Result<MadeScene> stonesScene(const Family& family, const SceneOrder& order, con
     if (!order.file.empty()) return storedScene(order.file);
     const Result<Stones> stones = readStones(stonesOf(places), places.stoneSet, 1);
     if (!stones) return stones.error();
-    StoneScene scene{.kind = family.kind, .set = places.stoneSet, .seed = order.seed, .full = family.full, .noise = family.noise,
+    StoneScene scene{.kind = family.kind,
+                     .set = places.stoneSet,
+                     .seed = order.seed,
+                     .full = family.full,
+                     .noise = family.noise,
                      .settled = places.settled};
     Result<StoneScan> made = stoneScan(scene, *stones, 1, [&goOn](double) { return !goOn || goOn(); });
     if (!made) return made.error();
