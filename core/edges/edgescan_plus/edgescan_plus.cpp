@@ -156,13 +156,16 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 
 DepthSurface depthSurface(const Scan& scan, const Settings& settings, int threads) {
     const NoiseKind noise = settings.noiseKind;
-    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, {}, 0, {}, {}, withheldCells(scan)};
+    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, {}, {}, 0, {}, {}, withheldCells(scan)};
     surface.slips = settings.straighten ? straighten(surface.inverse, threads) : noSlips(scan.lines());
     runParts(bandsFor(scan.cells(), threads), {[&] { surface.ofRange = noiseByRange(surface.inverse); },
                                                [&] { surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera); }});
     if (noise == NoiseKind::Camera || (noise == NoiseKind::Measured && surface.scales.remembered))
         surface.memory = memoryNoise(surface.inverse, surface.steps, surface.scales, kMemoryWindowMm);
-    surface.noise = surface.memory.windowMm > 0 ? surface.ofRange : rangeNoise(surface.inverse, surface.ofRange);
+    const bool remembered = surface.memory.windowMm > 0;
+    const TileNoise ofTiles = remembered ? TileNoise{surface.ofRange, surface.ofRange} : tileNoise(surface.inverse, surface.ofRange);
+    surface.noise = ofTiles.measured;
+    surface.steady = ofTiles.steady;
     removeSpikes(surface.inverse, surface.ofRange);
     surface.spacingMm = pointSpacingMm(surface.inverse, surface.steps);
     return surface;
@@ -181,7 +184,7 @@ DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     DepthLimits limits;
     const bool before5 = settings.rules < 5;
     const double typed = settings.noiseMm; // NaN: measured
-    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : before5 ? surface.ofRange : surface.noise;
+    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : before5 ? surface.ofRange : surface.steady;
     limits.foldNoise = limits.noise;
     double q = noiseShare(limits.noise, surface.spacingMm);
     // A jump is computed from neighbouring cells, so its noise is that of neighbours. It is taken at the scan's own range: noise that grows

@@ -44,8 +44,9 @@ struct DepthSurface {
     InverseRange inverse;
     SweepSlips slips;
     AngularSteps steps;
-    RangeNoise noise;   ///< rangeNoise(), or `ofRange` if errors of neighbours are correlated
-    RangeNoise ofRange; ///< noiseByRange(): for spikes, and under the rules of default set 4
+    RangeNoise noise;   ///< measured: for tolerances
+    RangeNoise steady;  ///< for thresholds; both are `ofRange` if errors of neighbours are correlated
+    RangeNoise ofRange; ///< noiseByRange(): for spikes, and for thresholds under the rules of default set 4
     double spacingMm = 0;
     NoiseScales scales;
     MemoryNoise memory;            ///< the noise if errors of neighbours are correlated; empty if it is not needed

@@ -75,16 +75,19 @@ double nearlyOne(double times) {
 
 } // namespace
 
-RangeNoise rangeNoise(const InverseRange& inverse, const RangeNoise& ofRange) {
+TileNoise tileNoise(const InverseRange& inverse, const RangeNoise& ofRange) {
     std::vector<float> tiles = noiseOfTiles(inverse);
     const double share = std::clamp((static_cast<double>(tiles.size()) - kFewTiles) / (kEnoughTiles - kFewTiles), 0.0, 1.0);
-    if (share <= 0) return ofRange;
+    if (share <= 0) return {ofRange, ofRange};
     const double flattest = static_cast<double>(quantile(tiles, kShareOfTiles)), middle = static_cast<double>(quantile(tiles, 0.5));
-    const double times = nearlyOne(std::max(flattest, middle / kMostRelief));
-    const auto mixed = [share](double least, double both) { return share * least + (1 - share) * both; };
-    return {mixed(times * kScannerNoise.offsetMm, ofRange.offsetMm), mixed(times * kScannerNoise.perMetreMm, ofRange.perMetreMm), 0};
+    const double times = std::max(flattest, middle / kMostRelief);
+    const auto mixed = [&](double multiple) {
+        const auto sum = [&](double scanner, double all) { return share * multiple * scanner + (1 - share) * all; };
+        return RangeNoise{sum(kScannerNoise.offsetMm, ofRange.offsetMm), sum(kScannerNoise.perMetreMm, ofRange.perMetreMm), 0};
+    };
+    return {mixed(times), mixed(nearlyOne(times))};
 }
 
-RangeNoise rangeNoise(const InverseRange& inverse) { return rangeNoise(inverse, noiseByRange(inverse)); }
+RangeNoise rangeNoise(const InverseRange& inverse) { return tileNoise(inverse, noiseByRange(inverse)).measured; }
 
 } // namespace edgescan

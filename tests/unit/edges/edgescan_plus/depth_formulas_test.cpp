@@ -30,7 +30,8 @@ double plainCrack(const float* at, const float* there, std::ptrdiff_t s, double 
     const double before2 = std::max(before, 1e-6) + (solid(-1) && solid(-2) ? u(-2) - u(-1) : 0);
     const double after2 = std::max(after, 1e-6) + (solid(2) && solid(3) ? u(3) - u(2) : 0);
     const auto end = [&](double first, double second, double third) {
-        return limits.noisy ? 1.083 * first + 0.333 * second - 0.417 * third : 1.5 * first - 0.5 * second;
+        const auto noisy = static_cast<double>(limits.noisy);
+        return noisy * (1.083 * first + 0.333 * second - 0.417 * third) + (1 - noisy) * (1.5 * first - 0.5 * second);
     };
     const double left = end(u(0), std::max(before, 1e-6), before2), right = end(u(1), std::max(after, 1e-6), after2);
     const double step = std::min(std::abs(range(u(0)) - range(u(1))), std::abs(range(left) - range(right)));
@@ -109,7 +110,7 @@ TEST(DepthFormulas, JumpsAndFoldsAreThoseOfTheMethod) {
         });
         DepthLimits limits;
         limits.jumpMm = random() % 2 == 0 ? 5.0F : 40.0F;
-        limits.noisy = random() % 2 == 0;
+        limits.noisy = static_cast<float>(random() % 3) / 2;
         limits.windowMm = static_cast<float>(20 + random() % 200);
         limits.noise = {4.0, 0.2};
         limits.foldNoise = round % 2 == 0 ? limits.noise : RangeNoise{3.0, 0.1, 0.05};

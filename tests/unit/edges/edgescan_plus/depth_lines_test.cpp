@@ -137,7 +137,7 @@ DepthLimits randomLimits(std::mt19937& random) {
     DepthLimits limits;
     limits.jumpMm = std::array<float, 4>{0.0F, 5.0F, 30.0F, 200.0F}[random() % 4];
     limits.growth = random() % 3 == 0 ? 0.0F : 0.01F;
-    limits.noisy = random() % 2 == 0;
+    limits.noisy = static_cast<float>(random() % 3) / 2;
     limits.passes = 1 + static_cast<int>(random() % 2);
     limits.windowMm = static_cast<float>(20 + random() % 200);
     limits.noise = {4.0, 0.2};
@@ -202,7 +202,7 @@ struct WholeSweep {
         for (int pass = 0; pass < limits.passes; ++pass) {
             for (const Along along : {Along::Beams, Along::Lines}) {
                 Lines smooth = wholeSweep(inverse.u, 1.0F);
-                for (int i = 0; i < lines; ++i) smoothSurfaces(u, links[static_cast<std::size_t>(along)], along, i, smooth);
+                for (int i = 0; i < lines; ++i) smoothSurfaces(u, links[static_cast<std::size_t>(along)], along, i, pass == 0 ? 1.0F : limits.noisy, smooth);
                 addMargin(smooth);
                 u = smooth;
             }
