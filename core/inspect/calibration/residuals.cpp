@@ -82,7 +82,7 @@ std::optional<Residual> residualOf(const PreparedSweep& sweep, SurfaceFits& fits
 
 PreparedSweep preparedSweep(const Scan& scan, const PolarGeometry& polar) {
     PreparedSweep sweep{polar, inverseRange(scan), {}, stepsOf(polar.lineDeg), stepsOf(polar.beamDeg)};
-    sweep.noise = rangeNoise(sweep.inverse);
+    sweep.noise = noiseByRange(sweep.inverse);
     return sweep;
 }
 

@@ -234,7 +234,7 @@ Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier
     const Scan& before = *change.earlier.scan;
     change = withEdges(std::move(change), later);
     if (change.earlier.how.by == RegistrationBasis::OneScan) return change;
-    change.noise = {rangeNoise(inverseRange(*later.scan)), rangeNoise(inverseRange(*earlier.scan)), 0.0};
+    change.noise = {noiseByRange(inverseRange(*later.scan)), noiseByRange(inverseRange(*earlier.scan)), 0.0};
     takeAgreement(change, *later.scan);
     change.ranges = rangeChanges(*later.scan, before, change.noise);
     change.regions = changedRegions(*later.scan, change.ranges, change.noise);
