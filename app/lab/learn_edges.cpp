@@ -146,8 +146,9 @@ Result<Done> learn(const LearnEdges& asked) {
 
 void addLearnEdges(CLI::App& app, int& code) {
     auto asked = std::make_shared<LearnEdges>();
-    CLI::App& command = *app.add_subcommand("learn-edges", "Makes the trees that tell the border of a rock from a fold within one, from "
-                                                           "real stones and simulated scans, and tries them on each kind left out");
+    CLI::App& command =
+        *app.add_subcommand("learn-edges", "Makes the trees that distinguish the border of a rock from a fold within one, from "
+                                           "real stones and simulated scans, and tries them on each kind left out");
     command.add_option("-o,--output", asked->output, "File of the trees (core/edges/rock_borders/border_trees.inc)")->required();
     command.add_option("--draw", asked->draw, "Text from which the seeds of the scenes are drawn")->capture_default_str();
     command.add_option("--scenes", asked->scenes, "Scenes per family")->check(CLI::Range(1, 1000))->capture_default_str();

@@ -252,7 +252,7 @@ ResultObject resultOf(const ScanObject& scan, const std::string& bytes) {
         auto detection = std::make_shared<edges::Detection>();
         detection->scan = scan.scan;
         const auto settings = taken(parseJson(reader.taken<std::string>(), "pickle"));
-        detection->settings = taken(edges::settingsFromJson(settings, {}, "pickle"));
+        detection->settings = taken(edges::settingsFromJson(edges::settingsOfRecord(settings, 0), {}, "pickle"));
         auto mask = std::make_shared<Grid<std::uint8_t>>();
         reader.take(*mask);
         reader.take(detection->classes);

@@ -77,7 +77,7 @@ void followBorder(Why& why, const Detection& detection, std::size_t k) {
     if (!why.probe.edge && !why.leftOut) return;
     const Grid<DepthEdge>& classes = why.leftOut ? all.kind : *detection.classes;
     const std::array cells{static_cast<std::uint32_t>(k)};
-    why.border = borderPercents(*detection.surface, *detection.responses, settings, classes, cells).front();
+    why.border = borderPercents(*detection.surface, *detection.responses, settings, cells).front();
     if (*why.border == kUnknownBorder || classes[k] >= DepthEdge::Border) return; // of these no evidence is weighed
     constexpr std::size_t kMostReasons = 3;
     why.borderReasons = borderReasons(*detection.surface, *detection.responses, settings, k);

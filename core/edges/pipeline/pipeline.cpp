@@ -49,8 +49,9 @@ void timed(Detection& detection, Stage stage, const char* name, Run run) {
 // Made from copies of the pointers: the detection that holds it is not in it.
 MadeWhenRead<std::vector<BorderPercent>> bordersOf(const Detection& detection) {
     return MadeWhenRead<std::vector<BorderPercent>>(
-        [surface = detection.surface, responses = detection.responses, classes = detection.classes, edges = detection.edges,
-         settings = detection.settings] { return borderPercents(*surface, *responses, settings, *classes, *edges, 0); });
+        [surface = detection.surface, responses = detection.responses, edges = detection.edges, settings = detection.settings] {
+            return borderPercents(*surface, *responses, settings, *edges, 0);
+        });
 }
 
 } // namespace
@@ -112,7 +113,8 @@ DepthResponses Pipeline::responsesOf(const Detection& d) {
             return responses;
         }
     }
-    const auto cracks = keep_ == KeepFor::Rocks ? std::make_shared<DepthCracks>() : nullptr;
+    const bool forRocks = keep_ == KeepFor::Rocks && d.settings.rules < 5; // rocks measure cracks of their own otherwise
+    const auto cracks = forRocks ? std::make_shared<DepthCracks>() : nullptr;
     DepthResponses responses = depthResponses(*d.surface, d.settings, cracks.get());
     cracks_ = cracks;
     return responses;

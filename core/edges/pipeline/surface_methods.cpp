@@ -14,33 +14,31 @@
 namespace edgescan::edges {
 namespace {
 
-// The cells, of these, that are left out where only rock borders are edges. Nothing is left out of them unless the settings ask for it.
-std::vector<std::uint32_t> leftOut(const Detection& detection, const Grid<DepthEdge>& classes, const std::vector<std::uint32_t>& cells) {
+// The cells, of these, that are left out where only rock borders are edges.
+std::vector<std::uint32_t> leftOut(const Detection& detection, const std::vector<std::uint32_t>& cells) {
     std::vector<std::uint32_t> out;
-    const std::vector<BorderPercent> borders =
-        borderPercents(*detection.surface, *detection.responses, detection.settings, classes, cells, 0);
+    const std::vector<BorderPercent> borders = borderPercents(*detection.surface, *detection.responses, detection.settings, cells, 0);
     for (std::size_t n = 0; n < cells.size(); ++n) {
         if (borders[n] < detection.settings.borderPercent) out.push_back(cells[n]);
     }
     return out;
 }
 
-// The same of all cells that satisfy isCandidate(k), whichever class they have.
+// The same of all cells that satisfy isCandidate(k), if the settings ask for it.
 template <class IsCandidate>
 std::vector<std::uint32_t> candidatesLeftOut(const Detection& detection, IsCandidate isCandidate) {
     if (!detection.settings.rockBorders) return {};
-    const Grid<float>& jump = *detection.responses->jump;
     std::vector<std::uint32_t> cells;
-    for (std::uint32_t k = 0; k < jump.size(); ++k) {
+    for (std::uint32_t k = 0; k < detection.responses->jump->size(); ++k) {
         if (isCandidate(k)) cells.push_back(k);
     }
-    return leftOut(detection, Grid<DepthEdge>(jump.lines, jump.beams, DepthEdge::None), cells);
+    return leftOut(detection, cells);
 }
 
 FoundEdges surfaceEdges(const Detection& detection) {
     DepthEdges found = decideDepthEdges(*detection.responses, detection.settings, 0);
     if (detection.settings.rockBorders) {
-        for (const std::uint32_t k : leftOut(detection, found.kind, edgeCells(found.mask))) {
+        for (const std::uint32_t k : leftOut(detection, edgeCells(found.mask))) {
             found.mask[k] = 0;
             found.kind[k] = DepthEdge::None;
         }
@@ -95,7 +93,7 @@ double surfaceThreshold(const Detection& detection, std::size_t k) {
     const DepthResponses& responses = *detection.responses;
     const auto has = [k](const ClassCells& edges) { return std::ranges::binary_search(edges.cells, k); };
     if (std::ranges::any_of(edgesAtVoids(responses, settings), has)) return std::numeric_limits<double>::infinity();
-    if (!candidatesLeftOut(detection, [k](std::size_t n) { return n == k; }).empty()) return -1;
+    if (settings.rockBorders && !leftOut(detection, {static_cast<std::uint32_t>(k)}).empty()) return -1;
     return linkedThresholdAt(
         responses.jump->lines, responses.jump->beams, [&](std::size_t n) { return requestedStrengthAt(responses, settings, n); },
         settings.hysteresisPercent / 100.0, settings.minimumLength, k);

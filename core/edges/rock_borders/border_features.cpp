@@ -2,6 +2,7 @@
 #include "core/edges/rock_borders/border_features.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace edgescan::edges {
@@ -11,10 +12,16 @@ constexpr float kUnitOfU = 1048576.0F; // 1/m
 constexpr float kUnitOfFold = 256.0F;
 constexpr float kMostFold = 6.0F, kMostJump = 12.0F;
 constexpr float kFolds = 0.35F;                               // of a threshold: from here on a cell folds, or may be an edge
+constexpr float kLeastU = 1.0F / 60.0F;                       // of voids, 1/m; farther places are not distinguished from them
 constexpr float kMost = 60.0F;                                // distances between points
 constexpr int kNear = 4;                                      // cells on both sides that must be in the grid
 constexpr std::array<int, 8> kAway{1, 2, 3, 4, 6, 8, 12, 16}; // cells across the edge
 constexpr std::uint64_t kCandidate = std::uint64_t{1} << 32;
+
+// The folds as the trees learnt them: before those of a rough scan are weighed.
+const Grid<float>& foldsOf(const DepthResponses& responses) {
+    return responses.unweighed.size() > 0 ? responses.unweighed : responses.crease;
+}
 
 float limited(float value, float most) { return std::clamp(value, -most, most); }
 
@@ -36,7 +43,8 @@ BorderMeasure::BorderMeasure(const DepthSurface& surface, const DepthResponses& 
     : surface_(surface), responses_(responses), creases_(static_cast<float>(settings.creaseDeg / 30.0)) {
     const Grid<float>& u = surface.inverse.u;
     const Grid<float>& jump = *responses.jump;
-    const auto foldAt = [&](std::size_t k) { return std::min(std::abs(responses.crease[k]) * creases_, kMostFold); };
+    const Grid<float>& folds = foldsOf(responses);
+    const auto foldAt = [&](std::size_t k) { return std::min(kMostFold, std::abs(folds[k]) * creases_); };
     inverseRanges_ = {u.lines, u.beams, [&](std::size_t k) { return static_cast<std::uint64_t>(u[k] * kUnitOfU); }};
     folds_ = {u.lines, u.beams, [&](std::size_t k) { return static_cast<std::uint32_t>(foldAt(k) * kUnitOfFold); }};
     edges_ = {u.lines, u.beams, [&](std::size_t k) {
@@ -48,7 +56,7 @@ BorderMeasure::BorderMeasure(const DepthSurface& surface, const DepthResponses& 
 // Beyond the grid: that of its last cell.
 float BorderMeasure::rangeAt(int line, int beam) const {
     const Grid<float>& u = surface_.inverse.u;
-    return 1000.0F / std::max(u.at(std::clamp(line, 0, u.lines - 1), std::clamp(beam, 0, u.beams - 1)), 1.0F / 60.0F);
+    return 1000.0F / std::max(u.at(std::clamp(line, 0, u.lines - 1), std::clamp(beam, 0, u.beams - 1)), kLeastU);
 }
 
 BorderMeasure::Course BorderMeasure::courseAt(int line, int beam) const {
@@ -102,19 +110,19 @@ float BorderMeasure::largestJump(int line, int beam, int reach) const {
         const float* jumps = jump.line(i);
         for (int j = std::max(0, beam - reach); j <= std::min(jump.beams - 1, beam + reach); ++j) largest = std::max(largest, jumps[j]);
     }
-    return std::min(largest, kMostJump);
+    return std::min(kMostJump, largest);
 }
 
 bool BorderMeasure::measure(std::size_t cell, BorderFeatures& features) const {
     const Grid<float>& u = surface_.inverse.u;
     const Grid<Support>& support = surface_.inverse.support;
-    if (support[cell] == Support::Void) return false;
+    if (support[cell] == Support::Void || u[cell] < kLeastU) return false;
     const int line = static_cast<int>(cell / static_cast<std::size_t>(u.beams)),
               beam = static_cast<int>(cell % static_cast<std::size_t>(u.beams));
     const Course course = courseAt(line, beam);
     if (!course.known) return false;
-    const float jump = std::min((*responses_.jump)[cell], kMostJump);
-    const float fold = limited(responses_.crease[cell] * creases_, kMostFold);
+    const float jump = std::min(kMostJump, (*responses_.jump)[cell]);
+    const float fold = limited(foldsOf(responses_)[cell] * creases_, kMostFold);
     float* to = features.data();
     const auto add = [&to](float value) { *to++ = value; };
     // Steps.
@@ -162,7 +170,8 @@ bool BorderMeasure::measure(std::size_t cell, BorderFeatures& features) const {
     add(course.spacing);
     add(0.001F * range);
     add(static_cast<float>(responses_.noise.at(0.001 * static_cast<double>(range))) / course.spacing);
-    return to == features.data() + features.size();
+    assert(to == features.data() + features.size());
+    return true;
 }
 
 BorderEvidence evidenceOf(int feature) {

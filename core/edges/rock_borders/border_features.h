@@ -3,6 +3,7 @@
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -66,7 +67,7 @@ private:
 class BorderMeasure {
 public:
     BorderMeasure(const DepthSurface& surface, const DepthResponses& responses, const Settings& settings);
-    /// False if the grid ends within 4 cells across the edge, or the cell has no range: then `features` are undefined.
+    /// False if the grid ends within 4 cells across the edge, or the cell has no range up to 60 m: then `features` are undefined.
     [[nodiscard]] bool measure(std::size_t cell, BorderFeatures& features) const;
 
 private:

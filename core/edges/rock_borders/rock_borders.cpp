@@ -15,25 +15,36 @@ constexpr BorderPercent kSure = 100;
 
 #include "core/edges/rock_borders/border_trees.inc" // kStart and kTrees
 
-bool isOfVoid(DepthEdge kind) { return kind == DepthEdge::Silhouette || kind == DepthEdge::VoidRim || kind == DepthEdge::Border; }
+// Gives the cells that are edges because of a void their value: it does not depend on the features. Marks them.
+std::vector<bool> fillAtVoids(const DepthResponses& responses, const Settings& settings, std::span<const std::uint32_t> cells,
+                              std::vector<BorderPercent>& percents) {
+    std::vector<bool> atVoid(cells.size());
+    for (const ClassCells& edges : edgesAtVoids(responses, settings)) {
+        for (std::size_t n = 0; n < cells.size() && !edges.cells.empty(); ++n) {
+            if (atVoid[n] || !std::ranges::binary_search(edges.cells, cells[n])) continue;
+            if (edges.kind == DepthEdge::Border) continue;
+            atVoid[n] = true;
+            percents[n] = kSure;
+        }
+    }
+    return atVoid;
+}
 
 } // namespace
 
 BorderModel borderModel() { return {kStart, kTrees}; }
 
 std::vector<BorderPercent> borderPercents(const DepthSurface& surface, const DepthResponses& responses, const Settings& settings,
-                                          const Grid<DepthEdge>& classes, std::span<const std::uint32_t> cells, int threads) {
+                                          std::span<const std::uint32_t> cells, int threads) {
     std::vector<BorderPercent> percents(cells.size(), kUnknownBorder);
-    for (std::size_t n = 0; n < cells.size(); ++n) {
-        if (isOfVoid(classes[cells[n]])) percents[n] = kSure;
-    }
+    const std::vector<bool> atVoid = fillAtVoids(responses, settings, cells, percents);
     if (responses.neighboursAlike || cells.empty()) return percents;
     const BorderMeasure measure(surface, responses, settings);
     const BorderModel model = borderModel();
     runInBands(static_cast<int>(cells.size()), bandsFor(surface.inverse.u.size(), threads), [&](int first, int last) {
         BorderFeatures features{};
         for (auto n = static_cast<std::size_t>(first); n < static_cast<std::size_t>(last); ++n) {
-            if (percents[n] != kSure && measure.measure(cells[n], features))
+            if (!atVoid[n] && measure.measure(cells[n], features))
                 percents[n] = static_cast<BorderPercent>(percentOf(logOdds(model.trees, model.start, features.data())));
         }
     });

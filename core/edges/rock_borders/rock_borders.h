@@ -10,17 +10,16 @@
 
 namespace edgescan::edges {
 
-/// Probability in per cent, 0 to 100, or kUnknownBorder: near the end of the grid, where no range was measured, and in scans whose
-/// neighbours err alike (depth cameras).
+/// Probability in per cent, 0 to 100, or kUnknownBorder: near the end of the grid, beyond 60 m, where no range was
+/// measured, and in scans whose neighbours err alike (depth cameras).
 using BorderPercent = std::uint8_t;
 inline constexpr BorderPercent kUnknownBorder = 255;
 inline constexpr BorderPercent kStrongBorder = 70, kWeakBorder = 30; ///< from here on drawn as a border; below as a fold
 
-/// Of these cells, in their order. `classes`: lines x beams; cells of a silhouette, of the rim of a void and of a data border have 100.
-/// The same for any number of threads.
+/// Of these cells, in their order. Outlines before a void and rims of voids that are edges have 100; of a data border, which is not an edge
+/// of anything, nothing is known. The same for any number of threads.
 [[nodiscard]] std::vector<BorderPercent> borderPercents(const DepthSurface& surface, const DepthResponses& responses,
-                                                        const Settings& settings, const Grid<DepthEdge>& classes,
-                                                        std::span<const std::uint32_t> cells, int threads = 1);
+                                                        const Settings& settings, std::span<const std::uint32_t> cells, int threads = 1);
 
 /// The kinds of evidence that moved the probability of a cell, the strongest first, in kLogOddsUnit: positive for a border. Empty where
 /// the probability is unknown.

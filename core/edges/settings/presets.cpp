@@ -122,6 +122,8 @@ Result<Preset> findPreset(const std::string& nameOrPath) {
     }
     Result<Settings> settings = settingsFromJson((*json)["settings"], cannySettings(), nameOrPath);
     if (!settings) return settings.error();
+    // Files of version 1.0 hold every setting of that time: they keep its masks.
+    if (const nlohmann::json& all = (*json)["settings"]; all.contains("rough-scans") && !all.contains("rules")) settings->rules = 4;
     if (const auto checked = checkSettings(*settings); !checked) return checked.error();
     const nlohmann::json name = json->value("name", nlohmann::json());
     return Preset{name.is_string() ? name.get<std::string>() : path.stem().string(), "From " + nameOrPath, *settings, nameOrPath};

@@ -29,8 +29,10 @@ double foldingShare(const Grid<float>& crease, const Grid<Support>& support) {
 bool isFlatAndQuiet(const Detection& detection) {
     if (!detection.responses || !reads(detection.settings.method, kReadsCreases)) return false;
     const DepthSurface& surface = *detection.surface;
+    const Grid<float>& unweighed = detection.responses->unweighed;
+    const Grid<float>& folds = unweighed.size() > 0 ? unweighed : detection.responses->crease;
     return !detection.responses->neighboursAlike && surface.ofRange.at(5.0) > 0 && surface.ofRange.at(5.0) <= kQuietMm &&
-           foldingShare(detection.responses->crease, surface.inverse.support) <= kFlatShare;
+           foldingShare(folds, surface.inverse.support) <= kFlatShare;
 }
 
 } // namespace edgescan::edges

@@ -100,7 +100,7 @@ Result<std::vector<SceneOrder>> drawnScenes(const Family& family, const SceneDra
                              ? Error{family.source->without, places.shared.string(), "name the folder with --shared"}
                              : family.source->ready(family, places);
     for (std::size_t n = 0; ready && !(draw.small && hasStored) && n < fresh; ++n) orders.push_back(freshScene(family, draw, n));
-    // Scenes that anybody has seen judge only where there are no others.
+    // Scenes that were known before judge only where there are no others.
     if (hasStored && orders.empty()) {
         for (const std::filesystem::path& file : family.source->stored(family, places)) {
             if (draw.small && orders.size() >= family.small) break;

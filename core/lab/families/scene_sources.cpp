@@ -26,7 +26,7 @@ std::vector<fs::path> namesIn(const fs::path& folder, const std::string& begin, 
     return found;
 }
 
-// Heaps of real stones. The seed is that of the heap, so a family with more noise has its own heaps.
+// Heaps of real stones.
 fs::path stonesOf(const FamilyPlaces& places) { return places.stones.empty() ? places.shared / "data/real_stones/stones" : places.stones; }
 Result<Done> stonesReady(const Family&, const FamilyPlaces& places) {
     std::error_code failed;

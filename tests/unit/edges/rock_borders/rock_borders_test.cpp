@@ -3,6 +3,7 @@
 
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
+#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 #include "tests/support/simulated_bell.h"
 
@@ -57,7 +58,7 @@ TEST(RockBorders, AreTheSameForAnyNumberOfThreadsAndForEachCellAlone) {
     const std::vector<BorderPercent>& all = *detection->borders;
     ASSERT_EQ(all.size(), detection->edges->size());
     const auto of = [&](std::span<const std::uint32_t> cells, int threads) {
-        return borderPercents(*detection->surface, *detection->responses, detection->settings, *detection->classes, cells, threads);
+        return borderPercents(*detection->surface, *detection->responses, detection->settings, cells, threads);
     };
     EXPECT_EQ(of(*detection->edges, 3), all);
     for (std::size_t n = 0; n < all.size(); n += 97) EXPECT_EQ(of(std::span(*detection->edges).subspan(n, 1), 1).front(), all[n]);
@@ -121,6 +122,27 @@ TEST(RockBorders, ThresholdsOfTheViewAgreeWithItsEdges) {
     }
     for (std::size_t k = 0; k < map.highest.size(); k += 211)
         EXPECT_EQ(rowOf(Method::EdgeScanPlus).decision.threshold(*detection, k), map.highest[k]) << k;
+}
+
+// A pile with lost cells has edges at voids that are jumps, too: no view leaves them out.
+TEST(RockBorders, EdgesAtVoidsStayInTheView) {
+    sim::SimulationSettings pile;
+    pile.scene = "pile";
+    pile.seed = 11;
+    pile.lines = 200;
+    pile.beams = 229;
+    pile.dropouts = 0.08;
+    const auto scan = std::make_shared<const Scan>(sim::simulate(pile)->scan);
+    const auto view = detectEdges(scan, onlyBorders(70));
+    std::size_t alsoJumps = 0;
+    for (const ClassCells& edges : edgesAtVoids(*view->responses, view->settings)) {
+        for (const std::uint32_t k : edges.cells) {
+            EXPECT_NE((*view->mask)[k], 0) << k;
+            alsoJumps += (*view->classes)[k] != edges.kind ? 1 : 0;
+        }
+    }
+    EXPECT_GT(alsoJumps, 0U);
+    EXPECT_EQ(edgesAt(thresholdMapOf(*view), 1.0), *view->mask);
 }
 
 TEST(RockBorders, ReasonsAreAllKindsOfEvidenceTheStrongestFirst) {
