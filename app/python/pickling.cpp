@@ -6,6 +6,7 @@
 #include "core/base/version.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
 #include "core/scan/grid/acquisition.h"
 
 #include <nlohmann/json.hpp>
