@@ -2,6 +2,7 @@
 #include "core/lab/learning/learn_edges.h"
 
 #include "core/edges/rock_borders/rock_borders.h"
+#include "core/sim/scene.h"
 #include "tests/support/scored_scene.h"
 
 #include <gtest/gtest.h>
