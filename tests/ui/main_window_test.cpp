@@ -190,9 +190,10 @@ private slots:
         QVERIFY2(probe.contains(QString("  line %1  beam %2  ").arg(marked.y()).arg(marked.x())), qPrintable(probe));
         QVERIFY(probe.contains("gray"));
 
-        // A click fixes the crosshair, Esc removes it.
+        // A click fixes the crosshair, at an edge near the pointer, and Esc removes it.
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixel);
-        QCOMPARE(*window.viewer().views.edges().crosshair(), marked);
+        const QPoint fixed = *window.viewer().views.edges().crosshair();
+        QVERIFY((fixed - marked).manhattanLength() <= 6 && detection.mask->at(fixed.y(), fixed.x()) != 0);
         window.viewer().notice.hide(); // Esc would first close the notice about the interlaced beams of the real scan
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(!window.viewer().views.edges().crosshair().has_value());

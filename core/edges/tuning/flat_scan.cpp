@@ -10,7 +10,7 @@
 namespace edgescan::edges {
 namespace {
 
-constexpr double kFlatShare = 0.02; // of the cells fold
+constexpr double kFlatShare = 0.01; // of the cells fold
 constexpr float kFolds = 0.35F;     // of the threshold
 constexpr double kQuietMm = 8.0;    // sigma at 5 m, relief included; 6.75 mm for an LMS511
 
