@@ -1884,8 +1884,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
 <message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
 <message><source>void rim</source><translation>borde de un vacío</translation></message>
-<message><source>All edges</source><translation>Todos los bordes</translation></message>
-<message><source>Rock borders</source><translation>Contornos de rocas</translation></message>
+<message><source>All edges</source><translation>Todos</translation></message>
+<message><source>Rock borders</source><translation>De rocas</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>
 <message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desactivado)</translation></message>

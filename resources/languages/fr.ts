@@ -1884,8 +1884,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
 <message><source>outline before a void</source><translation>contour devant un vide</translation></message>
 <message><source>void rim</source><translation>bord d'un vide</translation></message>
-<message><source>All edges</source><translation>Toutes les arêtes</translation></message>
-<message><source>Rock borders</source><translation>Contours de roches</translation></message>
+<message><source>All edges</source><translation>Toutes</translation></message>
+<message><source>Rock borders</source><translation>De roches</translation></message>
 <message><source>Even</source><translation>Régulière</translation></message>
 <message><source>Logarithmic</source><translation>Logarithmique</translation></message>
 <message><source>1 (off)</source><translation>1 (désactivé)</translation></message>

@@ -1884,8 +1884,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
 <message><source>void rim</source><translation>beira de um vazio</translation></message>
-<message><source>All edges</source><translation>Todas as bordas</translation></message>
-<message><source>Rock borders</source><translation>Contornos de rochas</translation></message>
+<message><source>All edges</source><translation>Todas</translation></message>
+<message><source>Rock borders</source><translation>De rochas</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>
 <message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desligado)</translation></message>
