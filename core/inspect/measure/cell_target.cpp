@@ -35,7 +35,7 @@ std::optional<double> strengthAt(const edges::Detection& detection, const edges:
 } // namespace
 
 RangeNoise noiseOf(const edges::Detection& detection) {
-    return detection.surface ? detection.surface->noise : noiseByRange(inverseRange(*detection.scan));
+    return detection.surface ? detection.surface->noise : edges::depthSurface(*detection.scan, {}).noise;
 }
 
 CellTarget targetAt(const edges::Detection& detection, const RangeNoise& noise, std::size_t k) {

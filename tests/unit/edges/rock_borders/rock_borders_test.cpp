@@ -20,6 +20,16 @@ std::shared_ptr<const Scan> bell() {
     return scan;
 }
 
+std::shared_ptr<const Scan> pileWithLostCells() {
+    sim::SimulationSettings settings;
+    settings.scene = "pile";
+    settings.seed = 11;
+    settings.lines = 200;
+    settings.beams = 229;
+    settings.dropouts = 0.08;
+    return std::make_shared<const Scan>(sim::simulate(settings)->scan);
+}
+
 Settings onlyBorders(double percent) {
     Settings settings;
     settings.rockBorders = true;
@@ -65,7 +75,7 @@ TEST(RockBorders, AreTheSameForAnyNumberOfThreadsAndForEachCellAlone) {
 }
 
 TEST(RockBorders, EdgesAtVoidsAreBorders) {
-    const auto detection = detectEdges(bell(), {});
+    const auto detection = detectEdges(pileWithLostCells(), {});
     std::size_t atVoids = 0;
     for (std::size_t n = 0; n < detection->edges->size(); ++n) {
         const DepthEdge kind = (*detection->classes)[(*detection->edges)[n]];
@@ -126,14 +136,7 @@ TEST(RockBorders, ThresholdsOfTheViewAgreeWithItsEdges) {
 
 // A pile with lost cells has edges at voids that are jumps, too: no view leaves them out.
 TEST(RockBorders, EdgesAtVoidsStayInTheView) {
-    sim::SimulationSettings pile;
-    pile.scene = "pile";
-    pile.seed = 11;
-    pile.lines = 200;
-    pile.beams = 229;
-    pile.dropouts = 0.08;
-    const auto scan = std::make_shared<const Scan>(sim::simulate(pile)->scan);
-    const auto view = detectEdges(scan, onlyBorders(70));
+    const auto view = detectEdges(pileWithLostCells(), onlyBorders(70));
     std::size_t alsoJumps = 0;
     for (const ClassCells& edges : edgesAtVoids(*view->responses, view->settings)) {
         for (const std::uint32_t k : edges.cells) {
