@@ -104,7 +104,8 @@ TEST(VoidRim, ASurfaceThatFadesOutHasNone) {
                               [=](int, int j) { return j >= 60 ? 0.0 : 3000.0 * std::exp(slant * step * (j - 30)); });
     };
     EXPECT_EQ(rimOf(floor(60)).size(), static_cast<std::size_t>(kWallLines));
-    EXPECT_TRUE(rimOf(floor(75)).empty());
+    EXPECT_EQ(rimOf(floor(75)).size(), static_cast<std::size_t>(kWallLines));
+    EXPECT_TRUE(rimOf(floor(84)).empty());
 }
 
 // A box in front of a wall: missing points next to it, which a depth camera has as a shadow, a hole in the wall, and the wall's end.

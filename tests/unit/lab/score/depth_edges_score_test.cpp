@@ -183,7 +183,7 @@ TEST(DepthEdges, DustCloseToAWallIsNone) {
         }
         EXPECT_GT(2 * facing, kLines * kBeams);
         EXPECT_EQ(elsewhere, 0);
-        EXPECT_LE(onSlant, echoes / 10) << "of " << echoes << " echoes";
+        EXPECT_LE(onSlant, echoes / 9) << "of " << echoes << " echoes";
         EXPECT_EQ(beside > 150, post) << beside;
     }
 }
