@@ -177,7 +177,7 @@ TEST(Repeat, EveryMethodIsComparedAtEqualNumbers) {
     const auto scan = bell(100, 120, 11);
     const auto again = bell(90, 130, 11);
     ComparisonSettings settings;
-    settings.only = {"thesis", "edgescan+", "sobel"};
+    settings.only = {"kirsch", "edgescan+", "sobel"};
     settings.repeats = 1;
     settings.withPcl = false;
     const auto rows = methodRepeatability(inspect::placedBy(scan, {}), inspect::placedBy(again, {}), 0.15, settings);
