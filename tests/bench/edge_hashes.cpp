@@ -59,6 +59,8 @@ std::vector<std::pair<std::string, edges::Settings>> allSettings(const edges::Se
     turned("grazing 1", [](edges::Settings& s) { s.grazing = 1; });
     turned("fold 5", [](edges::Settings& s) { s.creaseDeg = 5; });
     turned("sensitive", [](edges::Settings& s) { s.sensitivity = 0.3, s.hysteresisPercent = 20, s.minimumLength = 1; });
+    turned("rules 4", [](edges::Settings& s) { s.rules = 4; });
+    turned("rock borders", [](edges::Settings& s) { s.rockBorders = true; });
     turned("not straightened", [](edges::Settings& s) { s.straighten = false; });
     turned("concave and border", [](edges::Settings& s) { s.classes = edges::kClassConcave | edges::kClassBorder; });
     turned("convex", [](edges::Settings& s) { s.classes = edges::kClassConvex; });
@@ -100,7 +102,7 @@ void printWithThreads(const std::string& name, const Scan& scan, const edges::Se
 void print(const std::string& name, const Scan& scan, const edges::Settings& base) {
     const auto shared = std::make_shared<const Scan>(scan);
     for (const auto& [title, settings] : allSettings(base)) {
-        const auto found = edges::detectEdges(shared, settings, edges::KeepFor::Rocks);
+        const auto found = edges::detectEdges(shared, settings);
         Hash mask, rest;
         mask.add(found->mask->cells);
         rest.add(*found->edges);
@@ -113,8 +115,10 @@ void print(const std::string& name, const Scan& scan, const edges::Settings& bas
             rest.add(found->surface->inverse.u.cells);
             rest.add(found->surface->slips.remaining[0]);
             rest.add(found->surface->slips.remaining[1]);
-            for (const Grid<float>* grid : {&found->cracks->smoothed, &found->cracks->jumpBeams, &found->cracks->jumpLines,
-                                            &found->cracks->foldBeams, &found->cracks->foldLines})
+            rest.add(*found->borders);
+            edges::DepthCracks cracks;
+            (void)edges::depthResponses(*found->surface, settings, &cracks);
+            for (const Grid<float>* grid : {&cracks.smoothed, &cracks.jumpBeams, &cracks.jumpLines, &cracks.foldBeams, &cracks.foldLines})
                 rest.add(grid->cells);
         }
         std::printf("%s, %s: %zu edges, mask %016llx, rest %016llx\n", name.c_str(), title.c_str(), found->edges->size(),
