@@ -1,5 +1,5 @@
 // How rough the surfaces of a scan are: where nearly half of the cells fold, a fold must exceed its surroundings
-// (docs/method/edges.md, "Rough scans").
+// (docs/method/edges.md, "Rules of default set 4").
 #pragma once
 
 #include "core/edges/edgescan_plus/range_field.h"
