@@ -329,7 +329,8 @@ private slots:
         }
         const std::string csv = (folder_ / "chosen.csv").string();
         QVERIFY(bool(exports::exportWithProvenance(dialog.content(), *detection, csv, dialog.options())));
-        QCOMPARE(test::runCli("detect '" + scan_ + "' --comments --doubles --dxf-2000 --short-lines --with-confidence --with-borders --edges " +
+        QCOMPARE(test::runCli("detect '" + scan_ +
+                              "' --comments --doubles --dxf-2000 --short-lines --with-confidence --with-borders --edges " +
                               (folder_ / "cli.csv").string())
                      .code,
                  0);

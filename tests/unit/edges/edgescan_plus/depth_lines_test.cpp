@@ -202,7 +202,8 @@ struct WholeSweep {
         for (int pass = 0; pass < limits.passes; ++pass) {
             for (const Along along : {Along::Beams, Along::Lines}) {
                 Lines smooth = wholeSweep(inverse.u, 1.0F);
-                for (int i = 0; i < lines; ++i) smoothSurfaces(u, links[static_cast<std::size_t>(along)], along, i, pass == 0 ? 1.0F : limits.noisy, smooth);
+                for (int i = 0; i < lines; ++i)
+                    smoothSurfaces(u, links[static_cast<std::size_t>(along)], along, i, pass == 0 ? 1.0F : limits.noisy, smooth);
                 addMargin(smooth);
                 u = smooth;
             }

@@ -32,7 +32,8 @@ TEST(StoneFiles, ArraysAreReadFromPackedAndUnpackedArchives) {
         ASSERT_TRUE(triples);
         EXPECT_EQ((*triples)[0], (std::array<std::int32_t, 3>{0, 1, 2}));
         EXPECT_EQ(npzTriples(bytesOf(file), "F", 2, "here").error().what, "the array F names a point that is not there");
-        EXPECT_EQ(npzPoints(bytesOf(file), "F", "here").error().what, "the array F does not have the numbers and the two sides that it should have");
+        EXPECT_EQ(npzPoints(bytesOf(file), "F", "here").error().what,
+                  "the array F does not have the numbers and the two sides that it should have");
         EXPECT_EQ(npzPoints(bytesOf(file), "hull", "here").error().what, "the array hull is missing");
     }
     EXPECT_FALSE(npzPoints(bytesOf("no archive"), "V", "here"));
