@@ -70,7 +70,7 @@ private slots:
         QVERIFY(on.showWith(real_));
         const auto before = window.viewer().engine.picture();
         QVERIFY(eventually([&] { return window.viewer().engine.bordered() != nullptr; }));
-        const QImage edges = window.viewer().views.edges().image();
+        const auto edges = window.viewer().views.edges().image();
         const QString path = QString::fromStdString(folder_.path().string()) + "/" + name;
         if (!content.startsWith('\x01')) {
             QFile file(path);
