@@ -1893,7 +1893,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2 √(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vecinas</translation></message>
 <message><source>8 neighbours</source><translation>8 vecinas</translation></message>
-<message><source>of default set 4</source><translation>del conjunto predeterminado 4</translation></message>
+<message><source>of default set 4</source><translation>del conjunto 4</translation></message>
 <message><source>of today</source><translation>de hoy</translation></message>
 <message><source>as measured</source><translation>según lo medido</translation></message>
 <message><source>laser</source><translation>láser</translation></message>

@@ -1893,7 +1893,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2 √(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 voisines</translation></message>
 <message><source>8 neighbours</source><translation>8 voisines</translation></message>
-<message><source>of default set 4</source><translation>du jeu par défaut 4</translation></message>
+<message><source>of default set 4</source><translation>du jeu 4</translation></message>
 <message><source>of today</source><translation>d'aujourd'hui</translation></message>
 <message><source>as measured</source><translation>tel que mesuré</translation></message>
 <message><source>laser</source><translation>laser</translation></message>

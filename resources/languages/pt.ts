@@ -1893,7 +1893,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2 √(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vizinhas</translation></message>
 <message><source>8 neighbours</source><translation>8 vizinhas</translation></message>
-<message><source>of default set 4</source><translation>do conjunto padrão 4</translation></message>
+<message><source>of default set 4</source><translation>do conjunto 4</translation></message>
 <message><source>of today</source><translation>de hoje</translation></message>
 <message><source>as measured</source><translation>conforme medido</translation></message>
 <message><source>laser</source><translation>laser</translation></message>
