@@ -5,7 +5,6 @@
 #include "core/edges/settings/method_traits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>

@@ -35,8 +35,8 @@ struct BorderMeasure::Course {
     int towards = 1;           // sign of the step to the far side
     float spacing = 0;         // mm, across
     std::array<float, kAway.size()> near{}, far{};
-    std::array<float, 4> beside{}; // along the edge, at 2, 4, 8 cells: bend; and the slope over 3 cells on both sides
-    float slopeBeside = 0;
+    std::array<float, 3> bendsAlong{};  // along the edge, over 2, 4 and 8 cells
+    std::array<float, 2> slopesAlong{}; // along the edge, to the cells 3 away on both sides
 };
 
 BorderMeasure::BorderMeasure(const DepthSurface& surface, const DepthResponses& responses, const Settings& settings)
@@ -78,16 +78,16 @@ BorderMeasure::Course BorderMeasure::courseAt(int line, int beam) const {
     course.known = acrossBeams ? beam >= kNear && beam + kNear < u.beams : line >= kNear && line + kNear < u.lines;
     course.across = lines;
     course.spacing = acrossBeams ? ofBeams : ofLines;
-    const float beside = acrossBeams ? ofLines : ofBeams;
+    const float spacingAlong = acrossBeams ? ofLines : ofBeams;
     course.towards = away(4 * lines, 4 * beams, course.spacing) >= away(-4 * lines, -4 * beams, course.spacing) ? 1 : -1;
     for (std::size_t n = 0; n < kAway.size(); ++n) {
         const int cells = kAway[n] * course.towards;
         course.far[n] = away(cells * lines, cells * beams, course.spacing);
         course.near[n] = away(-cells * lines, -cells * beams, course.spacing);
     }
-    const auto along = [&](int cells) { return away(cells * beams, cells * lines, beside); };
-    course.beside = {(along(-2) + along(2)) / 2, (along(-4) + along(4)) / 4, (along(-8) + along(8)) / 8, along(-3)};
-    course.slopeBeside = along(3);
+    const auto along = [&](int cells) { return away(cells * beams, cells * lines, spacingAlong); };
+    course.bendsAlong = {(along(-2) + along(2)) / 2, (along(-4) + along(4)) / 4, (along(-8) + along(8)) / 8};
+    course.slopesAlong = {along(-3), along(3)};
     return course;
 }
 
@@ -145,8 +145,8 @@ bool BorderMeasure::measure(std::size_t cell, BorderFeatures& features) const {
     add(course.near[3] - course.near[0]);
     add(course.far[3] - course.far[0]);
     // Along.
-    for (const float beside : course.beside) add(beside);
-    add(course.slopeBeside);
+    for (const float bend : course.bendsAlong) add(bend);
+    for (const float slope : course.slopesAlong) add(slope);
     // Height.
     for (const int reach : {3, 7, 15, 30}) add(heightAt(line, beam, reach));
     const int lines = 4 * course.across * course.towards, beams = 4 * (1 - course.across) * course.towards;

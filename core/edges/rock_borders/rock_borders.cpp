@@ -15,19 +15,17 @@ constexpr BorderPercent kSure = 100;
 
 #include "core/edges/rock_borders/border_trees.inc" // kStart and kTrees
 
-// Gives the cells that are edges because of a void their value: it does not depend on the features. Marks them.
-std::vector<bool> fillAtVoids(const DepthResponses& responses, const Settings& settings, std::span<const std::uint32_t> cells,
-                              std::vector<BorderPercent>& percents) {
-    std::vector<bool> atVoid(cells.size());
+// Of the cells that are edges because of a void: their value does not depend on the features. All others: unknown.
+std::vector<BorderPercent> percentsAtVoids(const DepthResponses& responses, const Settings& settings,
+                                           std::span<const std::uint32_t> cells) {
+    std::vector<BorderPercent> percents(cells.size(), kUnknownBorder);
     for (const ClassCells& edges : edgesAtVoids(responses, settings)) {
-        for (std::size_t n = 0; n < cells.size() && !edges.cells.empty(); ++n) {
-            if (atVoid[n] || !std::ranges::binary_search(edges.cells, cells[n])) continue;
-            if (edges.kind == DepthEdge::Border) continue;
-            atVoid[n] = true;
-            percents[n] = kSure;
+        if (edges.kind == DepthEdge::Border) continue;
+        for (std::size_t n = 0; n < cells.size(); ++n) {
+            if (std::ranges::binary_search(edges.cells, cells[n])) percents[n] = kSure;
         }
     }
-    return atVoid;
+    return percents;
 }
 
 } // namespace
@@ -36,15 +34,14 @@ BorderModel borderModel() { return {kStart, kTrees}; }
 
 std::vector<BorderPercent> borderPercents(const DepthSurface& surface, const DepthResponses& responses, const Settings& settings,
                                           std::span<const std::uint32_t> cells, int threads) {
-    std::vector<BorderPercent> percents(cells.size(), kUnknownBorder);
-    const std::vector<bool> atVoid = fillAtVoids(responses, settings, cells, percents);
+    std::vector<BorderPercent> percents = percentsAtVoids(responses, settings, cells);
     if (responses.neighboursAlike || cells.empty()) return percents;
     const BorderMeasure measure(surface, responses, settings);
     const BorderModel model = borderModel();
     runInBands(static_cast<int>(cells.size()), bandsFor(surface.inverse.u.size(), threads), [&](int first, int last) {
         BorderFeatures features{};
         for (auto n = static_cast<std::size_t>(first); n < static_cast<std::size_t>(last); ++n) {
-            if (!atVoid[n] && measure.measure(cells[n], features))
+            if (percents[n] == kUnknownBorder && measure.measure(cells[n], features))
                 percents[n] = static_cast<BorderPercent>(percentOf(logOdds(model.trees, model.start, features.data())));
         }
     });

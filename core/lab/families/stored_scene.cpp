@@ -3,9 +3,11 @@
 
 #include "core/base/whole_file.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/lab/stones/creases.h"
 #include "core/lab/stones/npz.h"
 #include "core/sim/scene.h"
 
+#include <utility>
 #include <vector>
 
 namespace edgescan::lab {
@@ -18,18 +20,10 @@ constexpr int kFirstStone = 10;    // in `obj`
 
 // Sure edges are scored also next to cells that are not.
 Grid<std::uint8_t> notScoredAround(const Grid<std::uint16_t>& cells, const Grid<std::uint8_t>& edgeClass) {
-    Grid<std::uint8_t> ignore(cells.lines, cells.beams);
-    for (int i = 0; i < cells.lines; ++i) {
-        for (int j = 0; j < cells.beams; ++j) {
-            if (cells.at(i, j) == 0) continue;
-            for (int di = -kNotScoredCells; di <= kNotScoredCells; ++di) {
-                for (int dj = -kNotScoredCells; dj <= kNotScoredCells; ++dj) {
-                    const bool near = di * di + dj * dj <= kNotScoredCells * kNotScoredCells;
-                    if (near && ignore.contains(i + di, j + dj) && edgeClass.at(i + di, j + dj) == 0) ignore.at(i + di, j + dj) = 255;
-                }
-            }
-        }
-    }
+    Grid<std::uint8_t> notScored(cells.lines, cells.beams);
+    for (std::size_t k = 0; k < cells.size(); ++k) notScored[k] = cells[k] != 0 ? 1 : 0;
+    Grid<std::uint8_t> ignore = grown(std::move(notScored), kNotScoredCells);
+    for (std::size_t k = 0; k < ignore.size(); ++k) ignore[k] = ignore[k] != 0 && edgeClass[k] == 0 ? 255 : 0;
     return ignore;
 }
 

@@ -34,9 +34,9 @@ Sheet sheetOf(const std::vector<Eigen::Vector3d>& nodes, int columns, const std:
     const int width = static_cast<int>(taken.size());
     for (int i = 0; i + 1 < static_cast<int>(rows.size()); ++i) {
         for (int j = 0; j < (closed ? width : width - 1); ++j) {
-            const int here = i * width + j, beside = i * width + (j + 1) % width;
-            sheet.triangles.push_back({here, beside, here + width});
-            sheet.triangles.push_back({beside, beside + width, here + width});
+            const int here = i * width + j, next = i * width + (j + 1) % width;
+            sheet.triangles.push_back({here, next, here + width});
+            sheet.triangles.push_back({next, next + width, here + width});
         }
     }
     return sheet;
