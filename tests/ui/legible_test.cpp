@@ -275,6 +275,7 @@ private slots:
         const auto* cube = cloud.findChild<QWidget*>("view-cube");
         const auto* overlay = cloud.findChild<CloudOverlay*>();
         const QString words = QString("a long text about the picture ").repeated(4);
+        QTRY_VERIFY(on.viewer.engine.bordered() != nullptr); // their picture sets the caption again
         cloud.setCaption(words);
         for (const int width : {1280, 1600, 1920}) {
             resizeTo(on.window, {width, 800});
