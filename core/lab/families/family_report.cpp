@@ -229,6 +229,14 @@ Result<std::vector<std::string>> fallenFigures(const std::vector<ScoredFamily>& 
     }
     if (fields.problem()) return *fields.problem();
     if (compared == 0) return Error{"no scene of it was scored in this run", where, hint};
+    for (const auto& [name, figures] : record.at("scenes").items()) {
+        const auto explains = [&name = name](const ScoredFamily& family) {
+            return (!family.skipped.empty() && name.starts_with(family.family->name)) ||
+                   std::ranges::any_of(family.scenes,
+                                       [&name](const ScoredScene& scene) { return scene.name == name && scene.scores.front().edges; });
+        };
+        if (std::ranges::none_of(families, explains)) fallen.push_back(name + ": it is recorded, but this run did not score it.");
+    }
     return fallen;
 }
 

@@ -39,8 +39,8 @@ using NamedScores = std::map<std::string, SceneScore>;
 inline constexpr double kMostRecordedFall = 0.03;
 /// F of the judged groups of the first contestant, by scene.
 [[nodiscard]] nlohmann::ordered_json recordedFigures(const std::vector<ScoredFamily>& families);
-/// One sentence per figure that fell by kMostRecordedFall or more. Scenes that are not in both are left out. Error: not such a record, or
-/// no scene is in both.
+/// One sentence per figure that fell by kMostRecordedFall or more, and per recorded scene without a score though its family is not skipped.
+/// Error: not such a record, or no scene is in both.
 [[nodiscard]] Result<std::vector<std::string>> fallenFigures(const std::vector<ScoredFamily>& families, const nlohmann::json& record,
                                                              const std::string& where);
 

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace edgescan::lab {
 namespace {
 
@@ -47,6 +49,9 @@ Result<Heap> readHeap(const std::filesystem::path& path) {
         stone.placeM = row.neededVector("place_m");
         const std::vector<double> turn = row.numbers("turn_xyzw", 4, {-1.001, 1.001});
         if (turn.size() == 4) stone.turn = Eigen::Quaterniond(turn[3], turn[0], turn[1], turn[2]);
+        if (std::abs(stone.turn.norm() - 1) > 0.001)
+            return Error{"\"turn_xyzw\" is no rotation, because its length is not 1", path.string(),
+                         "remove the file; then the stones settle again"};
         stone.speedMps = row.neededNumber("speed_mps");
         row.done();
         heap.push_back(std::move(stone));

@@ -96,6 +96,8 @@ TEST(Families, RecordedFiguresThatFallAreNamed) {
     EXPECT_TRUE(same->empty());
     record["scenes"].begin().value()["outline"] = 1.0;
     EXPECT_EQ(fallenFigures(*scored, record, "record")->size(), 1U);
+    record["scenes"]["bells that are gone"] = record["scenes"].begin().value();
+    EXPECT_EQ(fallenFigures(*scored, record, "record")->size(), 2U);
     scored->front().scenes.front().name = "another scene";
     EXPECT_FALSE(fallenFigures(*scored, record, "record"));
 }

@@ -63,6 +63,8 @@ TEST(StoneFiles, ASettledHeapIsReadBackWithTheSameBits) {
     EXPECT_EQ(back->front().speedMps, heap[0].speedMps);
     std::ofstream(folder / "broken.json") << R"({"format": "edgescan-settled-stones/1", "stones": [{"stone": "cube"}]})";
     EXPECT_FALSE(readHeap(folder / "broken.json"));
+    ASSERT_TRUE(writeHeap({{"cube", 1, {0, 0, 0}, Eigen::Quaterniond(0, 0, 0, 0), 0}}, folder.path(), "turned.json"));
+    EXPECT_FALSE(readHeap(folder / "turned.json"));
 }
 
 TEST(Heaps, StonesComeToRestOnTheFloorAndASeedGivesTheSameHeap) {
