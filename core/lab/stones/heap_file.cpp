@@ -50,8 +50,7 @@ Result<Heap> readHeap(const std::filesystem::path& path) {
         const std::vector<double> turn = row.numbers("turn_xyzw", 4, {-1.001, 1.001});
         if (turn.size() == 4) stone.turn = Eigen::Quaterniond(turn[3], turn[0], turn[1], turn[2]);
         if (std::abs(stone.turn.norm() - 1) > 0.001)
-            return Error{"\"turn_xyzw\" is no rotation, because its length is not 1", path.string(),
-                         "remove the file; then the stones settle again"};
+            return Error{"the length of \"turn_xyzw\" is not 1", path.string(), "remove the file; then the stones settle again"};
         stone.speedMps = row.neededNumber("speed_mps");
         row.done();
         heap.push_back(std::move(stone));
