@@ -51,12 +51,14 @@ Result<Done> scanStones(const StonesAsked& asked) {
     }
     const auto made = lab::stoneScan(asked.scene, *stones, asked.threads, progress);
     if (!made) return made.error();
-    if (auto saved = files::saveScan(made->scan, asked.out); !saved) return saved;
+    const Scan& scan = made->simulation.scan;
+    if (auto saved = files::saveScan(scan, asked.out); !saved) return saved;
     if (!asked.truth.empty()) {
         if (auto written = sim::writeTruthSet(made->truth, asked.truth); !written) return written;
+        if (auto written = sim::writeRockList(made->simulation, asked.truth); !written) return written;
     }
-    printResult(made->scan.name + ": " + std::to_string(made->scan.lines()) + " lines x " + std::to_string(made->scan.beams()) +
-                " beams, " + truthText(made->truth.edges));
+    printResult(scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams, " +
+                truthText(made->truth.edges));
     return Done{};
 }
 
@@ -85,7 +87,8 @@ void addStones(CLI::App& app, int& code) {
     command.add_flag("--spin", scene.spin, "The scanner turns about its viewing direction");
     command.add_option("--settled", scene.settled, "Folder where the settled heap is read from, or else stored")->type_name("DIR");
     command.add_option("-o,--output", asked->out, "New file: " + files::writtenExtensions(true))->type_name("FILE")->required();
-    command.add_option("--truth", asked->truth, "Folder for the ground truth: edge classes, objects, clean ranges")->type_name("DIR");
+    command.add_option("--truth", asked->truth, "Folder for the ground truth: edge classes, objects, clean ranges, stones")
+        ->type_name("DIR");
     addNumber(command, "--threads", asked->threads, {0, 1024}, "0 = one per core; the result is the same");
     command.callback([asked, &code] {
         const Result<Done> result = scanStones(*asked);

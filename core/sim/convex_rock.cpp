@@ -42,29 +42,6 @@ std::vector<Eigen::Vector3d> blockPlanes(int count, RandomSequence& dice) {
     return planes;
 }
 
-/// The longest distance between two corners, then the widths across it: the largest one, and the one at right angles to both.
-std::array<float, 3> spansOf(const RoundedCore& core) {
-    const std::vector<Eigen::Vector3d>& corners = core.corners;
-    const auto longest = [&](auto project) {
-        Eigen::Vector3d best = Eigen::Vector3d::Zero();
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            for (std::size_t j = i + 1; j < corners.size(); ++j) {
-                const Eigen::Vector3d chord = project(corners[i] - corners[j]);
-                if (chord.squaredNorm() > best.squaredNorm()) best = chord;
-            }
-        }
-        return best;
-    };
-    const Eigen::Vector3d a = longest([](const Eigen::Vector3d& c) { return c; });
-    const Eigen::Vector3d alongA = a.normalized();
-    const auto acrossA = [&](const Eigen::Vector3d& c) -> Eigen::Vector3d { return c - alongA * alongA.dot(c); };
-    const Eigen::Vector3d b = longest(acrossA);
-    const Eigen::Vector3d across = alongA.cross(b.normalized());
-    const Eigen::Vector3d c = longest([&](const Eigen::Vector3d& chord) -> Eigen::Vector3d { return across * across.dot(chord); });
-    const auto grown = [&](const Eigen::Vector3d& chord) { return static_cast<float>(chord.norm() + 2.0 * core.radiusM); };
-    return {grown(a), grown(b), grown(c)};
-}
-
 void addFacet(Scene& scene, ConvexBody& body, const Eigen::Vector3d& normal, double offset, const Surface& look) {
     Surface surface = look;
     surface.normal = normal.cast<float>();
@@ -131,7 +108,29 @@ void addRock(Scene& scene, const std::vector<Eigen::Vector3d>& corners, const Ei
     for (const Eigen::Vector3d& corner : core.corners) body.box.extend((corner + centreM).cast<float>());
     body.box = {body.box.min().array() - body.radiusM, body.box.max().array() + body.radiusM};
     scene.bodies.push_back(std::move(body));
-    scene.rocks.push_back({look.object, centreM.cast<float>(), spansOf(core), static_cast<float>(core.volumeM3)});
+    scene.rocks.push_back({look.object, centreM.cast<float>(), {}, static_cast<float>(core.volumeM3)});
+    std::ranges::transform(spansOf(core.corners), scene.rocks.back().spansM.begin(),
+                           [&](double span) { return static_cast<float>(span + 2.0 * core.radiusM); });
+}
+
+std::array<double, 3> spansOf(const std::vector<Eigen::Vector3d>& cornersM) {
+    const auto longest = [&](auto project) {
+        Eigen::Vector3d best = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < cornersM.size(); ++i) {
+            for (std::size_t j = i + 1; j < cornersM.size(); ++j) {
+                const Eigen::Vector3d chord = project(cornersM[i] - cornersM[j]);
+                if (chord.squaredNorm() > best.squaredNorm()) best = chord;
+            }
+        }
+        return best;
+    };
+    const Eigen::Vector3d a = longest([](const Eigen::Vector3d& c) { return c; });
+    const Eigen::Vector3d alongA = a.normalized();
+    const auto acrossA = [&](const Eigen::Vector3d& c) -> Eigen::Vector3d { return c - alongA * alongA.dot(c); };
+    const Eigen::Vector3d b = longest(acrossA);
+    const Eigen::Vector3d across = alongA.cross(b.normalized());
+    const Eigen::Vector3d c = longest([&](const Eigen::Vector3d& chord) -> Eigen::Vector3d { return across * across.dot(chord); });
+    return {a.norm(), b.norm(), c.norm()};
 }
 
 void addBox(Scene& scene, const Eigen::AlignedBox3d& box, std::uint16_t object) {

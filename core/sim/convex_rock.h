@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <vector>
 
 namespace edgescan::sim {
@@ -23,6 +24,9 @@ namespace edgescan::sim {
 /// rounded ridge. Corners in one plane add nothing. @param rounding radius of its corners and ridges as a share of the largest ball around
 /// its middle that fits inside, from 0 to below 1
 void addRock(Scene& scene, const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& centreM, double rounding = 0.0);
+
+/// The longest distance between two corners, then the widths across it: the largest one, and the one at right angles to both.
+[[nodiscard]] std::array<double, 3> spansOf(const std::vector<Eigen::Vector3d>& cornersM);
 
 /// Adds a box with faces 1-6 (-x, +x, -y, +y, -z, +z) as object `object`.
 void addBox(Scene& scene, const Eigen::AlignedBox3d& box, std::uint16_t object);

@@ -65,7 +65,7 @@ SIMULATOR = simulator()
 
 
 def run(arguments):
-    measures = arguments[0] in ("benchmark", "evaluate")
+    measures = arguments[0] in ("benchmark", "evaluate", "stones")
     done = subprocess.run([os.path.join(os.path.dirname(PROGRAM), "edgescan-lab") if measures else PROGRAM] + arguments, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(done.stderr.strip())
@@ -104,6 +104,21 @@ def scene(name, seed, flags):
         os.makedirs(new)
         run(["simulate", "-o", new + "/scan.json", "--truth", new + "/truth", "--scene", name, "--seed", str(seed), "--threads", "1"] + flags)
     return Case(job(folder, "scene %s, seed %d %s" % (name, seed, " ".join(flags[4:])), make), folder + "/scan.json", folder + "/truth")
+
+
+STONES = os.path.join(os.path.dirname(ROOT), "shared/data/real_stones/stones")
+
+
+def heap(kind, seed, view=0, flags=()):
+    """A scan of a heap of real stones of the set that no weights learn from. The heaps that came to rest are stored."""
+    sources = sorted(os.path.join(ROOT, "core/lab/stones", name) for name in os.listdir(os.path.join(ROOT, "core/lab/stones")))
+    folder = os.path.join(CACHE, "stones-%s-%d-%d-%s" % (kind, seed, view, key(flags, SIMULATOR, hash_of(*sources))))
+
+    def make(new):
+        os.makedirs(new)
+        run(["stones", "--stones", STONES, "--kind", kind, "--set", "lab", "--seed", str(seed), "--view", str(view), "--settled", os.path.join(CACHE, "heaps"),
+             "-o", new + "/scan.json", "--truth", new + "/truth", "--threads", "1"] + list(flags))
+    return Case(job(folder, "stones, %s, seed %d, view %d %s" % (kind, seed, view, " ".join(flags)), make), folder + "/scan.json", folder + "/truth")
 
 
 def found(name, flags, arguments):

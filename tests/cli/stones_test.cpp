@@ -19,6 +19,9 @@ TEST(Stones, TheirScanIsEvaluatedAgainstTheirTruth) {
     const auto scored = test::runLab("evaluate " + path("HEAP.json") + " --truth " + path("truth"));
     EXPECT_EQ(scored.code, 0) << scored.err;
     EXPECT_NE(scored.out.find("occluding"), std::string::npos) << scored.out;
+    const auto rocks = test::runLab("evaluate --rocks " + path("HEAP.json") + " --truth " + path("truth"));
+    EXPECT_EQ(rocks.code, 0) << rocks.err;
+    EXPECT_NE(rocks.out.find("2 rocks"), std::string::npos) << rocks.out;
     EXPECT_EQ(test::runLab("stones --stones " + path("nowhere") + " -o " + path("HEAP.json")).code, 1);
 }
 

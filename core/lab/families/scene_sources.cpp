@@ -43,12 +43,13 @@ Result<MadeScene> stonesScene(const Family& family, const SceneOrder& order, con
     StoneScene scene{.kind = family.kind,
                      .set = places.stoneSet,
                      .seed = order.seed,
+                     .view = order.view,
                      .full = family.full,
                      .noise = family.noise,
                      .settled = places.settled};
     Result<StoneScan> made = stoneScan(scene, *stones, 1, [&goOn](double) { return !goOn || goOn(); });
     if (!made) return made.error();
-    return MadeScene{std::make_shared<const Scan>(std::move(made->scan)), std::move(made->truth)};
+    return MadeScene{std::make_shared<const Scan>(std::move(made->simulation.scan)), std::move(made->truth)};
 }
 std::vector<fs::path> storedStones(const Family& family, const FamilyPlaces& places) {
     if (family.full || family.noise != 1.0) return {};

@@ -50,6 +50,7 @@ Json countsJson(const Scores& scenes, RockMatch RockSceneScore::*which) {
             {"mean_pq", meanOrNull(each[0])},
             {"mean_sq", meanOrNull(each[1])},
             {"mean_f1", meanOrNull(each[2])},
+            {"pq_of_scenes", each[0]},
             {"rocks", total.found + total.missed},
             {"found", total.found},
             {"missed", total.missed},

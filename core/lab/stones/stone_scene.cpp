@@ -3,9 +3,11 @@
 
 #include "core/lab/stones/stone_truth.h"
 #include "core/scan/georef/rotations.h"
+#include "core/sim/convex_rock.h"
 #include "core/sim/sweep.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgescan::lab {
 namespace {
@@ -58,6 +60,26 @@ sim::MeshCopy copyOf(std::shared_ptr<const sim::StoredMesh> mesh, const View& vi
     return copy;
 }
 
+/// What the scene's list of rocks says of a copy. The volume is that inside the mesh, which is closed but for small holes.
+sim::RockTruth rockOf(const Stone& stone, const sim::MeshCopy& copy) {
+    const double scale = copy.scale;
+    const std::vector<Eigen::Vector3f>& points = stone.mesh->points();
+    sim::RockTruth rock{.object = copy.object};
+    std::vector<Eigen::Vector3d> cornersM;
+    for (const Eigen::Vector3f& corner : stone.hull) cornersM.emplace_back(scale * corner.cast<double>());
+    std::ranges::transform(sim::spansOf(cornersM), rock.spansM.begin(), [](double span) { return static_cast<float>(span); });
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3f& point : points) sum += point.cast<double>();
+    rock.centreM = copy.rotation * (copy.scale * (sum / static_cast<double>(points.size())).cast<float>()) + copy.placeM;
+    double volume = 0.0;
+    for (const sim::StoredMesh::Corners& triangle : stone.mesh->triangles()) {
+        const auto corner = [&](std::size_t n) { return points[static_cast<std::size_t>(triangle[n])].cast<double>(); };
+        volume += corner(0).dot(corner(1).cross(corner(2))) / 6.0;
+    }
+    rock.volumeM3 = static_cast<float>(std::abs(volume) * scale * scale * scale);
+    return rock;
+}
+
 /// Walls and resting stones in the frame of the site, seen from the view.
 Result<sim::Scene> sceneOf(const Site& site, const Heap& heap, const Stones& stones, const View& view) {
     constexpr double kRestMps = 0.5;
@@ -77,6 +99,7 @@ Result<sim::Scene> sceneOf(const Site& site, const Heap& heap, const Stones& sto
         if (!site.isScanned(view * stone.placeM) || stone.speedMps > kRestMps) continue;
         scene.copies.push_back(copyOf(of->mesh, view, stone.turn.toRotationMatrix(), stone.placeM, stone.sizeM));
         scene.copies.back().object = object++;
+        scene.rocks.push_back(rockOf(*of, scene.copies.back()));
     }
     return scene;
 }
@@ -144,9 +167,10 @@ Result<StoneScan> stoneScan(const StoneScene& scene, const Stones& stones, int t
     const sim::SimulationSettings settings = settingsOf(scene, polar, threads);
     Result<sim::Simulation> simulation = sim::sweepScene(seen, polar, settings, part(kPhysics, kSweep));
     if (!simulation) return simulation.error();
-    StoneScan result{{}, stoneTruth(seen, *simulation, settings, scene.full ? 2 : 1)};
-    result.scan = std::move(simulation->scan);
-    result.scan.name = scene.kind + "-" + scene.set + "-seed" + std::to_string(scene.seed) + "-view" + std::to_string(scene.view);
+    sim::TruthSet truth = stoneTruth(seen, *simulation, settings, scene.full ? 2 : 1);
+    StoneScan result{std::move(*simulation), std::move(truth)};
+    result.simulation.scan.name =
+        scene.kind + "-" + scene.set + "-seed" + std::to_string(scene.seed) + "-view" + std::to_string(scene.view);
     if (progress && !progress(1.0)) return Error{"cancelled", "", ""};
     return result;
 }

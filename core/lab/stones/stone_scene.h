@@ -23,7 +23,7 @@ struct StoneScene {
 };
 
 struct StoneScan {
-    Scan scan; ///< name "bench-free-seed1-view0", format "simulated"
+    sim::Simulation simulation; ///< scan: name "bench-free-seed1-view0", format "simulated"; truth: its rocks are the stones
     sim::TruthSet truth;
 };
 

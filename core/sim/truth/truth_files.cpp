@@ -205,13 +205,14 @@ Result<Done> writeTruthSet(const TruthSet& truth, const fs::path& folder) {
     return containers::savePng16(truth.cleanMm, folder / "range_clean.png");
 }
 
+Result<Done> writeRockList(const Simulation& simulation, const fs::path& folder) {
+    return writeWholeFile(folder / "rocks.json", jsonText(rocksJson(simulation), 2) + "\n");
+}
+
 Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const fs::path& folder) {
     if (auto written = writeTruthSet(truthSetOf(simulation), folder); !written) return written;
-    const auto texts = {std::pair{"rocks.json", jsonText(rocksJson(simulation), 2) + "\n"},
-                        std::pair{"scene.json", jsonText(settingsJson(settings), 2) + "\n"}};
-    for (const auto& [name, text] : texts) {
-        if (auto written = writeWholeFile(folder / name, text); !written) return written;
-    }
+    if (auto written = writeRockList(simulation, folder); !written) return written;
+    if (auto written = writeWholeFile(folder / "scene.json", jsonText(settingsJson(settings), 2) + "\n"); !written) return written;
     if (!settings.surface.empty()) {
         const EdgeTruth facets = edgeTruth(withFacetFolds(simulation));
         for (const auto& [name, grid] : {std::pair{kFacetClass, &facets.edgeClass}, std::pair{kFacetIgnore, &facets.ignore}}) {

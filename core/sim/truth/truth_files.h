@@ -26,6 +26,9 @@ Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& 
 /// Writes gt_class.png, gt_ignore.png, object.png and range_clean.png into the folder, which is created if it does not exist.
 Result<Done> writeTruthSet(const TruthSet& truth, const std::filesystem::path& folder);
 
+/// Writes rocks.json, from a simulation with truth, into a folder that exists.
+Result<Done> writeRockList(const Simulation& simulation, const std::filesystem::path& folder);
+
 /// Ranges as in range_clean.png.
 [[nodiscard]] Grid<std::uint16_t> wholeMm(const Grid<float>& mm);
 

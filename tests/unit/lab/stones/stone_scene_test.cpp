@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace edgescan::lab {
 namespace {
 
@@ -96,20 +98,27 @@ TEST(StoneScans, TheSameForAnyNumberOfThreadsAndOfTheSameHeapFromEachView) {
     scene.settled = folder.path();
     const auto one = stoneScan(scene, stones, 1), three = stoneScan(scene, stones, 3);
     ASSERT_TRUE(one && three);
-    EXPECT_EQ(one->scan.name, "bench-free-seed1-view0");
-    EXPECT_EQ(one->scan.lines(), 400);
-    EXPECT_EQ(one->scan.beams(), 500);
-    EXPECT_EQ(one->scan.rangeMm, three->scan.rangeMm);
+    EXPECT_EQ(one->simulation.scan.name, "bench-free-seed1-view0");
+    EXPECT_EQ(one->simulation.scan.lines(), 400);
+    EXPECT_EQ(one->simulation.scan.beams(), 500);
+    EXPECT_EQ(one->simulation.scan.rangeMm, three->simulation.scan.rangeMm);
     EXPECT_EQ(one->truth.edges.edgeClass, three->truth.edges.edgeClass);
     EXPECT_EQ(one->truth.edges.ignore, three->truth.edges.ignore);
     scene.view = 1;
     const auto moved = stoneScan(scene, stones);
     ASSERT_TRUE(moved);
-    EXPECT_NE(one->scan.rangeMm, moved->scan.rangeMm);
+    EXPECT_NE(one->simulation.scan.rangeMm, moved->simulation.scan.rangeMm);
     for (const auto& scan : {*one, *moved}) {
         for (const int cube : {2, 3}) EXPECT_GT(std::ranges::count(scan.truth.object.cells, cube), 500);
         EXPECT_GT(std::ranges::count(scan.truth.edges.edgeClass.cells, 1), 200); // outlines of the cubes
         EXPECT_GT(std::ranges::count(scan.truth.edges.edgeClass.cells, 3), 50);  // their creases
+        ASSERT_EQ(scan.simulation.truth->rocks.size(), 2U);
+        const auto& cube = scan.simulation.truth->rocks[0];
+        EXPECT_EQ(cube.object, 2);
+        EXPECT_NEAR(cube.spansM[0], 0.6 * std::sqrt(3.0), 1e-6); // the diagonal
+        EXPECT_NEAR(cube.spansM[1], 0.6 * std::sqrt(2.0), 1e-6);
+        EXPECT_NEAR(cube.volumeM3, 0.216, 1e-6);
+        EXPECT_NEAR(cube.centreM.norm(), Eigen::Vector3d(0, -1.2, -2.1).norm(), scan.simulation.scan.name.ends_with("0") ? 1e-5 : 1.0);
     }
 }
 
