@@ -271,6 +271,24 @@ Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
     return writeAll(files);
 }
 
+Result<Done> changeWholeFile(const fs::path& path, std::uint64_t most, const FileChange& change) {
+    const FolderLocks lock({{path, path}});
+    std::error_code problem;
+    std::optional<std::string> before;
+    if (fs::exists(path, problem)) {
+        const auto bytes = readWholeFile(path, most);
+        if (!bytes) return bytes.error();
+        before = textOf(*bytes);
+    }
+    const auto after = change(before);
+    if (!after) return after.error();
+    if (*after == before) return Done{};
+    if (*after) return writeWholeFile(path, **after);
+    fs::remove(path, problem);
+    if (problem) return Error{"the file cannot be removed (" + problem.message() + ")", path.string(), "check the rights of its folder"};
+    return Done{};
+}
+
 Result<Done> replaceOwnSidecar(const fs::path& path, const std::string& text) { return writeAll({{path, std::as_bytes(std::span(text))}}); }
 
 Result<Done> moveWholeFiles(const std::vector<FileMove>& moves) {

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +42,13 @@ Result<std::filesystem::path> finalTarget(const std::filesystem::path& path);
 /// the list. A lock on the folder keeps together what several programs write at the same time. A kill between two renames leaves files that
 /// do not belong together: a record contains the SHA-256 of its file.
 Result<Done> writeWholeFiles(const std::vector<FileContent>& files);
+
+/// From the text of a file, or nothing where there is no such file, to its new text; without a text the file is removed.
+using FileChange = std::function<Result<std::optional<std::string>>(const std::optional<std::string>& text)>;
+
+/// Reads a file and writes what `change` makes of it. Two programs that do this wait for each other, so none loses the other's changes.
+/// Error: as readWholeFile(), of `change`, as writeWholeFile().
+Result<Done> changeWholeFile(const std::filesystem::path& path, std::uint64_t most, const FileChange& change);
 
 /// writeWholeFile() for a sidecar that EdgeScan wrote itself: this one may be an input of the scan that is open.
 Result<Done> replaceOwnSidecar(const std::filesystem::path& path, const std::string& text);

@@ -113,6 +113,36 @@ private slots:
         QVERIFY(bool(files::saveScan(plateScan(), plate_)));
     }
 
+    void twoWindowsOnOneScanLoseNoTarget() {
+        const QString ini = QString::fromStdString((folder_ / "two" / "viewer.ini").string());
+        std::uint32_t theirs = 0;
+        {
+            WindowFixture one(ini);
+            QVERIFY(showWith(one, boxes_));
+            {
+                WindowFixture two(ini);
+                QVERIFY(showWith(two, boxes_));
+                click(two.viewer.views.gray(), 60, 80);
+                QVERIFY(known(two));
+                theirs = targets(two).front().cell;
+            }
+            QVERIFY(one.activate());
+            click(one.viewer.views.gray(), 20, 30);
+            QTRY_COMPARE(static_cast<int>(targets(one).size()), 2); // that of the other window came with the write
+            QVERIFY2(one.viewer.notice.text().contains("Another window"), qPrintable(one.viewer.notice.text()));
+            QTest::keyClick(&one.window, Qt::Key_Z, Qt::ControlModifier); // takes back its own target only
+            QVERIFY(known(one));
+            QCOMPARE(static_cast<int>(targets(one).size()), 1);
+            QCOMPARE(targets(one).front().cell, theirs);
+            QTest::keyClick(&one.window, Qt::Key_Y, Qt::ControlModifier);
+            QVERIFY(known(one));
+            QCOMPARE(static_cast<int>(targets(one).size()), 2);
+        }
+        WindowFixture again(ini);
+        QVERIFY(showWith(again, boxes_));
+        QCOMPARE(static_cast<int>(targets(again).size()), 2);
+    }
+
     void everyClickPinsUntilItIsLetGo() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));

@@ -108,6 +108,35 @@ StoredMeasure measureFrom(JsonFields& fields, const NotebookScan& scan) {
     return measure;
 }
 
+template <class Entry>
+const Entry* numbered(const std::vector<Entry>& entries, int number) {
+    const auto found = std::ranges::find(entries, number, &Entry::number);
+    return found == entries.end() ? nullptr : &*found;
+}
+
+template <class Entry>
+std::vector<Entry> mergedEntries(const std::vector<Entry>& base, const std::vector<Entry>& mine, const std::vector<Entry>& theirs) {
+    std::vector<Entry> merged;
+    int most = 0;
+    for (const std::vector<Entry>* side : {&base, &mine, &theirs}) {
+        for (const Entry& entry : *side) most = std::max(most, entry.number);
+    }
+    for (const Entry& entry : mine) {
+        const Entry* before = numbered(base, entry.number);
+        const Entry* there = numbered(theirs, entry.number);
+        const bool same = before != nullptr && entry == *before;
+        if (same && there == nullptr) continue; // removed there
+        merged.push_back(same ? *there : entry);
+        if (before == nullptr && there != nullptr && *there != entry) merged.back().number = ++most;
+    }
+    for (const Entry& entry : theirs) {
+        const Entry* before = numbered(base, entry.number);
+        const Entry* here = numbered(mine, entry.number);
+        if (here != nullptr ? before == nullptr && *here != entry : before == nullptr || entry != *before) merged.push_back(entry);
+    }
+    return merged;
+}
+
 /// Checks that the notebook was made on this scan.
 Result<Done> checkScan(JsonFields fields, const NotebookScan& scan, const std::string& where) {
     const NotebookScan of{fields.text("sha256"), fields.text("name"), static_cast<int>(fields.wholeNumber("lines", 1, INT32_MAX)),
@@ -124,6 +153,13 @@ std::optional<MeasuredCells> measureStored(const Scan& scan, const RangeNoise& n
     auto measured = measureCells(scan, noise, measure.kind, measure.cells, measure.shares);
     if (measured) takeClicks(scan, measure.cells, measure.clicked, *measured);
     return measured;
+}
+
+Notebook mergedNotebook(const Notebook& base, const Notebook& mine, const Notebook& theirs) {
+    Notebook merged{mergedEntries(base.targets, mine.targets, theirs.targets),
+                    mergedEntries(base.measures, mine.measures, theirs.measures)};
+    std::ranges::sort(merged.measures, {}, &StoredMeasure::number);
+    return merged;
 }
 
 int nextNumber(const Notebook& notebook) {

@@ -1,5 +1,5 @@
 // Stores the targets of scans: one file per scan in a folder next to the settings file. Files are written off the GUI thread, completely or
-// not at all.
+// not at all. What another window wrote meanwhile is merged.
 #pragma once
 
 #include "core/inspect/measure/notebook.h"
@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -33,16 +34,27 @@ public:
 
 signals:
     void failed(const QString& sentence);
+    /// Another window had changed the file: `theirs`, which has all changes, was written in place of `mine`.
+    void merged(const QString& path, const edgescan::inspect::Notebook& mine, const edgescan::inspect::Notebook& theirs);
 
 private:
-    using Texts = std::map<std::string, std::string>;           // by path
-    [[nodiscard]] static std::string write(const Texts& texts); // empty, or why not
-    void take(const Texts& written, const std::string& trouble);
+    struct Waiting {
+        inspect::Notebook notebook;
+        inspect::NotebookScan scan;
+    };
+    using Notebooks = std::map<std::string, Waiting>; // by path
+    struct Written {
+        std::string trouble; // empty, or why not
+        std::map<std::string, inspect::Notebook> merged;
+    };
+    class Disk; // knows what this window read or wrote last
+    void wrote(const Notebooks& notebooks, const Written& written);
 
     QString folder_;
-    std::set<std::string> refused_;       // paths
-    Texts waiting_;                       // not written yet
-    Derived<Texts, std::string> written_; // last
+    std::set<std::string> refused_; // paths
+    Notebooks waiting_;             // not written yet
+    std::shared_ptr<Disk> disk_;
+    Derived<Notebooks, Written> written_; // last
 };
 
 } // namespace edgescan::ui

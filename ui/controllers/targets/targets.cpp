@@ -13,6 +13,7 @@
 #include "ui/panels/targets/targets_panel.h"
 
 #include <QClipboard>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QPushButton>
@@ -43,6 +44,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
         if (!rocks_.selected().empty()) chooseMeasure(std::nullopt);
     });
     connect(&rocks_, &Rocks::nameRequested, this, &Targets::editName);
+    connect(&store_, &TargetStore::merged, this, &Targets::adopt);
     connect(&store_, &TargetStore::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
     connectPanel();
 }
@@ -281,9 +283,13 @@ void Targets::setPart(const inspect::TargetsPart& part) {
     views_.pin(part.active);
 }
 
-void Targets::change(const QString& what, inspect::Notebook after) {
+void Targets::change(const QString& what, const inspect::Notebook& after) {
     undo_.push(new UndoStep<inspect::Notebook>(
-        what, notebook_, std::move(after), [this](const inspect::Notebook& value) { return use(value), true; },
+        what, notebook_, after,
+        [this, before = notebook_, after](const inspect::Notebook& value) { // what another window changed meanwhile stays
+            use(inspect::mergedNotebook(value == after ? before : after, value, notebook_));
+            return true;
+        },
         [this, key = key_] { return key_ == key; }));
 }
 
@@ -325,6 +331,19 @@ void Targets::chooseWhatCame(const inspect::Notebook& before) {
 
 void Targets::keep() {
     if (engine_.picture()) store_.save(notebook_, inspect::notebookScan(*engine_.picture()->detection->scan));
+}
+
+void Targets::adopt(const QString& path, const inspect::Notebook& mine, const inspect::Notebook& theirs) {
+    if (path != notebookFile()) {
+        const auto other = others_.find(QFileInfo(path).fileName());
+        if (other != others_.end()) other->second = inspect::mergedNotebook(mine, other->second, theirs);
+        return;
+    }
+    use(inspect::mergedNotebook(mine, notebook_, theirs));
+    notice_.showHint(
+        tr("Another window changed the targets or measurements of this scan. Both are kept; of two with one number, yours has the "
+           "next free one."));
+    emit pinned();
 }
 
 QString Targets::notebookFile() const {

@@ -153,10 +153,11 @@ private:
     [[nodiscard]] std::optional<QString> askText(const QString& title, const QString& label, const QString& text, int mostLetters) const;
     void setText(int number, const QString& text, std::string inspect::PinnedTarget::*member, std::size_t mostBytes, const QString& step);
     void followPin(std::optional<std::size_t> cell);
-    void change(const QString& what, inspect::Notebook after);
+    void change(const QString& what, const inspect::Notebook& after);
     void use(const inspect::Notebook& notebook);
     void chooseWhatCame(const inspect::Notebook& before);
     void keep();
+    void adopt(const QString& path, const inspect::Notebook& mine, const inspect::Notebook& theirs); // of another window
     void ask();
     void take(const KnownTargets& known);
     void show();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <random>
 
@@ -37,6 +38,43 @@ TEST(Notebook, IsReadBackAsItWasWritten) {
     EXPECT_EQ(nextMeasureNumber(*read), 8);
     EXPECT_EQ(nextMeasureNumber({}), 1);
     EXPECT_EQ(measureName(read->measures.back()), "M7");
+}
+
+// Targets are written as "number:cell".
+Notebook notebookOf(const std::vector<std::pair<int, std::uint32_t>>& targets) {
+    Notebook notebook;
+    for (const auto& [number, cell] : targets) {
+        notebook.targets.push_back({number, "", cell, false, "", {}});
+        notebook.measures.push_back({.cells = {cell, cell + 1}, .number = number});
+    }
+    return notebook;
+}
+
+TEST(Notebook, WhatTwoWindowsDidIsMerged) {
+    struct Row {
+        const char* what;
+        std::vector<std::pair<int, std::uint32_t>> base, mine, theirs, merged;
+    };
+    const std::vector<Row> rows{
+        {"one window alone", {{1, 5}}, {{1, 5}, {2, 6}}, {{1, 5}}, {{1, 5}, {2, 6}}},
+        {"both add", {{1, 5}}, {{1, 5}, {2, 6}}, {{1, 5}, {3, 7}}, {{1, 5}, {2, 6}, {3, 7}}},
+        {"both add the same number", {{1, 5}}, {{1, 5}, {2, 6}}, {{1, 5}, {2, 7}}, {{1, 5}, {3, 6}, {2, 7}}},
+        {"both add the same", {}, {{1, 6}}, {{1, 6}}, {{1, 6}}},
+        {"I remove", {{1, 5}, {2, 6}}, {{2, 6}}, {{1, 5}, {2, 6}, {3, 7}}, {{2, 6}, {3, 7}}},
+        {"the other one removes", {{1, 5}, {2, 6}}, {{1, 5}, {2, 6}, {3, 7}}, {{2, 6}}, {{2, 6}, {3, 7}}},
+        {"both remove", {{1, 5}}, {}, {}, {}},
+        {"I change what the other one removes", {{1, 5}}, {{1, 8}}, {}, {{1, 8}}},
+        {"the other one changes what I remove", {{1, 5}}, {}, {{1, 8}}, {{1, 8}}},
+        {"the other one changes", {{1, 5}}, {{1, 5}}, {{1, 8}}, {{1, 8}}},
+        {"both change", {{1, 5}}, {{1, 8}}, {{1, 9}}, {{1, 8}}},
+        {"the order is mine", {{1, 5}}, {{3, 7}, {2, 6}, {1, 5}}, {{1, 5}}, {{3, 7}, {2, 6}, {1, 5}}},
+    };
+    for (const Row& row : rows) {
+        const Notebook merged = mergedNotebook(notebookOf(row.base), notebookOf(row.mine), notebookOf(row.theirs));
+        EXPECT_EQ(merged.targets, notebookOf(row.merged).targets) << row.what;
+        EXPECT_EQ(merged.measures.size(), row.merged.size()) << row.what;
+        EXPECT_TRUE(std::ranges::is_sorted(merged.measures, {}, &StoredMeasure::number)) << row.what;
+    }
 }
 
 TEST(Notebook, OfAnotherScanIsRefused) {
