@@ -15,6 +15,7 @@ void addFamilies(CLI::App& app, int& code);
 void addLearnBorders(CLI::App& app, int& code);
 void addLearnConfidence(CLI::App& app, int& code);
 void addLearnEdges(CLI::App& app, int& code);
+void addLearnRocks(CLI::App& app, int& code);
 void addStones(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

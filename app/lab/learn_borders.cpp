@@ -1,15 +1,17 @@
-// edgescan-lab learn-borders: makes the weights of the network of borders from simulated scans.
+// edgescan-lab learn-borders: makes the weights of the network of borders from simulated scans and real stones.
 #include "core/lab/learning/learn_borders.h"
 #include "app/lab/commands.h"
 #include "app/lab/lesson_flags.h"
+#include "app/lab/lesson_scenes.h"
 #include "app/shared/options.h"
 #include "app/shared/usage.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
+#include "core/sim/simulate.h"
 
 #include <functional>
 #include <memory>
-#include <thread>
+#include <optional>
 
 namespace edgescan::cli {
 namespace {
@@ -18,6 +20,10 @@ struct LearnBorders {
     std::string output;
     int rounds = 3;
     LessonFlags scans{.firstSeed = 8101};
+    LessonSceneFlags stones{
+        .only = {"real bench", "real hangup", "real pile", "real bench x3", "real hangup x3", "real pile x3", "real hangup full"},
+        .scenes = 4,
+        .views = 3};
 };
 
 // The scans of the lesson. A fine one has twice the lines and beams.
@@ -31,8 +37,8 @@ struct LessonScan {
 const std::vector<LessonScan>& lessonScans() {
     using Settings = sim::SimulationSettings;
     static const std::vector<LessonScan> scans{
-        {"hangup", 4, 1, [](Settings&) {}},
-        {"pile", 4, 1, [](Settings&) {}},
+        {"hangup", 13, 1, [](Settings&) {}},
+        {"pile", 13, 1, [](Settings&) {}},
         {"hangup", 2, 2, [](Settings&) {}},
         {"pile", 2, 2, [](Settings&) {}},
         {"hangup", 1, 1, [](Settings& s) { s.noise = 3; }},
@@ -50,6 +56,19 @@ const std::vector<LessonScan>& lessonScans() {
     return scans;
 }
 
+Result<Done> addStones(const LearnBorders& asked, std::vector<lab::BorderLesson>& lessons) {
+    const Result<std::vector<LessonScene>> scenes = lessonScenes(asked.stones);
+    if (!scenes) return scenes.error();
+    std::vector<std::optional<lab::BorderLesson>> stones(scenes->size());
+    auto made = makeLessonScenes(asked.stones, *scenes, [&](std::size_t n, const lab::MadeScene& scene) {
+        if (scene.truth) stones[n].emplace(scene.scan, scene.truth->object);
+    });
+    for (std::optional<lab::BorderLesson>& stone : stones) {
+        if (stone) lessons.push_back(std::move(*stone));
+    }
+    return made;
+}
+
 Result<Done> learn(const LearnBorders& asked) {
     std::vector<lab::BorderLesson> lessons;
     auto seed = static_cast<std::uint64_t>(asked.scans.firstSeed);
@@ -64,10 +83,11 @@ Result<Done> learn(const LearnBorders& asked) {
             row.set(settings);
             const auto simulation = sim::simulate(settings);
             if (!simulation) return simulation.error();
-            lessons.emplace_back(*simulation);
+            lessons.emplace_back(std::make_shared<const Scan>(simulation->scan), simulation->truth->object);
         }
     }
-    constexpr int kEvery = 3; // neighbouring cells of a border say nearly the same
+    if (const auto added = addStones(asked, lessons); !added) return added;
+    constexpr int kEvery = 6; // neighbouring cells of a border say nearly the same
     lab::BorderSamples samples;
     rocks::BorderNetwork network; // moves nothing
     for (int round = 1; round <= asked.rounds; ++round) {
@@ -77,7 +97,9 @@ Result<Done> learn(const LearnBorders& asked) {
         printResult("round " + std::to_string(round) + ": " + std::to_string(samples.count()) + " samples, " +
                     fixedText(100 * lab::rightShare(network, samples), 1) + " % right\n");
     }
-    const std::string command = madeBy("learn-borders", asked.scans, " --rounds " + std::to_string(asked.rounds));
+    const std::string command = madeBy("learn-borders", asked.scans,
+                                       " --rounds " + std::to_string(asked.rounds) + " --draw " + asked.stones.draw + " --scenes " +
+                                           std::to_string(asked.stones.scenes) + " --views " + std::to_string(asked.stones.views));
     return writeWholeFile(asked.output, lab::borderWeightsText(network, command));
 }
 
@@ -85,14 +107,14 @@ Result<Done> learn(const LearnBorders& asked) {
 
 void addLearnBorders(CLI::App& app, int& code) {
     auto asked = std::make_shared<LearnBorders>();
-    CLI::App& command = *app.add_subcommand(
-        "learn-borders",
-        "Makes the weights by which rocks decide to which of two segments a cell on their border belongs, from simulated scans");
+    CLI::App& command = *app.add_subcommand("learn-borders", "Makes the weights by which rocks decide to which of two segments a cell on "
+                                                             "their border belongs, from simulated scans and real stones");
     command.add_option("-o,--output", asked->output, "File of the weights (core/rocks/segmentation/border_weights.inc)")->required();
     command.add_option("--rounds", asked->rounds, "Trainings; each one after the first also sees the borders that the one before leaves")
         ->check(CLI::Range(1, 10))
         ->capture_default_str();
     addLessonFlags(command, asked->scans, "four of the scans have");
+    addLessonSceneFlags(command, asked->stones);
     command.callback([asked, &code] {
         const Result<Done> result = learn(*asked);
         code = result ? kDone : kRefused;

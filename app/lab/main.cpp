@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
     cli::addLearnBorders(app, code);
     cli::addLearnConfidence(app, code);
     cli::addLearnEdges(app, code);
+    cli::addLearnRocks(app, code);
     cli::addStones(app, code);
     cli::addPages(
         app,
@@ -48,8 +49,12 @@ int main(int argc, char** argv) {
             "edgescan-lab families --family staircase --scenes 1 --with default --store SCORES --against FAMILIES.json"},
            {{"3", "a change does not pass, or a recorded figure fell"}}},
           {"learn-borders", "Weights", {"edgescan-lab learn-borders -o border_weights.inc --rounds 1 --lines 60 --beams 80"}, {}},
-          {"learn-confidence", "Weights", {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80"}, {}},
+          {"learn-confidence",
+           "Weights",
+           {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80 --only hangup --scenes 1"},
+           {}},
           {"learn-edges", "Weights", {"edgescan-lab learn-edges -o border_trees.inc --only hangup --scenes 1 --trees 2"}, {}},
+          {"learn-rocks", "Weights", {"edgescan-lab learn-rocks -o merge_trees.inc --only hangup --scenes 1 --trees 2"}, {}},
           {"stones",
            "Scans",
            {"edgescan-lab stones --stones STONES --kind bench --seed 1 --settled HEAPS -o HEAP.json --truth HEAP-TRUTH"},

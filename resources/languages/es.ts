@@ -649,6 +649,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
 <message><source>mark as not a rock</source><translation>marca de no roca</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
+<message><source>Export %1 of %2</source><translation>Exportar %1 de %2</translation></message>
 <message><source>Export %1</source><translation>Exportar %1</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
 <message><source>%1 waits for the rocks</source><translation>%1 espera las rocas</translation></message>
@@ -678,6 +679,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>no se pudo cortar la roca (%1); cierre otros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
+<message><source>Another window changed the rocks of this scan. The changes of both windows are kept.</source><translation>Otra ventana ha cambiado las rocas de este escaneo. Se conservan los cambios de ambas ventanas.</translation></message>
 <message><source>▲ of the first %1 lines</source><translation>▲ de las primeras %1 líneas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
@@ -819,6 +821,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Esto no se guardó: hay %1 mediciones, primero quite algunas.</translation></message>
 <message><source>new measurement</source><translation>nueva medición</translation></message>
 <message><source>removal of measurement M%1</source><translation>supresión de la medición M%1</translation></message>
+<message><source>Another window changed the targets or measurements of this scan. Both are kept; of two with one number, yours has the next free one.</source><translation>Otra ventana ha cambiado los objetivos o las medidas de este escaneo. Se conservan ambos; de dos con el mismo número, el suyo tiene el siguiente libre.</translation></message>
 <message><source>rock %1</source><translation>roca %1</translation></message>
 <message><source>end %1 is target %2</source><translation>el extremo %1 es el objetivo %2</translation></message>
 <message><source>moved here from line %1, beam %2</source><translation>movido aquí desde línea %1, haz %2</translation></message>
@@ -1240,6 +1243,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
 <message><source>at least 1: rock %1</source><translation>al menos 1: roca %1</translation></message>
 <message><source>at least %1: rocks %2</source><translation>al menos %1: rocas %2</translation></message>
+<message><source>%1 and %2</source><translation>%1 y %2</translation></message>
 <message><source>, hangs below</source><translation>, cuelga por debajo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
@@ -1262,6 +1266,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, y %2 más seleccionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incierto: rayado</translation></message>
+<message><source>may be one with %1: Merge joins them</source><translation>puede ser una sola con %1: Fusionar las junta</translation></message>
 <message><source>a rock by hand: marked or cut</source><translation>una roca a mano: marcada o cortada</translation></message>
 <message><source>A Rock</source><translation>Es roca</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
@@ -1291,6 +1296,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con confianza p inferior a 0.85, que están rayadas, se omiten en la tabla</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
 <message><source>, %1 of them uncertain (hatched)</source><translation>, %1 de ellas inciertas (achuradas)</translation></message>
+<message><source>&amp;Shown Rocks (%1)…</source><translation>&amp;Rocas mostradas (%1)…</translation></message>
+<message><source>&amp;All Rocks (%1)…</source><translation>&amp;Todas las rocas (%1)…</translation></message>
 <message><source>fine</source><translation>fino</translation></message>
 <message><source>coarse</source><translation>grueso</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 de ellas inciertas (achuradas); %3 trozos demasiado pequeños para ser una roca</translation></message>

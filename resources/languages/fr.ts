@@ -649,6 +649,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
 <message><source>mark as not a rock</source><translation>marque de non-bloc</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
+<message><source>Export %1 of %2</source><translation>Exporter %1 sur %2</translation></message>
 <message><source>Export %1</source><translation>Exporter %1</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
 <message><source>%1 waits for the rocks</source><translation>%1 attend les blocs</translation></message>
@@ -678,6 +679,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>le bloc n'a pas pu être coupé (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
+<message><source>Another window changed the rocks of this scan. The changes of both windows are kept.</source><translation>Une autre fenêtre a modifié les blocs de ce scan. Les modifications des deux fenêtres sont gardées.</translation></message>
 <message><source>▲ of the first %1 lines</source><translation>▲ des %1 premières lignes</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
@@ -819,6 +821,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été enregistré : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>new measurement</source><translation>nouvelle mesure</translation></message>
 <message><source>removal of measurement M%1</source><translation>suppression de la mesure M%1</translation></message>
+<message><source>Another window changed the targets or measurements of this scan. Both are kept; of two with one number, yours has the next free one.</source><translation>Une autre fenêtre a modifié les cibles ou les mesures de ce scan. Les deux sont gardées ; de deux du même numéro, la vôtre a le prochain numéro libre.</translation></message>
 <message><source>rock %1</source><translation>bloc %1</translation></message>
 <message><source>end %1 is target %2</source><translation>l'extrémité %1 est la cible %2</translation></message>
 <message><source>moved here from line %1, beam %2</source><translation>déplacée ici depuis ligne %1, faisceau %2</translation></message>
@@ -1240,6 +1243,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
 <message><source>at least 1: rock %1</source><translation>au moins 1 : roche %1</translation></message>
 <message><source>at least %1: rocks %2</source><translation>au moins %1 : roches %2</translation></message>
+<message><source>%1 and %2</source><translation>%1 et %2</translation></message>
 <message><source>, hangs below</source><translation>, pend en dessous</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>rien n'a été mesuré ici, ou aucun morceau ne convient</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
@@ -1262,6 +1266,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, et %2 de plus sélectionnés</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contour incertain : hachuré</translation></message>
+<message><source>may be one with %1: Merge joins them</source><translation>peut ne faire qu'un avec %1 : Fusionner les joint</translation></message>
 <message><source>a rock by hand: marked or cut</source><translation>un bloc à la main : marqué ou coupé</translation></message>
 <message><source>A Rock</source><translation>Un bloc</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
@@ -1291,6 +1296,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs d'une confiance p inférieure à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
 <message><source>, %1 of them uncertain (hatched)</source><translation>, dont %1 incertains (hachurés)</translation></message>
+<message><source>&amp;Shown Rocks (%1)…</source><translation>&amp;Blocs affichés (%1)…</translation></message>
+<message><source>&amp;All Rocks (%1)…</source><translation>&amp;Tous les blocs (%1)…</translation></message>
 <message><source>fine</source><translation>fin</translation></message>
 <message><source>coarse</source><translation>grossier</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, dont %2 incertains (hachurés) ; %3 morceaux trop petits pour être un bloc</translation></message>

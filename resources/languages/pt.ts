@@ -649,6 +649,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
 <message><source>mark as not a rock</source><translation>marca de não rocha</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
+<message><source>Export %1 of %2</source><translation>Exportar %1 de %2</translation></message>
 <message><source>Export %1</source><translation>Exportar %1</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
 <message><source>%1 waits for the rocks</source><translation>%1 espera as rochas</translation></message>
@@ -678,6 +679,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>não foi possível cortar a rocha (%1); feche outros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
+<message><source>Another window changed the rocks of this scan. The changes of both windows are kept.</source><translation>Outra janela alterou as rochas desta varredura. As alterações das duas janelas são mantidas.</translation></message>
 <message><source>▲ of the first %1 lines</source><translation>▲ das primeiras %1 linhas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
@@ -819,6 +821,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Isto não foi guardado: há %1 medições, primeiro remova algumas.</translation></message>
 <message><source>new measurement</source><translation>nova medição</translation></message>
 <message><source>removal of measurement M%1</source><translation>remoção da medição M%1</translation></message>
+<message><source>Another window changed the targets or measurements of this scan. Both are kept; of two with one number, yours has the next free one.</source><translation>Outra janela alterou os alvos ou as medições desta varredura. Ambos são mantidos; de dois com o mesmo número, o seu tem o próximo livre.</translation></message>
 <message><source>rock %1</source><translation>rocha %1</translation></message>
 <message><source>end %1 is target %2</source><translation>a ponta %1 é o alvo %2</translation></message>
 <message><source>moved here from line %1, beam %2</source><translation>movido para cá desde linha %1, feixe %2</translation></message>
@@ -1240,6 +1243,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
 <message><source>at least 1: rock %1</source><translation>pelo menos 1: rocha %1</translation></message>
 <message><source>at least %1: rocks %2</source><translation>pelo menos %1: rochas %2</translation></message>
+<message><source>%1 and %2</source><translation>%1 e %2</translation></message>
 <message><source>, hangs below</source><translation>, pende por baixo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>nada foi medido aqui, ou nenhum pedaço corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
@@ -1262,6 +1266,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, e mais %2 selecionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incerto: hachurado</translation></message>
+<message><source>may be one with %1: Merge joins them</source><translation>pode ser uma só com %1: Mesclar junta-as</translation></message>
 <message><source>a rock by hand: marked or cut</source><translation>uma rocha à mão: marcada ou cortada</translation></message>
 <message><source>A Rock</source><translation>É rocha</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
@@ -1291,6 +1296,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com confiança p abaixo de 0.85, que estão tracejadas, ficam fora da tabela</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
 <message><source>, %1 of them uncertain (hatched)</source><translation>, %1 delas incertas (hachuradas)</translation></message>
+<message><source>&amp;Shown Rocks (%1)…</source><translation>&amp;Rochas mostradas (%1)…</translation></message>
+<message><source>&amp;All Rocks (%1)…</source><translation>&amp;Todas as rochas (%1)…</translation></message>
 <message><source>fine</source><translation>fino</translation></message>
 <message><source>coarse</source><translation>grosso</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 delas incertas (hachuradas); %3 pedaços pequenos demais para ser uma rocha</translation></message>

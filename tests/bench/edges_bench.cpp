@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
         {kDecision, [&] { (void)edges::decideDepthEdges(responses, depth); }},
         {kRocks.stage, [&] { (void)rocks::studyRocks(inputs, {}); }},
         {"- leaves and their borders", [&] { (void)rocks::segmentRocks(inputs); }},
-        {"- tree of merges", [&] { (void)rocks::mergeTree(rocks.segmentation->count(), rocks.segmentation->borders); }},
+        {"- tree of merges", [&] { (void)rocks::mergeTree(*rocks.segmentation); }},
         {"- rows", [&] { (void)rocks::rockRows(*rocks.segmentation, rocks.map); }},
         {kMap.stage, [&] { (void)rocks::rocksAt(*rocks.segmentation, *rocks.tree, moved()); }},
         {kMapAndRows.stage, [&] { (void)rocks::studyRocks(inputs, moved(), {}, &rocks); }},

@@ -171,6 +171,7 @@ class _Rock(TypedDict):
     by_hand: bool
     note: str
     apart_m: Optional[float]
+    may_be_one_with: List[int]
     names: Optional[str]
 
 

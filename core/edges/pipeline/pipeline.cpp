@@ -113,8 +113,7 @@ DepthResponses Pipeline::responsesOf(const Detection& d) {
             return responses;
         }
     }
-    const bool forRocks = keep_ == KeepFor::Rocks && d.settings.rules < 5; // rocks measure cracks of their own otherwise
-    const auto cracks = forRocks ? std::make_shared<DepthCracks>() : nullptr;
+    const auto cracks = keep_ == KeepFor::Rocks ? std::make_shared<DepthCracks>() : nullptr;
     DepthResponses responses = depthResponses(*d.surface, d.settings, cracks.get());
     cracks_ = cracks;
     return responses;

@@ -79,6 +79,8 @@ std::span<const Family> families() {
     return all;
 }
 
+bool hasViews(const Family& family) { return family.source == &kRealStones; }
+
 const Family* findFamily(const std::string& name) {
     const auto found = std::ranges::find_if(families(), [&name](const Family& family) { return family.name == name; });
     return found == families().end() ? nullptr : &*found;

@@ -36,6 +36,7 @@ struct SceneOrder {
     std::uint64_t seed = 0;       ///< of a fresh scene
     std::size_t variant = 0;      ///< of a fresh scene: index of Family::variants
     std::filesystem::path file{}; ///< of a stored scene; empty for a fresh one
+    int view = 0;                 ///< of a fresh heap of stones: 1, 2, ...: from a moved scanner
 };
 
 struct Family;
@@ -72,6 +73,9 @@ struct Family {
 
 /// Those with real stones first.
 [[nodiscard]] std::span<const Family> families();
+
+/// Whether a fresh scene can be scanned from several places.
+[[nodiscard]] bool hasViews(const Family& family);
 
 /// Null for an unknown name.
 [[nodiscard]] const Family* findFamily(const std::string& name);

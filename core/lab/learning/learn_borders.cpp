@@ -11,7 +11,6 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <random>
 
@@ -108,8 +107,7 @@ std::string listOf(const std::array<float, kSize>& numbers) {
 
 } // namespace
 
-BorderLesson::BorderLesson(const sim::Simulation& simulation) : object_(simulation.truth->object) {
-    const auto scan = std::make_shared<const Scan>(simulation.scan);
+BorderLesson::BorderLesson(const std::shared_ptr<const Scan>& scan, Grid<std::uint16_t> object) : object_(std::move(object)) {
     inputs_ = rocks::rockInputs(*edges::detectEdges(scan, edges::Settings{}, edges::KeepFor::Rocks));
     fitted_ = rocks::fittedSegments(inputs_);
     groups_ = rocks::settledGroups(fitted_.borders, fitted_.count);

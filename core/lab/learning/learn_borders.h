@@ -1,10 +1,11 @@
-// Trains the network of borders on simulated scans (docs/method/rocks.md, "Step 6").
+// Trains the network of borders on scans whose objects are known (docs/method/rocks.md, "Step 6").
 #pragma once
 
 #include "core/rocks/segmentation/border_choice.h"
-#include "core/sim/simulate.h"
+#include "core/scan/grid/scan.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,8 @@ struct BorderSamples {
 /// The questions of one scan of which the answer is known.
 class BorderLesson {
 public:
-    /// `simulation`: with its truth.
-    explicit BorderLesson(const sim::Simulation& simulation);
+    /// `object`: of the truth, lines x beams.
+    BorderLesson(const std::shared_ptr<const Scan>& scan, Grid<std::uint16_t> object);
     /// Adds one of `every` questions about the borders that `network` leaves.
     void ask(const rocks::BorderNetwork& network, int every, BorderSamples& samples) const;
 

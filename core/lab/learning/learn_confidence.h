@@ -1,9 +1,8 @@
-// Fits the confidence of rocks on simulated scans (docs/method/rocks.md, "Confidence").
+// Fits the confidence of rocks (docs/method/rocks.md, "Confidence").
 #pragma once
 
-#include "core/base/result.h"
+#include "core/lab/learning/learn_rocks.h"
 #include "core/rocks/selection/confidence.h"
-#include "core/sim/simulate.h"
 
 #include <string>
 #include <vector>
@@ -13,10 +12,11 @@ namespace edgescan::lab {
 struct ConfidenceLesson {
     rocks::ConfidenceInputs inputs{};
     bool right = false; ///< the region is a rock to an IoU above one half
+    double weight = 1.0;
 };
 
-/// Adds every region that is called a rock and is either found or false. `simulation`: with its truth.
-Result<Done> addConfidenceSamples(const sim::Simulation& simulation, std::vector<ConfidenceLesson>& samples);
+/// Adds every region that looks like a rock and is either found or false, each with `weight`.
+void addConfidenceSamples(const RockLesson& lesson, const rocks::MergeTree& tree, double weight, std::vector<ConfidenceLesson>& samples);
 
 /// Logistic regression. The same samples give the same weights.
 [[nodiscard]] rocks::ConfidenceWeights fittedConfidence(const std::vector<ConfidenceLesson>& samples);

@@ -16,7 +16,7 @@ RockDetection byRecipe(const std::shared_ptr<const Scan>& scan, const RockMethod
     const auto detection = edges::detectEdges(scan, choices.edges, edges::KeepFor::Rocks);
     const double start = edges::threadCpuMilliseconds();
     const rocks::Segmentation leaves = rocks::segmentRocks(rocks::rockInputs(*detection));
-    const rocks::RegionMap map = rocks::rocksAt(leaves, rocks::mergeTree(leaves.count(), leaves.borders), choices.rocks);
+    const rocks::RegionMap map = rocks::rocksAt(leaves, rocks::mergeTree(leaves), choices.rocks);
     RockDetection answer;
     answer.milliseconds = edges::threadCpuMilliseconds() - start;
     answer.region = rocks::regionLabels(leaves, map);

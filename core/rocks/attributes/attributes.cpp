@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -272,6 +273,18 @@ std::vector<Rock> rockRows(const Segmentation& segments, const RegionMap& map, c
     addNeighbours(map, rocks);
     addArches(rocks, CartesianTables(*segments.inputs.scan).sensor(), upOf(*segments.inputs.scan).up);
     return rocks;
+}
+
+void addLikelyJoins(const MergeTree& tree, const RegionMap& map, std::vector<Rock>& rocks) {
+    const std::vector<std::uint32_t> group =
+        groupsAt(tree, static_cast<std::uint32_t>(map.regionOfSegment.size()) - 1, map.settings.level + kLikelyJoin);
+    std::map<std::uint32_t, std::vector<std::uint32_t>> labels; // by group
+    const auto groupOf = [&](const Rock& rock) { return group[map.regions[rock.label].firstSegment]; };
+    for (const Rock& rock : rocks) labels[groupOf(rock)].push_back(rock.label);
+    for (Rock& rock : rocks) {
+        rock.maybeOneWith = labels[groupOf(rock)];
+        std::erase(rock.maybeOneWith, rock.label);
+    }
 }
 
 RegionCounts regionCounts(const RegionMap& map, RegionKind kind) {

@@ -43,6 +43,7 @@ struct Rock {
     double unoccluded = 0.0;                 ///< 0..1: share of its outline at which it is the nearer side
     std::vector<std::uint32_t> rocksBehind;  ///< rocks behind it, ascending
     std::vector<std::uint32_t> rocksInFront; ///< rocks in front of it, ascending
+    std::vector<std::uint32_t> maybeOneWith; ///< rocks that may be the same rock (addLikelyJoins()), ascending
     std::vector<std::uint32_t> contacts;     ///< rocks that it visibly touches; there may be more
     bool touchesOther = false;               ///< it visibly touches something that is not a rock
     double freeHeightM = 0.0;                ///< free height under its lowest visible point; the true height may be larger
@@ -74,6 +75,10 @@ struct EarlierRows {
 /// One row per rock of the map, in the order of the labels. `before` may be null. Rocks with the same segments as in `before` are not
 /// measured again; the rows are the same without it.
 [[nodiscard]] std::vector<Rock> rockRows(const Segmentation& segments, const RegionMap& map, const EarlierRows* before = nullptr);
+
+/// Fills Rock::maybeOneWith: rocks that the tree merges within kLikelyJoin above the level of the map.
+void addLikelyJoins(const MergeTree& tree, const RegionMap& map, std::vector<Rock>& rocks);
+inline constexpr double kLikelyJoin = 1.0; ///< log odds: one rock is nearly as likely as two
 
 /// Totals of the regions of one kind.
 struct RegionCounts {

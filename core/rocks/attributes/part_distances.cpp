@@ -119,12 +119,13 @@ private:
 
 double Rock::apartM() const { return apart.empty() ? 0.0 : std::ranges::max(apart, {}, &PartDistance::distanceM).distanceM; }
 
-void addPartDistances(const Segmentation& segments, const RegionMap& map, std::span<const Edit> edits, std::vector<Rock>& rocks) {
+void addPartDistances(const Segmentation& segments, const MergeTree& tree, const RegionMap& map, std::span<const Edit> edits,
+                      std::vector<Rock>& rocks) {
     std::vector<Edit> joins, others;
     for (const Edit& edit : edits) (edit.kind == EditKind::Join ? joins : others).push_back(edit);
     const std::vector<std::uint8_t> joined = joinedRocks(segments, map, joins);
     if (std::ranges::find(joined, 1) == joined.end()) return;
-    const MergeTree apart = mergeTree(segments.count(), segments.borders, pairsOf(segments, others));
+    const MergeTree apart = withPairs(tree, segments, pairsOf(segments, others));
     const PartDistances finder(segments, groupsAt(apart, segments.count(), map.settings.level));
     const CellsByRock cells = cellsByRock(segments, map, [&](std::uint32_t label) { return joined[label] == 0; });
     for (Rock& rock : rocks) {

@@ -11,6 +11,7 @@ namespace edgescan::rocks {
 
 /// Fills Rock::apart of the rocks that joins of `edits` made of several parts. The parts are the regions at the level of the map without
 /// the joins. Two parts touch if the distance of their nearest cells is within Rock::toleranceM.
-void addPartDistances(const Segmentation& segments, const RegionMap& map, std::span<const Edit> edits, std::vector<Rock>& rocks);
+void addPartDistances(const Segmentation& segments, const MergeTree& tree, const RegionMap& map, std::span<const Edit> edits,
+                      std::vector<Rock>& rocks);
 
 } // namespace edgescan::rocks

@@ -9,7 +9,7 @@
 namespace edgescan::rocks {
 namespace {
 
-constexpr std::size_t kColumns = 27;
+constexpr std::size_t kColumns = 28;
 constexpr int kWhole = 0, kHundredths = 2;
 
 double millimetres(double metres) { return rounded(metres, 1000); }
@@ -88,6 +88,8 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
         {"note", nullptr, "What every rock is", [](Row) -> RockValue { return kRockCaveat; }, nullptr, false},
         {"apart_m", nullptr, "It was merged by hand of parts that do not touch: the largest distance between their nearest cells",
          [](Row r) -> RockValue { return r.rock->apart.empty() ? RockValue() : RockValue(millimetres(r.rock->apartM())); }, nullptr, false},
+        {"may_be_one_with", nullptr, "Rocks that may be the same rock: joining them is nearly as likely to be right",
+         [](Row r) -> RockValue { return std::span(r.rock->maybeOneWith); }, nullptr, false},
         {"names", nullptr, "Names of the targets on it", [](Row r) -> RockValue { return r.names.empty() ? RockValue() : RockValue(r.names.c_str()); },
          nullptr, false},
     }};

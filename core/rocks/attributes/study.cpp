@@ -7,23 +7,50 @@
 
 namespace edgescan::rocks {
 
+namespace {
+
+bool sameInputs(const Inputs& a, const Inputs& b) { return a.cracks == b.cracks && a.responses == b.responses && a.scan == b.scan; }
+
+// Edits change the tree of the uncut segments; that is made once.
+std::shared_ptr<const MergeTree> treeOf(const Study& study, const Inputs& inputs, const std::vector<Edit>& edits, const Study* before) {
+    const Segmentation& segments = *study.segmentation;
+    std::shared_ptr<const MergeTree> tree;
+    if (before != nullptr && sameInputs(before->segmentation->inputs, inputs))
+        tree = before->tree;
+    else
+        tree = std::make_shared<const MergeTree>(mergeTree(cutsOf(edits).empty() ? segments : segmentRocks(inputs)));
+    if (edits.empty() && !tree->plain) return tree;
+    return std::make_shared<const MergeTree>(withPairs(*tree, segments, pairsOf(segments, edits)));
+}
+
+} // namespace
+
+std::vector<const Rock*> rocksToList(const Study& study) {
+    std::vector<const Rock*> rocks;
+    if (!study.listed) {
+        for (const Rock& rock : study.rocks) rocks.push_back(&rock);
+        return rocks;
+    }
+    for (const std::uint32_t label : *study.listed) {
+        if (label >= 1 && label <= study.rocks.size()) rocks.push_back(&study.rocks[label - 1]);
+    }
+    return rocks;
+}
+
 Study studyRocks(const Inputs& inputs, const RockSettings& settings, const std::vector<Edit>& edits, const Study* before) {
     Study study;
     study.settings = settings;
     study.edits = edits;
     const std::vector<CutLine> cuts = cutsOf(edits);
-    const bool sameSegments = before != nullptr && before->segmentation->inputs.cracks == inputs.cracks &&
-                              before->segmentation->inputs.responses == inputs.responses &&
-                              before->segmentation->inputs.scan == inputs.scan && cutsOf(before->edits) == cuts;
+    const bool sameSegments = before != nullptr && sameInputs(before->segmentation->inputs, inputs) && cutsOf(before->edits) == cuts;
     study.segmentation = sameSegments ? before->segmentation : std::make_shared<const Segmentation>(segmentRocks(inputs, cuts));
     const Segmentation& segments = *study.segmentation;
-    study.tree = sameSegments && before->edits == edits
-                     ? before->tree
-                     : std::make_shared<const MergeTree>(mergeTree(segments.count(), segments.borders, pairsOf(segments, edits)));
+    study.tree = sameSegments && before->edits == edits ? before->tree : treeOf(study, inputs, edits, before);
     study.map = rocksAt(segments, *study.tree, settings, rockCallsOf(segments, edits));
     const std::optional<EarlierRows> rows = sameSegments ? std::optional(EarlierRows{before->map, before->rocks}) : std::nullopt;
     study.rocks = rockRows(segments, study.map, rows ? &*rows : nullptr);
-    addPartDistances(segments, study.map, edits, study.rocks);
+    addLikelyJoins(*study.tree, study.map, study.rocks);
+    addPartDistances(segments, *study.tree, study.map, edits, study.rocks);
     return study;
 }
 

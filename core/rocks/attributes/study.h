@@ -4,7 +4,9 @@
 #include "core/rocks/attributes/attributes.h"
 #include "core/rocks/selection/edits.h"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace edgescan::rocks {
@@ -18,7 +20,12 @@ struct Study {
     std::vector<Rock> rocks;
     RockSettings settings;
     std::vector<Edit> edits;
+    /// Labels of the rocks that tables, outlines and hulls list, in their order; nothing: all of them.
+    std::optional<std::vector<std::uint32_t>> listed{};
 };
+
+/// Labels that the study does not have are left out.
+[[nodiscard]] std::vector<const Rock*> rocksToList(const Study& study);
 
 /// The same scan, settings and edits give the same labels and rows on every machine. `before` may be null; its results for unchanged inputs
 /// are reused.

@@ -6,8 +6,10 @@
 #include "core/rocks/segmentation/barrier.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace edgescan::rocks {
 namespace {
@@ -29,7 +31,98 @@ constexpr float kMostWide = 40;
 constexpr float kContactJump = 0.5F;
 constexpr float kContactFold = -0.3F;
 
+constexpr double kLeastStepRad = 1e-6; // of neighbouring cells
+constexpr double kFarthestM = 60.0;
+constexpr double kMostStep = 20.0;
+constexpr double kMostTurn = 2.0;
+constexpr double kMostFold = 3.0;
+constexpr std::array<double, 3> kTurnRad{0.0174, 0.0465, 0.0931}; // 3, 8 and 16 steps of a third of a degree
+constexpr int kMostTurnCells = 64;
+constexpr std::array<float, 3> kEdgeLimits{0.25F, 0.75F, 1.0F};
+
+/// The largest separation strength within two cells of a crack, up to 1: e2.
+float edgeAt(const edges::DepthResponses& responses, std::size_t p, std::size_t step, int place, int count) {
+    const std::size_t q = p + step;
+    float edge = std::max(separationStrength(responses, p), separationStrength(responses, q));
+    if (place > 0) edge = std::max(edge, separationStrength(responses, p - step));
+    if (place + 2 < count) edge = std::max(edge, separationStrength(responses, q + step));
+    return std::min(edge, 1.0F);
+}
+
+/// What one crack adds to an outline.
+class OutlineMeasure {
+public:
+    explicit OutlineMeasure(const Inputs& inputs) : inputs_(inputs), u_(inputs.cracks->smoothed) {}
+
+    /// The angle that the crack covers.
+    [[nodiscard]] std::int64_t lengthAt(int line, int beam, edges::Along along) const {
+        const AngularSteps& steps = inputs_.surface->steps;
+        const float across = along == edges::Along::Beams ? steps.lineAt(line, beam) : steps.beam[static_cast<std::size_t>(beam)];
+        return std::max<std::int64_t>(1, std::llround(static_cast<double>(across) / kLengthStep));
+    }
+    [[nodiscard]] OutlineSums at(int line, int beam, edges::Along along) const {
+        const bool isBeams = along == edges::Along::Beams;
+        const std::size_t step = isBeams ? 1 : static_cast<std::size_t>(u_.beams), p = u_.index(line, beam), q = p + step;
+        const int place = isBeams ? beam : line, count = isBeams ? u_.beams : u_.lines;
+        const AngularSteps& steps = inputs_.surface->steps;
+        const double angle =
+            std::max(kLeastStepRad, static_cast<double>(isBeams ? steps.beam[static_cast<std::size_t>(beam)] : steps.lineAt(line, beam)));
+        OutlineSums sums;
+        sums.length = lengthAt(line, beam, along);
+        const auto times = [&sums](double value) { return std::llround(value * static_cast<double>(sums.length)); };
+        const float edge = edgeAt(*inputs_.responses, p, step, place, count);
+        const auto bin = std::ranges::count_if(kEdgeLimits, [edge](float limit) { return edge >= limit; });
+        sums.byEdge[static_cast<std::size_t>(bin)] = sums.length;
+        const auto a = static_cast<double>(u_[p]), b = static_cast<double>(u_[q]), mean = 0.5 * (a + b);
+        const double rangeM = 1 / std::max(mean, 1 / kFarthestM);
+        sums.step = times(std::min(kMostStep, std::abs(a - b) * rangeM / angle));
+        for (std::size_t n = 0; n < kTurnRad.size(); ++n) {
+            const int reach = static_cast<int>(std::clamp<long>(std::lround(kTurnRad[n] / angle), 1, kMostTurnCells));
+            const int before = std::min(reach, place), after = std::min(reach, count - 2 - place);
+            if (before <= 0 || after <= 0) continue;
+            const auto from = static_cast<double>(u_[p - static_cast<std::size_t>(before) * step]);
+            const auto to = static_cast<double>(u_[q + static_cast<std::size_t>(after) * step]);
+            const double chord = (from * after + to * before) / (before + after);
+            sums.turn[n] = times(std::clamp((mean - chord) * rangeM / (angle * 0.5 * (before + after)), -kMostTurn, kMostTurn));
+        }
+        const Grid<float>& fold = isBeams ? inputs_.cracks->foldBeams : inputs_.cracks->foldLines;
+        sums.fold = times(std::clamp(static_cast<double>(std::min(fold[p], fold[q])), -kMostFold, kMostFold));
+        return sums;
+    }
+
+private:
+    const Inputs& inputs_;
+    const Grid<float>& u_;
+};
+
+/// Finds the border of two segments; consecutive questions are mostly about the same one.
+class BorderIndex {
+public:
+    explicit BorderIndex(std::span<const SegmentBorder> borders) : borders_(borders) {}
+    /// The number of borders if there is none.
+    [[nodiscard]] std::size_t of(std::uint32_t a, std::uint32_t b) {
+        const std::pair<std::uint32_t, std::uint32_t> pair(std::min(a, b), std::max(a, b));
+        if (last_ < borders_.size() && pairOf(borders_[last_]) == pair) return last_;
+        const auto found = std::ranges::lower_bound(borders_, pair, {}, pairOf);
+        if (found == borders_.end() || pairOf(*found) != pair) return borders_.size();
+        return last_ = static_cast<std::size_t>(found - borders_.begin());
+    }
+
+private:
+    static std::pair<std::uint32_t, std::uint32_t> pairOf(const SegmentBorder& border) { return {border.a, border.b}; }
+    std::span<const SegmentBorder> borders_;
+    std::size_t last_ = SIZE_MAX;
+};
+
 } // namespace
+
+void OutlineSums::add(const OutlineSums& other) {
+    length += other.length;
+    for (std::size_t n = 0; n < byEdge.size(); ++n) byEdge[n] += other.byEdge[n];
+    step += other.step;
+    for (std::size_t n = 0; n < turn.size(); ++n) turn[n] += other.turn[n];
+    fold += other.fold;
+}
 
 CrackMeasure::CrackMeasure(const Inputs& inputs, const Grid<std::uint32_t>& segment)
     : inputs_(inputs), cracks_(*inputs.cracks), segment_(segment) {}
@@ -89,13 +182,10 @@ CrackEvidence CrackMeasure::at(int line, int beam, edges::Along along) const {
     const std::size_t p = segment_.index(line, beam);
     const std::size_t q = p + step;
     const Grid<float>& fold = isBeams ? cracks_.foldBeams : cracks_.foldLines;
-    float edge = std::max(separationStrength(*inputs_.responses, p), separationStrength(*inputs_.responses, q));
-    const int place = isBeams ? beam : line;
-    if (place > 0) edge = std::max(edge, separationStrength(*inputs_.responses, p - step));
-    if (place + 2 < (isBeams ? segment_.beams : segment_.lines)) edge = std::max(edge, separationStrength(*inputs_.responses, q + step));
+    const float edge = edgeAt(*inputs_.responses, p, step, isBeams ? beam : line, isBeams ? segment_.beams : segment_.lines);
     CrackEvidence evidence;
     evidence.e1 = static_cast<double>(std::clamp(std::max({jump(p, along), -fold[p], -fold[q]}), 0.0F, 1.0F));
-    evidence.e2 = static_cast<double>(std::min(edge, 1.0F));
+    evidence.e2 = static_cast<double>(edge);
     const Chord chord = chordAt(line, beam, along);
     evidence.valleyMm = depthMm(chord, chord.cells(kValleyM, kMostValley));
     evidence.v = std::clamp(evidence.valleyMm / kValleyUnitMm, -kMostUnits, kMostUnits);
@@ -133,6 +223,44 @@ std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::
     std::vector<SegmentBorder> all;
     for (const std::vector<SegmentBorder>& part : borders) all.insert(all.end(), part.begin(), part.end());
     return summedBorders(std::move(all)); // whole numbers: the sums are the same in any order
+}
+
+SegmentOutlines segmentOutlines(const Inputs& inputs, const Grid<std::uint32_t>& segment, std::span<const SegmentBorder> borders,
+                                std::uint32_t count) {
+    const OutlineMeasure measure(inputs);
+    const auto parts = madeOfParts(segment.lines, bandsFor(segment.size(), 0), [&](int first, int last) {
+        SegmentOutlines outlines{std::vector<OutlineSums>(borders.size()), std::vector<std::int64_t>(static_cast<std::size_t>(count) + 1)};
+        BorderIndex index(borders);
+        const auto look = [&](int line, int beam, edges::Along along) {
+            const std::size_t p = segment.index(line, beam);
+            const bool isBeams = along == edges::Along::Beams;
+            const std::uint32_t a = segment[p], b = segment[p + (isBeams ? 1 : static_cast<std::size_t>(segment.beams))];
+            if (a == b) return;
+            if (a == kNoSegment || b == kNoSegment) {
+                outlines.outer[std::max(a, b)] += measure.lengthAt(line, beam, along);
+            } else if (const std::size_t border = index.of(a, b); border < borders.size()) {
+                outlines.borders[border].add(measure.at(line, beam, along));
+            }
+        };
+        const auto lookOut = [&](int line, int beam, edges::Along along) {
+            if (segment.at(line, beam) != kNoSegment) outlines.outer[segment.at(line, beam)] += measure.lengthAt(line, beam, along);
+        };
+        for (int i = first; i < last; ++i) {
+            for (int j = 0; j < segment.beams; ++j) {
+                if (j + 1 < segment.beams) look(i, j, edges::Along::Beams);
+                if (i + 1 < segment.lines) look(i, j, edges::Along::Lines);
+                if (j == 0 || j + 1 == segment.beams) lookOut(i, j, edges::Along::Beams);
+                if (i == 0 || i + 1 == segment.lines) lookOut(i, j, edges::Along::Lines);
+            }
+        }
+        return outlines;
+    });
+    SegmentOutlines all = parts.front();
+    for (std::size_t part = 1; part < parts.size(); ++part) {
+        for (std::size_t n = 0; n < all.borders.size(); ++n) all.borders[n].add(parts[part].borders[n]);
+        for (std::size_t n = 0; n < all.outer.size(); ++n) all.outer[n] += parts[part].outer[n];
+    }
+    return all;
 }
 
 std::vector<SegmentBorder> summedBorders(std::vector<SegmentBorder> parts) {

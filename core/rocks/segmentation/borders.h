@@ -44,6 +44,15 @@ private:
     const Grid<std::uint32_t>& segment_;
 };
 
+/// Where a segment ends after the refinement of its borders.
+struct SegmentOutlines {
+    std::vector<OutlineSums> borders; ///< as many as there are borders
+    std::vector<std::int64_t> outer;  ///< by segment, as Segmentation::outer
+};
+/// `borders`: ascending by (a, b). Cracks between other segments are left out.
+[[nodiscard]] SegmentOutlines segmentOutlines(const Inputs& inputs, const Grid<std::uint32_t>& segment,
+                                              std::span<const SegmentBorder> borders, std::uint32_t count);
+
 /// All borders, ascending by (a, b).
 [[nodiscard]] std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::uint32_t>& segment);
 

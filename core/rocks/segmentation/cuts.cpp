@@ -101,7 +101,7 @@ std::vector<std::uint32_t> strokeCells(const CutLine& line, int lines, int beams
 }
 
 std::uint32_t cutSegments(const CellLinks& links, const CutLine& cut, std::uint32_t count, Grid<std::uint32_t>& segment,
-                          Grid<std::uint32_t>* basins) {
+                          Grid<std::uint32_t>* basins, std::vector<std::uint32_t>* cutFrom) {
     std::vector<std::size_t> taken;
     Grid<std::uint8_t> isTaken(segment.lines, segment.beams);
     std::vector<std::uint8_t> isCut(static_cast<std::size_t>(count) + 1);
@@ -132,7 +132,12 @@ std::uint32_t cutSegments(const CellLinks& links, const CutLine& cut, std::uint3
     for (const std::size_t k : crossed) {
         if (piece[k] == kNoSegment) piece[k] = static_cast<std::uint32_t>(k) + 1; // a part that consists only of stroke cells
         std::uint32_t& of = name[piece[k]];
-        if (of == kNoSegment) of = std::exchange(kept[segment[k]], 1) == kNoSegment ? segment[k] : ++count;
+        if (of == kNoSegment && std::exchange(kept[segment[k]], 1) == kNoSegment) {
+            of = segment[k];
+        } else if (of == kNoSegment) {
+            of = ++count;
+            if (cutFrom != nullptr) cutFrom->push_back((*cutFrom)[segment[k]]);
+        }
         after[k] = of;
     }
     if (basins != nullptr) cutBasins(links, isCut, segment, after, *basins);

@@ -19,9 +19,10 @@ using CutLine = std::vector<std::uint32_t>;
 
 /// Cuts each segment that the line crosses into the parts on its two sides: the part with the first cell has the number of the segment, the
 /// others get new numbers behind `count`. No other cell changes. Returns the number of segments. Cells outside of the grid are left out.
-/// `basins`: the same segments before their borders were refined, cut alike; may be null.
+/// `basins`: the same segments before their borders were refined, cut alike; may be null. `cutFrom`: receives the segment of each new
+/// number; may be null.
 std::uint32_t cutSegments(const CellLinks& links, const CutLine& cut, std::uint32_t count, Grid<std::uint32_t>& segment,
-                          Grid<std::uint32_t>* basins = nullptr);
+                          Grid<std::uint32_t>* basins = nullptr, std::vector<std::uint32_t>* cutFrom = nullptr);
 
 /// Pairs of segments on opposite sides of a line that border on each other: they must not be merged. `segment`: as cutSegments() left it.
 [[nodiscard]] std::vector<SegmentPair> segmentsAcross(const Grid<std::uint32_t>& segment, std::span<const SegmentBorder> borders,

@@ -134,10 +134,13 @@ Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std:
     FittedSegments fitted = fittedSegments(inputs);
     chooseBorders(inputs, settledGroups(fitted.borders, fitted.count), learnedBorders(), kBorderPasses, fitted.segment);
     const CellLinks links{inputs.surface->inverse.support, *inputs.cracks};
-    for (const CutLine& cut : cuts) fitted.count = cutSegments(links, cut, fitted.count, fitted.segment, &fitted.basins);
+    std::vector<std::uint32_t> cutFrom(static_cast<std::size_t>(fitted.count) + 1);
+    std::iota(cutFrom.begin(), cutFrom.end(), 0U);
+    for (const CutLine& cut : cuts) fitted.count = cutSegments(links, cut, fitted.count, fitted.segment, &fitted.basins, &cutFrom);
     if (!cuts.empty()) fitted.borders = segmentBorders(inputs, fitted.basins);
     Segmentation segments;
     segments.inputs = inputs;
+    segments.cutFrom = std::move(cutFrom);
     segments.segment = std::move(fitted.segment);
     segments.borders = std::move(fitted.borders);
     const auto sumUp = [&] {
@@ -145,6 +148,9 @@ Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std:
         segments.sums = segmentSums(inputs, segments.beamRuns, fitted.count);
     };
     runParts(bandsFor(segments.segment.size(), 0), {sumUp, [&] { segments.lineRuns = runsAlongLines(segments.segment); }});
+    SegmentOutlines outlines = segmentOutlines(inputs, segments.segment, segments.borders, fitted.count);
+    segments.outlines = std::move(outlines.borders);
+    segments.outer = std::move(outlines.outer);
     return segments;
 }
 

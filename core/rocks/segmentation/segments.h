@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -50,6 +51,23 @@ struct SegmentBorder {
     [[nodiscard]] SegmentBorder reversed() const { return {b, a, sumZ, cracks, jumpsB, jumpsA, valleys, sumE1, sumE2, sumValley, sumWide}; }
 };
 
+/// Lengths of outlines, seen from the scanner, are stored as whole multiples of this, in radians, so that sums are exact in any order.
+inline constexpr double kLengthStep = 1.0 / 1073741824.0;
+
+/// The border of two segments after its refinement. Sums over its cracks in units of kLengthStep: each crack counts with the angle that it
+/// covers. They add up like those of SegmentBorder.
+struct OutlineSums {
+    std::int64_t length = 0;
+    std::array<std::int64_t, 4> byEdge{}; ///< length of cracks with e2 below 0.25, below 0.75, below 1, and 1
+    std::int64_t step = 0;                ///< difference in range over the distance of neighbouring points, 0..20
+    std::array<std::int64_t, 3> turn{};   ///< u above its chord of 1, 2.7 and 5.3 degrees to each side, over the length, -2..2
+    std::int64_t fold = 0;                ///< S_C, the lesser of both cells, -3..3
+
+    void add(const OutlineSums& other);
+    /// The mean over the length of one of the sums; 0 without a length.
+    [[nodiscard]] double mean(std::int64_t sum) const { return length == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(length); }
+};
+
 /// Sums over the measured cells of a segment; they add up when segments are merged.
 struct SegmentSums {
     std::uint32_t cells = 0;
@@ -77,7 +95,10 @@ struct Segmentation {
     Inputs inputs;
     Grid<std::uint32_t> segment; ///< lines x beams: kOpen, or the segment from 1 on; numbered by first cells, parts of cut ones behind
     std::vector<SegmentBorder> borders; ///< ascending by (a, b)
+    std::vector<OutlineSums> outlines;  ///< by border
+    std::vector<std::int64_t> outer;    ///< by segment: length of its outline without a segment behind it, in units of kLengthStep
     std::vector<SegmentSums> sums;      ///< by segment; that of kOpen is empty
+    std::vector<std::uint32_t> cutFrom; ///< by segment: the one that it was before any cut
     std::vector<SegmentRun> beamRuns;   ///< by line, then beam
     std::vector<SegmentRun> lineRuns;   ///< by beam, then line
 

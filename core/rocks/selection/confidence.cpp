@@ -12,9 +12,9 @@ constexpr double kLeastScore = -6.0;
 constexpr double kMostScore = 12.0;
 
 // By its own E and R alone, fitted on scans that are full of rocks.
-constexpr double kOwnOffset = -1.82;
-constexpr double kOwnPerEvidence = 0.48;
-constexpr double kOwnPerScore = 0.39;
+constexpr double kOwnOffset = -1.39;
+constexpr double kOwnPerEvidence = 0.19;
+constexpr double kOwnPerScore = 1.0;
 
 double chance(double logOdds) { return 1.0 / (1.0 + portable::exp(-logOdds)); }
 
@@ -47,7 +47,7 @@ std::vector<ConfidenceInputs> confidenceInputs(const RegionMap& map) {
     std::vector<ConfidenceInputs> inputs(map.regions.size());
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         const Region& region = map.regions[n];
-        inputs[n] = {region.evidence, clippedScore(region), all, around[n] / std::max(1.0, static_cast<double>(region.outlineCracks))};
+        inputs[n] = {region.nearShare, clippedScore(region), all, around[n] / std::max(1.0, static_cast<double>(region.outlineCracks))};
     }
     return inputs;
 }

@@ -9,8 +9,8 @@
 
 namespace edgescan::rocks {
 
-/// What is known about one region: E; R within -6 .. 12; the log odds of what the rocks of the scan have on average by their own E and R;
-/// the mean R of its neighbours.
+/// What is known about one region: the share of its outline where it is the nearer side of a jump; R within -6 .. 12; the log odds of what
+/// the rocks of the scan have on average by their own E and R; the mean R of its neighbours.
 inline constexpr std::size_t kConfidenceInputs = 4;
 using ConfidenceInputs = std::array<double, kConfidenceInputs>;
 

@@ -2,6 +2,7 @@
 #include "core/rocks/selection/edits.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace edgescan::rocks {
@@ -30,6 +31,26 @@ void addFirstCells(std::span<const std::uint32_t> group, const std::vector<std::
 
 std::size_t changesByHand(std::span<const Edit> edits) {
     return static_cast<std::size_t>(std::ranges::count_if(edits, [](const Edit& edit) { return edit.kind != EditKind::Whole; }));
+}
+
+std::vector<Edit> mergedEdits(std::span<const Edit> base, std::span<const Edit> mine, std::span<const Edit> theirs) {
+    if (std::ranges::equal(base, theirs)) return {mine.begin(), mine.end()};
+    // Of edits that occur several times each is one.
+    const auto without = [](std::span<const Edit> edits, std::span<const Edit> gone) {
+        std::vector<Edit> left;
+        std::vector<Edit> rest(gone.begin(), gone.end());
+        for (const Edit& edit : edits) {
+            if (const auto found = std::ranges::find(rest, edit); found != rest.end())
+                rest.erase(found);
+            else
+                left.push_back(edit);
+        }
+        return left;
+    };
+    std::vector<Edit> merged = without(theirs, without(base, mine));
+    const std::vector<Edit> theirNew = without(theirs, base);
+    std::ranges::move(without(without(mine, base), theirNew), std::back_inserter(merged));
+    return merged;
 }
 
 std::vector<CutLine> cutsOf(std::span<const Edit> edits) {

@@ -39,6 +39,10 @@ struct Edit {
 /// How many changes an operator made: the parts of a cut belong to it.
 [[nodiscard]] std::size_t changesByHand(std::span<const Edit> edits);
 
+/// What two windows made of one list of edits: those of `theirs` without what `mine` took back, then what `mine` added. @param base what
+/// both began with
+[[nodiscard]] std::vector<Edit> mergedEdits(std::span<const Edit> base, std::span<const Edit> mine, std::span<const Edit> theirs);
+
 /// The strokes among the edits.
 [[nodiscard]] std::vector<CutLine> cutsOf(std::span<const Edit> edits);
 /// Decisions of the edits about pairs of segments; a cell without a segment has no effect. `segments` must have been made with the same

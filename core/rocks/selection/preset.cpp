@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 namespace edgescan::rocks {
-namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U;
-
-} // namespace
+Preset mergedPreset(const Preset& base, const Preset& mine, const Preset& theirs) {
+    const bool mineCounts = mine.settings != base.settings || !theirs.settings;
+    return {mineCounts ? mine.settings : theirs.settings, mergedEdits(base.edits, mine.edits, theirs.edits), mine.sha256};
+}
 
 std::filesystem::path rockPresetPath(const std::filesystem::path& scan) { return scan.string() + ".rocks.json"; }
 
@@ -48,7 +48,7 @@ Result<Preset> rockPresetFromText(std::string_view text, int lines, int beams, c
 }
 
 Result<Preset> readRockPreset(const std::filesystem::path& path, const Scan& scan) {
-    const auto bytes = readWholeFile(path, kMostBytes);
+    const auto bytes = readWholeFile(path, kMostPresetBytes);
     if (!bytes) return bytes.error();
     return rockPresetFromText(textOf(*bytes), scan.lines(), scan.beams(), scan.sha256, path.string());
 }

@@ -4,6 +4,7 @@
 #include "core/rocks/selection/edits.h"
 #include "core/rocks/selection/rock_settings.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,7 +15,14 @@ struct Preset {
     std::optional<RockSettings> settings; ///< empty: edits only
     std::vector<Edit> edits;
     std::string sha256; ///< hash of the scan's file; empty: unknown
+
+    bool operator==(const Preset&) const = default;
 };
+
+inline constexpr std::uint64_t kMostPresetBytes = std::uint64_t{64} << 20U; ///< of a file
+
+/// mergedEdits(), and the settings of `mine` if it changed them. @param base what both began with
+[[nodiscard]] Preset mergedPreset(const Preset& base, const Preset& mine, const Preset& theirs);
 
 /// SCAN.EXT.rocks.json
 [[nodiscard]] std::filesystem::path rockPresetPath(const std::filesystem::path& scan);

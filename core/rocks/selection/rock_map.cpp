@@ -21,15 +21,9 @@ constexpr std::uint32_t kFewestJumps = 3;
 constexpr double kOneWay = 0.8; // least share of the jumps with the same nearer side
 
 // Weights of R, the log odds "rock" (docs/method/rocks.md, "Step 7").
-constexpr double kPerBulge = 22.0;
-constexpr double kPerNear = 8.4;
-constexpr double kPerMetreTooLong = 1.1;
-constexpr double kPerEdges = 33.0;
-constexpr double kPerDepth = 11.7;
-constexpr double kPerFill = 9.3;
+constexpr std::array<double, kScoreInputs> kPer{4.8, -0.3, -1.2, 14.3, 8.1, -2.0, 2.14}; // by scoreInputs()
+constexpr double kScoreOffset = -15.1;
 constexpr double kFlat = 0.05; // one in 300 rocks is as flat as this
-constexpr double kPerFlat = 200.0;
-constexpr double kScoreOffset = -37.0;
 constexpr double kMostZ = 6.0;
 constexpr int kSurroundingSides = 3; // a region that reaches so many sides of the sweep ...
 constexpr double kLeastNear = 0.05;  // ... is a rock only if it is the nearer side on this share of its outline
@@ -87,10 +81,8 @@ void addBorders(const Segmentation& segments, RegionMap& map) {
 void judge(Region& region, const RockSettings& settings) {
     if (region.sums.cells < static_cast<std::uint32_t>(settings.minimumCells)) return;
     measureSpread(region);
-    region.score = kPerBulge * region.bulge + kPerNear * region.nearShare -
-                   kPerMetreTooLong * std::max(0.0, region.longM - settings.largestM) + kPerEdges * region.edgeShare +
-                   kPerDepth * region.depthRatio - kPerFlat * std::max(0.0, kFlat - region.depthRatio) + kPerFill * region.boxShare +
-                   kScoreOffset;
+    const std::array<double, kScoreInputs> inputs = scoreInputs(region, settings);
+    region.score = std::inner_product(kPer.begin(), kPer.end(), inputs.begin(), kScoreOffset);
     region.kind = looksLikeRock(region, settings) ? RegionKind::Rock : RegionKind::NotRock;
 }
 
@@ -176,6 +168,12 @@ const char* regionKindName(RegionKind kind) {
 
 bool isTooFar(const Region& region, const RockSettings& settings) {
     return !((region.sums.sumM / static_cast<double>(region.sums.cells)).norm() < settings.farthestM);
+}
+
+std::array<double, kScoreInputs> scoreInputs(const Region& region, const RockSettings& settings) {
+    return {region.bulge,     region.nearShare,  std::max(0.0, region.longM - settings.largestM),
+            region.edgeShare, region.depthRatio, std::max(0.0, kFlat - region.depthRatio),
+            region.boxShare};
 }
 
 bool looksLikeRock(const Region& region, const RockSettings& settings) {

@@ -6,6 +6,8 @@
 #include "core/rocks/segmentation/segments.h"
 #include "core/rocks/selection/rock_settings.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -65,6 +67,10 @@ struct RockCall {
 /// Step 5 at one level and step 7. Of several decisions about a region the last one is valid.
 [[nodiscard]] RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings,
                                 std::span<const RockCall> called = {});
+
+/// What R weighs: bulge, near share, metres above the largest expected size, edge share, depth ratio, flatness, box share.
+inline constexpr std::size_t kScoreInputs = 7;
+[[nodiscard]] std::array<double, kScoreInputs> scoreInputs(const Region& region, const RockSettings& settings);
 
 /// What rocksAt() asks of the confidence of a rock; docs/developer/lab-notebook.md has the trials.
 inline constexpr double kLeastConfidence = 0.25;

@@ -221,14 +221,14 @@ struct JoinedPart {
     std::vector<NestedPiece> pieces;
     std::vector<Edit> unjoined, others;
 };
-std::optional<JoinedPart> joinedPartAt(const Segmentation& segments, const std::vector<std::uint32_t>& region, double level,
-                                       std::uint32_t k, std::span<const Edit> edits) {
+std::optional<JoinedPart> joinedPartAt(const Segmentation& segments, const MergeTree& tree, const std::vector<std::uint32_t>& region,
+                                       double level, std::uint32_t k, std::span<const Edit> edits) {
     std::vector<Edit> others;
     for (const Edit& edit : edits) {
         if (!joins(edit, segments, region)) others.push_back(edit);
     }
     if (others.size() == edits.size()) return std::nullopt;
-    const MergeTree before = mergeTree(segments.count(), segments.borders, pairsOf(segments, others));
+    const MergeTree before = withPairs(tree, segments, pairsOf(segments, others));
     NestedPieces all = nestedPieces(segments, before, level, k, 0);
     JoinedPart part;
     part.pieces.assign(all.pieces.begin(), all.pieces.begin() + static_cast<std::ptrdiff_t>(all.region) + 1);
@@ -257,7 +257,7 @@ WheelPieces wheelPiecesAt(const Segmentation& segments, const MergeTree& tree, d
     NestedPieces all = nestedPieces(segments, tree, level, k, mostLarger);
     if (all.pieces.empty()) return family;
     std::size_t split = bestSplit(all);
-    if (auto joined = joinedPartAt(segments, all.pieces[all.region].segments, level, k, edits)) {
+    if (auto joined = joinedPartAt(segments, tree, all.pieces[all.region].segments, level, k, edits)) {
         split = joined->pieces.size() - 1;
         family.unjoined = std::move(joined->unjoined);
         family.others = std::move(joined->others);

@@ -71,9 +71,11 @@ void Rocks::setOperatorEdits(const OperatorEdits& byHand) {
 }
 
 void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after, const std::vector<std::size_t>& merged) {
-    const auto use = [this, merged, before = edits_.size()](const OperatorEdits& value) {
-        setOperatorEdits(value);
-        if (on_ && !merged.empty()) select(value.edits.size() == before ? merged : std::vector{merged.back()});
+    const auto use = [this, merged, before = operatorEdits(), after](const OperatorEdits& value) {
+        const bool isUndo = value != after;
+        // What another window changed meanwhile stays.
+        setOperatorEdits({rocks::mergedEdits((isUndo ? after : before).edits, value.edits, edits_), value.region});
+        if (on_ && !merged.empty()) select(isUndo ? merged : std::vector{merged.back()});
         return true;
     };
     auto* step = new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), use, [this, stream = stream_] {
@@ -127,6 +129,14 @@ void Rocks::judgeEdit() {
     if (isNewest(undo_, newestEdit_)) notice_.offerUndo(undo_);
 }
 
+void Rocks::mergeOffered() {
+    const rocks::Rock* rock = picture_ && selected_.size() == 1 ? picture_->rockAt(selected_.front()) : nullptr;
+    if (rock == nullptr || rock->maybeOneWith.empty()) return mergeSelected();
+    std::vector<std::uint32_t> cells{rock->cell};
+    for (const std::uint32_t other : rock->maybeOneWith) cells.push_back(picture_->rock(other)->cell);
+    merge(cells);
+}
+
 void Rocks::mergeSelected() {
     if (!picture_) return;
     std::vector<std::uint32_t> cells;
@@ -134,6 +144,10 @@ void Rocks::mergeSelected() {
         if (picture_->regionAt(cell) != nullptr) cells.push_back(static_cast<std::uint32_t>(cell));
     }
     if (cells.size() < 2) return useTool(RockTool::Join);
+    merge(cells);
+}
+
+void Rocks::merge(const std::vector<std::uint32_t>& cells) {
     auto join = rocks::joinOf(*picture_->study.segmentation, picture_->study.map, cells);
     if (!join) return notice_.showHint(tr("Nothing was merged: this is one rock already."));
     push(stepName("merge of rocks"), {std::move(*join)}, selected_);

@@ -1,7 +1,6 @@
 // Reads and writes the sidecar SCAN.rocks.json.
 #include "ui/controllers/rocks/rock_sidecar.h"
 
-#include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/in_background.h"
@@ -9,7 +8,6 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
-#include <span>
 #include <system_error>
 
 namespace edgescan::ui {
@@ -21,37 +19,38 @@ constexpr int kSoonMs = 400; // a moving slider causes one write
 
 class RockSidecar::Disk {
 public:
-    Result<Done> write(const Writing& writing) {
+    /// What is in the file now: what another window changed in it is merged.
+    Result<rocks::Preset> write(const Writing& writing) {
         const std::lock_guard lock(mutex_);
-        if (writing.number < last_) return Done{};
+        rocks::Preset merged = writing.preset;
+        if (writing.number < last_) return merged;
         last_ = writing.number;
-        if (writing.text.empty()) return remove(writing.path);
-        auto written = writeWholeFile(writing.path, writing.text);
-        if (written) known_[writing.path] = sha256Hex(std::as_bytes(std::span(writing.text)));
-        return written;
+        rocks::Preset& before = read_[writing.path];
+        const Scan& scan = *writing.scan;
+        const auto change = [&](const std::optional<std::string>& text) -> Result<std::optional<std::string>> {
+            if (text) {
+                auto theirs = rocks::rockPresetFromText(*text, scan.lines(), scan.beams(), scan.sha256, writing.path);
+                if (!theirs) return theirs.error();
+                merged = rocks::mergedPreset(before, writing.preset, *theirs);
+            }
+            if (merged.edits.empty() && merged.settings->region.empty()) return std::optional<std::string>();
+            return std::optional(rocks::rockPresetText(merged, scan.lines(), scan.beams()));
+        };
+        if (const auto written = changeWholeFile(writing.path, rocks::kMostPresetBytes, change); !written) return written.error();
+        before = writing.preset;
+        return merged;
     }
 
     /// The file was read.
-    void read(const std::string& path) {
-        const auto hash = sha256OfFile(path);
+    void read(const std::string& path, const rocks::Preset& preset) {
         const std::lock_guard lock(mutex_);
-        if (hash) known_[path] = *hash;
+        read_[path] = preset;
     }
 
 private:
-    Result<Done> remove(const std::string& path) {
-        std::error_code problem;
-        if (!std::filesystem::exists(path, problem)) return Done{};
-        if (const auto hash = sha256OfFile(path); !hash || known_[path] != *hash)
-            return Error{"another program has changed this file, so it was not removed", path, "open the scan again to see its edits"};
-        std::filesystem::remove(path, problem);
-        if (problem) return Error{"the file cannot be removed (" + problem.message() + ")", path, "check the rights of its folder"};
-        return Done{};
-    }
-
     std::mutex mutex_;
     std::uint64_t last_ = 0;
-    std::map<std::string, std::string> known_; ///< hashes of the files as this window read or wrote them last
+    std::map<std::string, rocks::Preset> read_; ///< the files as this window read or wrote them last
 };
 
 RockSidecar::RockSidecar(QObject* parent) : QObject(parent), disk_(std::make_shared<Disk>()) {
@@ -78,8 +77,8 @@ void RockSidecar::follow(std::shared_ptr<const Scan> scan) {
             const std::filesystem::path path = rocks::rockPresetPath(about->path);
             const bool isFile = std::filesystem::is_regular_file(about->path, none);
             const bool isThere = isFile && std::filesystem::exists(path, none);
-            if (isThere) disk->read(path.string()); // before: what is written meanwhile counts as another program's
             auto preset = isThere ? rocks::readRockPreset(path, *about) : Result<rocks::Preset>(rocks::Preset{});
+            if (preset) disk->read(path.string(), *preset);
             return [this, number, isFile, isThere, path = path.string(), preset = std::move(preset)] {
                 if (number != number_) return; // another scan is on the screen
                 reading_ = false;
@@ -103,8 +102,7 @@ void RockSidecar::keep(const rocks::RockSettings& settings, const std::vector<ro
     if (!scan_ || path_.empty()) return;
     const bool any = !edits.empty() || !settings.region.empty();
     if (!any && !ours_) return;
-    waiting_ = {++writings_, path_,
-                any ? rocks::rockPresetText({settings, edits, scan_->sha256}, scan_->lines(), scan_->beams()) : std::string()};
+    waiting_ = {++writings_, path_, scan_, {settings, edits, scan_->sha256}};
     ours_ = any;
     soon_.start();
 }
@@ -128,8 +126,9 @@ void RockSidecar::writeInBackground() {
         this,
         [this, disk = disk_, writing = *std::exchange(waiting_, std::nullopt)]() -> std::function<void()> {
             auto written = disk->write(writing);
-            return [this, written = std::move(written)] {
-                if (!written) emit failed(tr("Edits of rocks are not stored: %1").arg(exactText(written.error().sentence())));
+            return [this, writing, written = std::move(written)] {
+                if (!written) return emit failed(tr("Edits of rocks are not stored: %1").arg(exactText(written.error().sentence())));
+                if (writing.scan == scan_ && *written != writing.preset) emit merged(writing.preset, *written);
             };
         },
         [this](const QString& what) { emit failed(tr("Edits of rocks are not stored: %1").arg(what)); }, [this] { writing_ = false; });

@@ -34,13 +34,17 @@ signals:
     void found(const edgescan::rocks::Preset& preset);
     /// After follow() and a possible found().
     void readEnded();
+    /// Another window had changed the file: `theirs`, which has all changes, was written in place of `mine`.
+    void merged(const edgescan::rocks::Preset& mine, const edgescan::rocks::Preset& theirs);
     /// A sentence: the sidecar cannot be read or written.
     void failed(const QString& sentence);
 
 private:
     struct Writing {
         std::uint64_t number = 0; ///< later ones are larger
-        std::string path, text;   ///< empty text: delete the file
+        std::string path;
+        std::shared_ptr<const Scan> scan;
+        rocks::Preset preset; ///< without edits and region: the file is deleted
     };
     class Disk; ///< writes the newest content, whichever thread comes first
     void writeNow();

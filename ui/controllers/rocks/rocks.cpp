@@ -70,7 +70,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&card, &RockCard::closeRequested, this, [this] { select({}); });
     connect(&card, &RockCard::splitRequested, this, [this](bool on) { useTool(on ? RockTool::Split : RockTool::None); });
     connect(&card, &RockCard::cutRequested, this, [this](bool on) { useTool(on ? RockTool::Cut : RockTool::None); });
-    connect(&card, &RockCard::mergeRequested, this, &Rocks::mergeSelected);
+    connect(&card, &RockCard::mergeRequested, this, &Rocks::mergeOffered);
     connect(&card, &RockCard::nameRequested, this, &Rocks::nameRequested);
     connect(&card, &RockCard::sectionRequested, this, &Rocks::sectionRequested);
     connect(&card, &RockCard::markRequested, this, &Rocks::callChosen);
@@ -83,6 +83,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
         followPicture();
         setPart(std::exchange(restored_, std::nullopt));
     });
+    connect(&sidecar_, &RockSidecar::merged, this, &Rocks::adopt);
     connect(&sidecar_, &RockSidecar::failed, this,
             [this](const QString& sentence) { notice_.showNotice(NoticeBar::Kind::Warning, sentence); });
     connect(&drag_, &CellDrag::drawn, this, [this](const std::vector<QPoint>& cells) { views_.setTrail({cells, cells}); });
@@ -184,6 +185,16 @@ void Rocks::takePreset(const rocks::Preset& preset) {
     if (preset.settings) settings_ = *preset.settings;
     edits_ = preset.edits;
     panel_.showSettings(settings_);
+}
+
+void Rocks::adopt(const rocks::Preset& mine, const rocks::Preset& theirs) {
+    const rocks::Preset now = rocks::mergedPreset(mine, {settings_, edits_, mine.sha256}, theirs);
+    settings_ = *now.settings;
+    edits_ = now.edits;
+    panel_.showSettings(settings_);
+    ask();
+    emit changed();
+    notice_.showHint(tr("Another window changed the rocks of this scan. The changes of both windows are kept."));
 }
 
 void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
@@ -373,7 +384,7 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
         useTool(RockTool::Cut);
     });
     rock->addAction(tr("&Wall, Not a Rock"), this, callIt(false));
-    rock->addAction(tr("&Export Rocks…"), this, &Rocks::askExport);
+    rock->addAction(tr("&Export Rocks…"), this, [this] { askExport(); });
 }
 
 void Rocks::lookAt(std::uint32_t label) {

@@ -107,6 +107,8 @@ public:
     [[nodiscard]] std::string editsFile() const { return operatorEdits() == OperatorEdits{} ? std::string() : sidecar_.path(); }
     /// With fewer than two selected rocks it sets the tool Join.
     void mergeSelected();
+    /// One selected rock is merged with those that may be the same rock (Rock::maybeOneWith); otherwise mergeSelected().
+    void mergeOffered();
     /// Sets the tool for the next click or drag; afterwards no tool is set.
     void useTool(RockTool tool);
     [[nodiscard]] RockTool tool() const { return tool_; }
@@ -116,9 +118,10 @@ public:
     void toggleChosen();
 
     /// Asks for a path; the extension determines the content.
-    void askExport();
+    /// Of what the table lists; `all`: of all rocks in the order of their numbers.
+    void askExport(bool all = false);
     /// csv, json, png (labels), dxf, geojson (outlines), ply, obj (hulls), by whenKnown().
-    void exportTo(const QString& path);
+    void exportTo(const QString& path, bool all = false);
     /// Calls `write` now, or while behind() as soon as the rocks of this scan are known; if that will not be, a notice names `path`.
     void whenKnown(const QString& path, std::function<void()> write);
 
@@ -155,9 +158,11 @@ private:
     void splitAt(std::size_t cell);
     /// The first edit is what the operator did, or `kind`. `merged`: selected rocks that become one; undo selects all of them again.
     void push(const QString& name, std::vector<rocks::Edit> added, const std::vector<std::size_t>& merged = {});
+    void merge(const std::vector<std::uint32_t>& cells);
     void pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks::EditKind kind, const std::vector<std::size_t>& merged = {});
     void pushOperatorEdits(const QString& name, OperatorEdits after, const std::vector<std::size_t>& merged = {});
     void judgeEdit();
+    void adopt(const rocks::Preset& mine, const rocks::Preset& theirs); // of another window
     void takePreset(const rocks::Preset& preset);
     struct CutAsked {
         std::shared_ptr<const RockPicture> of;

@@ -38,6 +38,14 @@ QString listed(const std::vector<std::uint32_t>& rocks) {
     return labels.isEmpty() ? QStringLiteral("–") : labels.join(", ");
 }
 
+// "12 and 15", "12, 15 and 20"
+QString rocksText(const std::vector<std::uint32_t>& rocks) {
+    QStringList labels;
+    for (const std::uint32_t other : rocks) labels << QString::number(other);
+    const QString last = labels.takeLast();
+    return labels.isEmpty() ? last : RockCard::tr("%1 and %2").arg(labels.join(", "), last);
+}
+
 QString archText(const rocks::Rock& rock) {
     if (!rock.archDeg) return QStringLiteral("–");
     return RockCard::tr("%1° ± %2°%3")
@@ -154,11 +162,14 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     QString state = stale ? tr("▲ of the picture before; being computed again") : QString();
     if (isRock_ && isDoubtful(*rock)) state += (state.isEmpty() ? QString() : "\n") + tr("▲ uncertain outline: hatched");
     if (isRock_ && !rock->apart.empty()) state += (state.isEmpty() ? QString() : "\n") + partsText(*rock);
+    const bool maybeOne = isRock_ && !rock->maybeOneWith.empty();
+    if (maybeOne)
+        state += (state.isEmpty() ? QString() : "\n") + tr("may be one with %1: Merge joins them").arg(rocksText(rock->maybeOneWith));
     if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("a rock by hand: marked or cut");
     state_->setText(state);
     state_->setVisible(!state.isEmpty());
     for (QPushButton* button : {split_, cut_, name_, section_}) button->setEnabled(isRock_);
-    merge_->setEnabled(cells.size() > 1);
+    merge_->setEnabled(cells.size() > 1 || maybeOne);
     const rocks::Region* region = picture.regionAt(cells.back());
     rockOrNot_->setEnabled(region != nullptr);
     rockOrNot_->setText(isRock_ ? tr("Not a Rock") : tr("A Rock"));

@@ -42,6 +42,7 @@ signals:
     void splitRequested(bool on);
     /// On: the next line through the rock cuts it; off: cancelled.
     void cutRequested(bool on);
+    /// The selected rocks; with one selected, it and the rocks that may be the same rock.
     void mergeRequested();
     void nameRequested();
     void sectionRequested();

@@ -35,7 +35,8 @@ TEST(LearnConfidence, FalseRocksOfABareWallAreSamples) {
     const auto simulation = sim::simulate(settings);
     ASSERT_TRUE(simulation);
     std::vector<ConfidenceLesson> samples;
-    ASSERT_TRUE(addConfidenceSamples(*simulation, samples));
+    const RockLesson lesson = rockLesson(std::make_shared<const Scan>(simulation->scan), simulation->truth->object);
+    addConfidenceSamples(lesson, rocks::mergeTree(lesson.segments), 1.0, samples);
     EXPECT_FALSE(samples.empty());
     EXPECT_TRUE(std::ranges::none_of(samples, &ConfidenceLesson::right));
     // The program knows that these are hardly rocks.

@@ -52,7 +52,7 @@ struct FoundBalls {
 FoundBalls found(const Scan& scan) {
     FoundBalls f;
     f.segments = test::segmentationOf(std::make_shared<const Scan>(scan));
-    f.map = rocksAt(f.segments, mergeTree(f.segments.count(), f.segments.borders), {});
+    f.map = rocksAt(f.segments, mergeTree(f.segments), {});
     f.rocks = rockRows(f.segments, f.map);
     return f;
 }
@@ -93,6 +93,21 @@ TEST(RockRows, TheNearerOfTwoThatOverlapLiesBefore) {
     EXPECT_EQ(far.rocksInFront, std::vector<std::uint32_t>{2});
     EXPECT_TRUE(near.rocksInFront.empty());
     EXPECT_LT(far.unoccluded, near.unoccluded);
+}
+
+TEST(RockRows, RocksThatTheTreeSoonMergesMayBeOne) {
+    const FoundBalls f = found(ballsScan({{{-1.0, 0.2, 5.0}, 0.5}, {{1.2, -0.3, 6.0}, 0.3}, {{0.2, 0.9, 5.5}, 0.3}}));
+    ASSERT_EQ(f.rocks.size(), 3U);
+    const auto segmentOf = [&](std::uint32_t label) { return f.map.regions[label].firstSegment; };
+    std::vector<Rock> rocks = f.rocks;
+    for (const auto& [height, nearlyAsCheap] : {std::pair(kLikelyJoin / 2, true), std::pair(2 * kLikelyJoin, false)}) {
+        const MergeTree tree{{{height, std::min(segmentOf(1), segmentOf(3)), std::max(segmentOf(1), segmentOf(3))}}};
+        addLikelyJoins(tree, f.map, rocks);
+        using Labels = std::vector<std::uint32_t>;
+        EXPECT_EQ(rocks[0].maybeOneWith, nearlyAsCheap ? Labels{3} : Labels{}) << height;
+        EXPECT_EQ(rocks[1].maybeOneWith, Labels{}) << height;
+        EXPECT_EQ(rocks[2].maybeOneWith, nearlyAsCheap ? Labels{1} : Labels{}) << height;
+    }
 }
 
 TEST(RockRows, FreeHeightBelowEndsAtAnObjectOrAVoid) {

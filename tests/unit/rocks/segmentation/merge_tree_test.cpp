@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace edgescan::rocks {
 namespace {
@@ -30,8 +33,7 @@ std::vector<SegmentBorder> randomBorders(std::mt19937& random, std::uint32_t seg
     return list;
 }
 
-// `apart`: pairs of segments that must never be in one group. `joined` come first.
-MergeTree slowTree(std::uint32_t segments, const std::vector<SegmentBorder>& borders, const std::vector<SegmentPair>& pairs) {
+MergeTree slowTree(std::uint32_t segments, const std::vector<SegmentBorder>& borders) {
     std::vector<std::uint32_t> group(segments + 1);
     for (std::uint32_t n = 0; n <= segments; ++n) group[n] = n;
     MergeTree tree;
@@ -41,18 +43,12 @@ MergeTree slowTree(std::uint32_t segments, const std::vector<SegmentBorder>& bor
         std::replace(group.begin(), group.end(), made.gone, made.remaining);
         tree.merges.push_back(made);
     };
-    for (const SegmentPair& pair : pairs) {
-        if (pair.joined && group[pair.a] != group[pair.b]) merge(pair.a, pair.b, kNever);
-    }
     double height = kNever;
     while (true) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, SegmentBorder> sums;
         for (const SegmentBorder& border : borders) {
             const auto [a, b] = std::minmax(group[border.a], group[border.b]);
             if (a != b) sums[{a, b}].add(border);
-        }
-        for (const SegmentPair& pair : pairs) {
-            if (!pair.joined) sums.erase(std::minmax(group[pair.a], group[pair.b]));
         }
         if (sums.empty()) return tree;
         const auto least = std::min_element(sums.begin(), sums.end(), [](const auto& x, const auto& y) {
@@ -77,30 +73,89 @@ TEST(MergeTree, EqualsTheSlowOneAlsoWithManyTies) {
     for (int round = 0; round < 60; ++round) {
         const std::uint32_t segments = 2 + static_cast<std::uint32_t>(random()) % 40;
         const std::vector<SegmentBorder> borders = randomBorders(random, segments, round % 2 == 0 ? 5 : 2000);
-        expectSame(mergeTree(segments, borders), slowTree(segments, borders, {}));
+        expectSame(mergeTree(segments, borders), slowTree(segments, borders));
+    }
+}
+
+/// Uncut segments with these borders.
+Segmentation segmentsWith(std::uint32_t count, std::vector<SegmentBorder> borders) {
+    Segmentation segments;
+    segments.borders = std::move(borders);
+    segments.sums.resize(count + 1);
+    segments.cutFrom.resize(count + 1);
+    std::iota(segments.cutFrom.begin(), segments.cutFrom.end(), 0U);
+    return segments;
+}
+
+/// The groups without the numbers that they have.
+std::set<std::set<std::uint32_t>> groupSets(const MergeTree& tree, std::uint32_t segments, double level) {
+    std::map<std::uint32_t, std::set<std::uint32_t>> sets;
+    const std::vector<std::uint32_t> group = groupsAt(tree, segments, level);
+    for (std::uint32_t n = 1; n <= segments; ++n) sets[group[n]].insert(n);
+    std::set<std::set<std::uint32_t>> all;
+    for (const auto& [name, members] : sets) all.insert(members);
+    return all;
+}
+
+TEST(MergeTree, WithoutPairsIsTheSameAgain) {
+    std::mt19937 random(5);
+    for (int round = 0; round < 40; ++round) {
+        const std::uint32_t count = 2 + static_cast<std::uint32_t>(random()) % 40;
+        const Segmentation segments = segmentsWith(count, randomBorders(random, count, 300));
+        const MergeTree plain = mergeTree(count, segments.borders);
+        expectSame(withPairs(plain, segments, {}), plain);
+        const std::vector<SegmentPair> some{{1, 2, false}};
+        expectSame(withPairs(withPairs(plain, segments, some), segments, {}), plain);
     }
 }
 
 TEST(MergeTree, PairsAreJoinedFirstAndKeptApartForGood) {
     std::mt19937 random(11);
     for (int round = 0; round < 60; ++round) {
-        const std::uint32_t segments = 8 + static_cast<std::uint32_t>(random()) % 30;
-        const std::vector<SegmentBorder> borders = randomBorders(random, segments, 50);
+        const std::uint32_t count = 8 + static_cast<std::uint32_t>(random()) % 30;
+        const Segmentation segments = segmentsWith(count, randomBorders(random, count, 50));
         // Segments 1 and 2 with some others to be separated from, and joins among the rest: no contradiction.
         const std::vector<SegmentPair> pairs{{1, 2, false}, {3, 4, true}, {1, 3, false}, {5, 6, true}};
-        const MergeTree tree = mergeTree(segments, borders, pairs);
-        expectSame(tree, slowTree(segments, borders, pairs));
-        const std::vector<std::uint32_t> group = groupsAt(tree, segments, 1e9);
+        const MergeTree tree = withPairs(mergeTree(count, segments.borders), segments, pairs);
+        const std::vector<std::uint32_t> group = groupsAt(tree, count, 1e9);
         EXPECT_NE(group[1], group[2]);
         EXPECT_NE(group[1], group[3]);
-        EXPECT_EQ(groupsAt(tree, segments, -1e9)[3], groupsAt(tree, segments, -1e9)[4]);
+        EXPECT_EQ(groupsAt(tree, count, -1e9)[3], groupsAt(tree, count, -1e9)[4]);
+        EXPECT_TRUE(std::ranges::is_sorted(tree.merges, {}, &Merge::height));
+        const MergeTree alone = withPairs(tree, segments, std::vector<SegmentPair>{{7, kNoSegment, false}});
+        EXPECT_TRUE(groupSets(alone, count, 1e9).contains({7}));
+    }
+}
+
+// A person who joins two rocks changes these two and no others.
+TEST(MergeTree, AJoinChangesNoOtherGroupAtItsLevel) {
+    std::mt19937 random(23);
+    for (int round = 0; round < 200; ++round) {
+        const std::uint32_t count = 12 + static_cast<std::uint32_t>(random()) % 40;
+        const Segmentation segments = segmentsWith(count, randomBorders(random, count, 1000));
+        const MergeTree plain = mergeTree(count, segments.borders);
+        const double level = static_cast<double>(random() % 600) - 300;
+        const std::vector<std::uint32_t> group = groupsAt(plain, count, level);
+        const std::uint32_t a = 1 + static_cast<std::uint32_t>(random()) % count, b = 1 + static_cast<std::uint32_t>(random()) % count;
+        if (group[a] == group[b]) continue;
+        std::vector<SegmentPair> pairs;
+        std::set<std::uint32_t> both;
+        for (std::uint32_t n = 1; n <= count; ++n) {
+            if (group[n] != group[a] && group[n] != group[b]) continue;
+            both.insert(n);
+            pairs.push_back({a, n, true});
+        }
+        auto wanted = groupSets(plain, count, level);
+        std::erase_if(wanted, [&](const auto& each) { return both.contains(*each.begin()); });
+        wanted.insert(both);
+        EXPECT_EQ(groupSets(withPairs(plain, segments, pairs), count, level), wanted);
     }
 }
 
 TEST(MergeTree, OfTwoWordsThatContradictTheLaterHolds) {
-    const std::vector<SegmentBorder> borders{{1, 2, 65536, 1, 0, 0, 0}, {2, 3, 65536, 1, 0, 0, 0}};
+    const Segmentation segments = segmentsWith(3, {{1, 2, 65536, 1, 0, 0, 0}, {2, 3, 65536, 1, 0, 0, 0}});
     const auto together = [&](const std::vector<SegmentPair>& pairs, std::uint32_t a, std::uint32_t b) {
-        const auto group = groupsAt(mergeTree(3, borders, pairs), 3, 5);
+        const auto group = groupsAt(withPairs(mergeTree(3, segments.borders), segments, pairs), 3, 5);
         return group[a] == group[b];
     };
     EXPECT_TRUE(together({{1, 2, false}, {1, 2, true}}, 1, 2));

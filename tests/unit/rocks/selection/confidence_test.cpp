@@ -10,6 +10,7 @@ Region region(RegionKind kind, double evidence, double score) {
     Region made;
     made.kind = kind;
     made.evidence = evidence;
+    made.nearShare = 0.4;
     made.score = score;
     made.outlineCracks = 10;
     return made;
@@ -29,14 +30,14 @@ RegionMap pair(double evidence, double score) {
 
 TEST(Confidence, InputsAreThoseOfTheRegionItsNeighboursAndAllRocks) {
     const auto inputs = confidenceInputs(pair(4.0, 20.0));
-    EXPECT_EQ(inputs[1][0], 4.0);
+    EXPECT_EQ(inputs[1][0], 0.4);
     EXPECT_EQ(inputs[1][1], 12.0); // within -6 .. 12
     EXPECT_EQ(inputs[1][2], inputs[2][2]);
     EXPECT_DOUBLE_EQ(inputs[1][3], (5 * 8.0 + 5 * -6.0) / 10);
     EXPECT_DOUBLE_EQ(inputs[2][3], 5 * 12.0 / 10);
 }
 
-TEST(Confidence, RisesWithEveryInput) {
+TEST(Confidence, RisesWithTheScoresOfARockAndOfTheOthers) {
     for (std::size_t n = 1; n < confidenceWeights().size(); ++n) EXPECT_GT(confidenceWeights()[n], 0.0) << n;
     const auto of = [](const RegionMap& map) { return confidenceOf(confidenceInputs(map)[2], confidenceWeights()); };
     // The same rock is less sure where the other one is doubtful.
