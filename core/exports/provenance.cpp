@@ -62,7 +62,7 @@ Expected expectedOf(ExportContent content, const edges::Detection& detection, co
         return Expected{pinned.targets, std::nullopt, countedThings(kind), pinned.box};
     }
     if (kind.counts == ExportKind::Counts::Rocks)
-        return Expected{options.rocks ? options.rocks->rocks.size() : 0, std::nullopt, countedThings(kind)};
+        return Expected{options.rocks ? rocks::rocksToList(*options.rocks).size() : 0, std::nullopt, countedThings(kind)};
     const bool points = isCloud(content) || (kind.holds == ExportKind::Holds::Scan && files::writtenFormat(path)->write != nullptr);
     if (!points) return Expected{detection.scan->cells(), std::nullopt, countedThings(kind)};
     const PointBounds bounds = pointsToWrite(content, detection, options);
@@ -114,7 +114,7 @@ std::string sidecarText(const FileBytes& file, const std::string& record, GridBe
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
 
-/// The box of the points; of the cells of all rocks where rocks are written.
+/// The box of the points; of the cells of the listed rocks where rocks are written.
 Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, const edges::Detection& detection, CoordinateFrame frame,
                              const ExportOptions& options) {
     if (expected.box) return *expected.box;
@@ -125,8 +125,10 @@ Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, co
     const Scan& scan = *detection.scan;
     const FramePoints points(scan, frame);
     const Grid<std::uint32_t> labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);
+    std::vector<std::uint8_t> isListed(options.rocks->rocks.size() + 1);
+    for (const rocks::Rock* rock : rocks::rocksToList(*options.rocks)) isListed[rock->label] = 1;
     for (std::uint32_t k = 0; k < scan.cells(); ++k) {
-        if (labels[k] != 0 && scan.state[k] == CellState::Valid) box.extend(points.at(k));
+        if (isListed[labels[k]] != 0 && scan.state[k] == CellState::Valid) box.extend(points.at(k));
     }
     return box;
 }

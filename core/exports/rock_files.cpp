@@ -109,17 +109,21 @@ Result<std::string> hullBytes(const rocks::Study& study, CoordinateFrame frame, 
     const bool isPly = files::Source::lowerCase(path.extension()) == ".ply";
     if (!isPly && files::Source::lowerCase(path.extension()) != ".obj")
         return Error{"the extension names no format for this", path.string(), "use .ply or .obj"};
-    const std::vector<rocks::Hull> hulls = rocks::rockHulls(*study.segmentation, study.map);
+    const std::vector<rocks::Hull> all = rocks::rockHulls(*study.segmentation, study.map);
+    std::vector<rocks::Hull> hulls;
+    for (const rocks::Rock* rock : rocks::rocksToList(study)) hulls.push_back(all[rock->label - 1]);
     return (isPly ? plyHulls : objHulls)(hulls, FramePoints(scan, frame), record);
 }
 
 Json rocksRecord(const rocks::Study& study) {
     const Scan& scan = *study.segmentation->inputs.scan;
-    return {{"settings", rocks::rockSettingsToJson(study.settings)},
-            {"edits", rocks::rockEditsToJson(study.edits, scan.lines(), scan.beams())},
-            {"count", study.map.rocks},
-            {"labels_sha256", labelsSha256(rocks::rockLabels(*study.segmentation, study.map))},
-            {"note", rocks::kRockCaveat}};
+    Json record{{"settings", rocks::rockSettingsToJson(study.settings)},
+                {"edits", rocks::rockEditsToJson(study.edits, scan.lines(), scan.beams())},
+                {"count", study.map.rocks},
+                {"labels_sha256", labelsSha256(rocks::rockLabels(*study.segmentation, study.map))},
+                {"note", rocks::kRockCaveat}};
+    if (study.listed) record["listed"] = *study.listed;
+    return record;
 }
 
 } // namespace edgescan::exports

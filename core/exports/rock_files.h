@@ -27,7 +27,7 @@ Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame
 Result<std::string> hullBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                               const std::string& record);
 
-/// {"settings", "edits", "count", "labels_sha256", "note"}.
+/// {"settings", "edits", "count", "labels_sha256", "note"}; "listed" where not all rocks are listed in their order.
 [[nodiscard]] nlohmann::ordered_json rocksRecord(const rocks::Study& study);
 
 } // namespace edgescan::exports

@@ -51,9 +51,9 @@ std::string dxfOutlines(const rocks::Study& study, const FramePoints& points, co
     const auto outlines = outlinesInSpace(study, points);
     const auto middleOf = [&](const rocks::Rock& rock) { return points.at(rock.cell, rock.centreM); };
     Eigen::AlignedBox3d box;
-    for (const rocks::Rock& rock : study.rocks) {
-        box.extend(middleOf(rock));
-        for (const Places& line : outlines[rock.label]) {
+    for (const rocks::Rock* rock : rocks::rocksToList(study)) {
+        box.extend(middleOf(*rock));
+        for (const Places& line : outlines[rock->label]) {
             for (const Eigen::Vector3d& place : line) box.extend(place);
         }
     }
@@ -62,7 +62,8 @@ std::string dxfOutlines(const rocks::Study& study, const FramePoints& points, co
     drawing.comment(rocks::kRockCaveat);
     for (const std::string& line : files::commentLines(record, files::kRecordMark)) drawing.comment(line);
     drawing.begin(box, kRockLayers);
-    for (const rocks::Rock& rock : study.rocks) {
+    for (const rocks::Rock* listed : rocks::rocksToList(study)) {
+        const rocks::Rock& rock = *listed;
         const char* layer = rock.confidence < rocks::kSureConfidence && !rock.byHand ? kDoubtfulLayer : kSureLayer;
         for (const Places& line : outlines[rock.label]) {
             drawing.beginLine(layer, true);
@@ -107,13 +108,13 @@ std::string geoJsonOutlines(const rocks::Study& study, const std::string& record
     const auto outlines = outlinesInSpace(study, FramePoints(scan, CoordinateFrame::Mine));
     const Json rows = rockRowsJson(study, CoordinateFrame::Mine);
     Json features = Json::array();
-    for (const rocks::Rock& rock : study.rocks) {
+    for (const rocks::Rock* rock : rocks::rocksToList(study)) {
         Json lines = Json::array();
-        for (const Places& line : outlines[rock.label]) lines.push_back(lineJson(line));
+        for (const Places& line : outlines[rock->label]) lines.push_back(lineJson(line));
         const Json geometry{{"type", "MultiLineString"}, {"coordinates", lines}};
         features.push_back({{"type", "Feature"},
-                            {"id", rock.label},
-                            {"properties", rows[rock.label - 1]},
+                            {"id", rock->label},
+                            {"properties", rows[features.size()]},
                             {"geometry", lines.empty() ? Json() : geometry}});
     }
     const Json collection{{"type", "FeatureCollection"},
@@ -158,13 +159,13 @@ std::string pictureOutlines(const rocks::Study& study, const std::string& record
     const Grid<std::uint32_t> labels = rocks::rockLabels(*study.segmentation, study.map);
     const auto outlines = rocks::outlinesOf(labels, study.map.rocks);
     Json rows = Json::array();
-    for (const rocks::Rock& rock : study.rocks) {
+    for (const rocks::Rock* rock : rocks::rocksToList(study)) {
         Json polygons = Json::array();
-        for (const rocks::OutlineRing& ring : outlines[rock.label]) {
+        for (const rocks::OutlineRing& ring : outlines[rock->label]) {
             if (!ring.hole) polygons.push_back(Json::array());
             polygons.back().push_back(cornersJson(ring));
         }
-        rows.push_back({{"rock", rock.label}, {"polygons", polygons}});
+        rows.push_back({{"rock", rock->label}, {"polygons", polygons}});
     }
     const Json whole{{"schema", "edgescan-picture-outlines/1"},
                      {"note", rocks::kRockCaveat},

@@ -98,8 +98,8 @@ Json rocksReport(const rocks::Study& study, CoordinateFrame frame, const rocks::
 Json rockRowsJson(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names) {
     const rocks::RockRows rows(study, frame, names);
     Json all = Json::array();
-    for (const rocks::Rock& rock : study.rocks) {
-        const rocks::RockRow row = rows.of(rock);
+    for (const rocks::Rock* rock : rocks::rocksToList(study)) {
+        const rocks::RockRow row = rows.of(*rock);
         Json object = Json::object();
         for (const rocks::RockColumn& column : rocks::rockColumns(frame)) object[column.key] = jsonOf(column.value(row));
         all.push_back(std::move(object));
@@ -112,8 +112,8 @@ std::string rocksTable(const rocks::Study& study, CoordinateFrame frame, const r
     std::string text;
     for (const rocks::RockColumn& column : rocks::rockColumns(frame)) text += (text.empty() ? "" : ",") + std::string(column.key);
     text += '\n';
-    for (const rocks::Rock& rock : study.rocks) {
-        const rocks::RockRow row = rows.of(rock);
+    for (const rocks::Rock* rock : rocks::rocksToList(study)) {
+        const rocks::RockRow row = rows.of(*rock);
         std::string line;
         for (const rocks::RockColumn& column : rocks::rockColumns(frame)) line += std::visit(CsvText{}, column.value(row)) + ',';
         line.back() = '\n';

@@ -168,7 +168,13 @@ Result<std::shared_ptr<const rocks::Study>> rocksOf(const Json& record, const ed
     const Scan& scan = *detection.scan;
     const auto edits = rocks::rockEditsFromJson(nlohmann::json(at(record, "/rocks/edits")), scan.lines(), scan.beams(), where);
     if (!edits) return edits.error();
-    return std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(detection), *settings, *edits));
+    auto study = std::make_shared<rocks::Study>(rocks::studyRocks(rocks::rockInputs(detection), *settings, *edits));
+    if (const Json listed = at(record, "/rocks/listed"); !listed.is_null()) {
+        if (!listed.is_array() || !std::ranges::all_of(listed, [](const Json& label) { return label.is_number_unsigned(); }))
+            return Error{"the record's list of rocks holds something else than numbers", where, "export the rocks again"};
+        study->listed = listed.get<std::vector<std::uint32_t>>();
+    }
+    return std::shared_ptr<const rocks::Study>(std::move(study));
 }
 
 /// Adds the classes without cells that an older record does not contain.

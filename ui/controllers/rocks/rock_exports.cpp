@@ -7,6 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/rocks/rock_table.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -47,13 +48,16 @@ const RockFile* rockFileOf(const QString& path) {
 
 } // namespace
 
-void Rocks::askExport() {
+void Rocks::askExport(bool all) {
     if (!picture_) {
         notice_.showHint(tr("There is nothing to export yet: show the rocks of a scan first."));
         return;
     }
     SaveQuestion question;
-    question.title = tr("Export %1").arg(rockCount(picture_->study.rocks.size()));
+    const std::size_t count = picture_->study.rocks.size();
+    const auto listed = all ? std::nullopt : table_.listed();
+    question.title = listed && listed->size() < count ? tr("Export %1 of %2").arg(listed->size()).arg(rockCount(count))
+                                                      : tr("Export %1").arg(rockCount(count));
     for (const RockFile& each : rockFiles())
         question.filters << QString("%1 (*%2)").arg(QObject::tr(each.file->title), each.file->extension);
     question.extension = rockFiles().front().file->extension;
@@ -62,10 +66,10 @@ void Rocks::askExport() {
     question.place = QDir(preferences_.folder("exports")).filePath(name + question.extension);
     question.files = withItsRecord;
     const QString path = askWhereToSave(notice_.window(), question);
-    if (!path.isEmpty()) exportTo(path);
+    if (!path.isEmpty()) exportTo(path, all);
 }
 
-void Rocks::exportTo(const QString& path) {
+void Rocks::exportTo(const QString& path, bool all) {
     const RockFile* file = rockFileOf(path);
     if (file == nullptr) {
         QStringList endings;
@@ -73,11 +77,13 @@ void Rocks::exportTo(const QString& path) {
         notice_.showNotice(NoticeBar::Kind::Error, tr("%1 was not written: give it one of the endings %2.").arg(path, endings.join(", ")));
         return;
     }
-    whenKnown(path, [this, path, file] {
+    whenKnown(path, [this, path, file, all] {
         exports::ExportOptions options;
         if (file->file->coordinates != exports::ExportFile::Coordinates::None)
             options.frame = files::usualFrame(*picture_->detection->scan);
-        options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
+        auto study = std::make_shared<rocks::Study>(picture_->study);
+        if (!all) study->listed = table_.listed();
+        options.rocks = std::move(study);
         if (!pinnedTargets_.empty()) options.targets = std::make_shared<const std::vector<inspect::PinnedTarget>>(pinnedTargets_);
         engine_.save(file->kind->content, path, options);
     });

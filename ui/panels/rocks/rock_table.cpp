@@ -12,6 +12,7 @@
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QShowEvent>
@@ -93,7 +94,7 @@ RockTable::RockTable(QWidget* parent)
         shown_->setSureOnly(on);
         showCount();
     });
-    connect(export_, &QPushButton::clicked, this, &RockTable::exportRequested);
+    connect(export_, &QPushButton::clicked, this, &RockTable::askWhichToExport);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RockTable::emitChosen);
     for (QTableView* view : {table_, numbers_}) {
         connect(view, &QTableView::doubleClicked, this, [this](const QModelIndex& index) { emit jumpRequested(labelOf(index)); });
@@ -215,6 +216,25 @@ void RockTable::showCount() {
     }
     count_->setText((remark_.isEmpty() ? QString() : remark_ + " · ") + text);
     export_->setEnabled(all > 0);
+}
+
+std::optional<std::vector<std::uint32_t>> RockTable::listed() const {
+    std::vector<std::uint32_t> labels;
+    bool inOrder = shown_->rowCount() == model_->rowCount();
+    for (int row = 0; row < shown_->rowCount(); ++row) {
+        labels.push_back(labelOf(shown_->index(row, 0)));
+        inOrder = inOrder && labels.back() == static_cast<std::uint32_t>(row + 1);
+    }
+    return inOrder ? std::nullopt : std::optional(std::move(labels));
+}
+
+void RockTable::askWhichToExport() {
+    const int all = model_->rowCount(), shown = shown_->rowCount();
+    if (shown == all || shown == 0) return emit exportRequested(shown == 0);
+    QMenu menu(this);
+    menu.addAction(tr("&Shown Rocks (%1)…").arg(shown), this, [this] { emit exportRequested(false); });
+    menu.addAction(tr("&All Rocks (%1)…").arg(all), this, [this] { emit exportRequested(true); });
+    menu.exec(export_->mapToGlobal(QPoint(0, export_->height())));
 }
 
 QString RockTable::remark() const { return count_->text(); }

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 class QBoxLayout;
@@ -32,6 +33,8 @@ public:
     /// Selects rows by label. Emits no signal.
     void select(const std::vector<std::uint32_t>& labels);
     [[nodiscard]] std::vector<std::uint32_t> selected() const;
+    /// Labels of the shown rows in their order; nothing: all rocks in the order of their numbers.
+    [[nodiscard]] std::optional<std::vector<std::uint32_t>> listed() const;
 
     [[nodiscard]] QTableView* table() const { return table_; }
     [[nodiscard]] QTableView* numbers() const { return numbers_; }
@@ -50,7 +53,8 @@ signals:
     void jumpRequested(std::uint32_t label);
     /// Right click on a row, with its position on the screen.
     void menuRequested(std::uint32_t label, const QPoint& position);
-    void exportRequested();
+    /// `all`: also the rocks that are not shown, in the order of their numbers.
+    void exportRequested(bool all);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -63,6 +67,7 @@ private:
     void connectNumbers();
     void placeNumbers();
     void showCount();
+    void askWhichToExport();
     void emitChosen();
     void bringIntoSight();
     void markOnCurve(const std::vector<std::uint32_t>& labels);
