@@ -66,9 +66,10 @@ py::object compare(const ResultObject& before, const ResultObject& now, const st
 std::string commandOf(const edges::Detection& detection, const std::string& path, const std::string& more) {
     const Scan& scan = *detection.scan;
     if (scan.path.empty()) return "edgescan.save(scan, FILE), because this scan was made in memory; then edgescan-cli report FILE" + more;
-    std::string command = "edgescan-cli report " + shellQuoted(scan.path) + " -o " + shellQuoted(path);
+    std::string command = "edgescan-cli report " + shellQuoted(fileName(scan.path)) + " -o " + shellQuoted(fileName(path));
     const auto options = parseReadingOptions(scan.openedWith, scan.path);
-    if (const std::string flags = options ? readingFlags(*options) : std::string(); !flags.empty()) command += " " + flags;
+    if (const std::string flags = options ? readingFlags(exports::withNames(*options)) : std::string(); !flags.empty())
+        command += " " + flags;
     command += " " + edges::settingsFlags(detection.settings) + more;
     return scan.placement ? command + "  # with --pose and --calibration: " + scan.placement->source : command;
 }
