@@ -51,9 +51,9 @@ std::size_t rootOf(const Bytes& bytes, const std::string& table) {
     return root;
 }
 
-/// The root names one interior page over and over, and that one a leaf: millions of rows in a small file.
+/// The root names one interior page over and over, and that one a leaf: a hundred thousand rows in a small file.
 Bytes withSharedPages() {
-    constexpr std::size_t kPage = 512, kCell = 506, kCells = 240, kInterior = 5;
+    constexpr std::size_t kPage = 512, kCell = 506, kCells = 80, kInterior = 5;
     Bytes bytes = databaseOf(numbers(5000));
     const auto number = [&](std::size_t at) {
         return std::size_t{bytes[at]} << 24U | std::size_t{bytes[at + 1]} << 16U | std::size_t{bytes[at + 2]} << 8U | bytes[at + 3];
