@@ -91,7 +91,7 @@ Result<Done> make(const ReportCommand& report) {
     if (report.withRocks) rocks = rocks::studyRocks(rocks::rockInputs(*detection), *preset->settings, preset->edits);
     const exports::PageWords words{commandOf(report), report.operatorName, report.role, utcText(utcNow()),
                                    report.site,       report.remark,       *logo};
-    exports::PageNotes notes{rocks ? &*rocks : nullptr, nullptr, nullptr, report.before};
+    exports::PageNotes notes{rocks ? &*rocks : nullptr, nullptr, nullptr, fileName(report.before)};
     std::optional<inspect::Notebook> notebook;
     if (!report.targets.empty()) {
         auto read = notebookOf(report, *detection->scan);

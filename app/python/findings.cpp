@@ -100,12 +100,12 @@ std::size_t report(const ResultObject& result, const std::string& path, const st
             const auto bytes = taken(readInput(targets));
             notes.notebook =
                 &notebook.emplace(taken(inspect::notebookFromText(edgescan::textOf(bytes), inspect::notebookScan(*scan), targets)));
-            more += " --targets " + shellQuoted(targets);
+            more += " --targets " + shellQuoted(fileName(targets));
         }
         std::optional<inspect::SceneChange> change;
         if (before != nullptr) {
             notes.change = &change.emplace(changeOf(*edges::detectEdges(before->scan, detection->settings), *detection));
-            notes.earlier = before->scan->path.empty() ? before->scan->name : before->scan->path;
+            notes.earlier = before->scan->path.empty() ? before->scan->name : fileName(before->scan->path);
             more += " --before " + shellQuoted(notes.earlier);
         }
         if (!operatorName.empty()) more += " --operator " + shellQuoted(operatorName);

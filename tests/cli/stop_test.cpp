@@ -146,7 +146,7 @@ TEST(CliStop, EndsEveryReaderOfAPipeThatGivesNoMore) {
     const TemporaryFolder folder;
     int number = 0;
     for (const test::SeedFile& seed : test::seedFiles()) {
-        if (seed.extension.empty() || seed.extension == ".json") continue; // a description has its counts beside it
+        if (seed.extension.empty() || seed.extension == ".json") continue; // a description has its counts in a second file
         const fs::path path = folder / (std::to_string(number) + seed.extension);
         const int signal = number++ % 2 == 0 ? SIGINT : SIGTERM;
         const SlowPipe pipe(path, seed.bytes.substr(0, seed.bytes.size() / 2));

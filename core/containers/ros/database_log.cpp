@@ -57,7 +57,7 @@ bool namesAnother(ByteView journal) {
     return journal.size() >= kJournalMagic.size() && std::ranges::equal(journal.last(kJournalMagic.size()), kJournalMagic);
 }
 
-/// Pages that the log began to write since it was last begun anew. Older ones are in the database.
+/// Pages that the log began to write since its own beginning. Older ones are in the database.
 std::int64_t pagesBegun(ByteView log) {
     if (log.size() < kLogHeader) return 0;
     std::size_t page = 0;

@@ -55,7 +55,7 @@ bool looksLikeBag(const Source& source) {
     return containers::looksLikeRosBag(bytes) || containers::looksLikeSqlite(bytes);
 }
 
-/// What SQLite left of a database that was not closed; of a link it lies where the file itself is.
+/// What SQLite left of a database that was not closed; of a link it is in the folder of the file itself.
 Result<std::vector<HeldFile>> logsOf(const Source& source, std::vector<containers::DatabaseLog>& logs) {
     std::vector<HeldFile> held;
     for (const fs::path& name : source.inMemory ? std::vector<fs::path>() : namesOf(source.path)) {

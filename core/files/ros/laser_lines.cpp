@@ -157,7 +157,7 @@ Result<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
     const auto count = static_cast<int>(rangesM.size());
     const double from = degrees(message.number("angle_min").value_or(0)), step = degrees(message.number("angle_increment").value_or(0));
     const double last = from + step * (count - 1), most = degrees(number("angle_max", 0));
-    if (!std::isfinite(step) || step == 0) return refused("its angle_increment is no step between beams");
+    if (!std::isfinite(step) || step == 0) return refused("its angle_increment does not give the step between beams");
     if (!physical::kBeamDeg.hold(scanner::snappedDeg(from)) || !physical::kBeamDeg.hold(scanner::snappedDeg(last)))
         return refused("its angle_min or angle_increment puts beams outside of one turn");
     found.contradicts = (most - from) * step < 0 && std::abs(most - from) > std::abs(step);

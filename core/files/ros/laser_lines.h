@@ -18,7 +18,7 @@ struct LaserLine {
     double beamS = 0;         ///< from beam to the next in the line, negative where they were reversed; 0: the message does not say
     bool reversed = false;    ///< the beams run clockwise; they were put into ascending order
     bool contradicts = false; ///< the beams run from angle_min away from angle_max
-    bool timeUnknown = false; ///< time_increment is no number, or far too long: the beams count as measured at once
+    bool timeUnknown = false; ///< time_increment is not a number, or far too long: the beams count as measured at once
     scanner::SweepLine line;
 };
 

@@ -163,7 +163,7 @@ TEST(Provenance, OfScansWithTheSameCountsTheOneThatFitsIsTaken) {
     Scan scan = makeScan({.axis = Axis::Sweep, .lines = 30, .beams = 40, .seed = 5});
     for (const char* name : {"b.json", "a.json", "c.json"}) {
         ASSERT_TRUE(files::saveScan(scan, folder / name));
-        for (double& deg : std::get<PolarGeometry>(scan.geometry).lineDeg) deg *= 1.5; // described anew
+        for (double& deg : std::get<PolarGeometry>(scan.geometry).lineDeg) deg *= 1.5; // another description
     }
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(*files::openScan(folder / "b.json")), edges::Settings{});
     ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / "o.ply"));

@@ -240,7 +240,7 @@ TEST(KilledRecorder, TheLogBesideTheDatabaseIsPartOfTheScan) {
     std::filesystem::copy_file(live + "-wal", killed + "-wal");
     sqlite3_close(base);
     const std::string before = fileText(killed), log = fileText(killed + "-wal");
-    std::filesystem::create_symlink(killed, folder / "link.db3"); // the log lies where the file itself is
+    std::filesystem::create_symlink(killed, folder / "link.db3"); // the log is in the folder of the file itself
     for (const char* name : {"killed.db3", "link.db3"}) {
         const auto read = files::openScan(folder / name);
         ASSERT_TRUE(read) << read.error().sentence();
@@ -252,6 +252,6 @@ TEST(KilledRecorder, TheLogBesideTheDatabaseIsPartOfTheScan) {
     EXPECT_EQ(fileText(killed + "-wal"), log);
     std::size_t files = 0;
     for (const auto& each : std::filesystem::directory_iterator(folder.path())) files += each.exists() ? 1 : 0;
-    EXPECT_EQ(files, 4U); // SQLite left nothing beside them
+    EXPECT_EQ(files, 4U); // SQLite left nothing in their folder
 }
 #endif
