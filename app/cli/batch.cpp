@@ -80,6 +80,14 @@ Result<Json> settingsOfRun(const Batch& batch) {
     return settings;
 }
 
+std::string leftOutText(const std::vector<std::string>& files) {
+    const std::string first = printable(files.front());
+    if (files.size() == 1)
+        return first + ": this file is not a scan but a record or an export, and is left out; name it singly to have it read.";
+    return first + ": this and " + std::to_string(files.size() - 1) +
+           " more files are not scans but records or exports, and are left out; name them singly to have them read.";
+}
+
 Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     const auto listing = batch::listArchive(batch.asked, batch.results);
     if (!listing) return listing.error();
@@ -95,9 +103,7 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
         work.inputs.push_back(listing->inputs[i]);
         work.names.push_back((*names)[i]);
     }
-    if (!listing->leftOut.empty())
-        printError(listing->leftOut.front() + ": this and " + std::to_string(listing->leftOut.size() - 1) +
-                   " more files are not scans but records or exports, and are left out; name them singly to have them read.");
+    if (!listing->leftOut.empty()) printError(leftOutText(listing->leftOut));
     for (const batch::ArchiveListing::NotRead& one : listing->notRead) printError(printable(one.path) + ": " + one.why + ".");
     for (const std::string& input : listing->inputs) claimInput(input); // no table and no result replaces a scan
     for (const std::string& asked : batch.asked) claimInput(asked);     // or a list

@@ -161,8 +161,8 @@ void addRockStudy(Json& row, const rocks::Study& study) {
 
 // The command that makes the same report.
 std::string reportCommand(const BatchWork& work, const Scan& scan) {
-    std::string command = "edgescan-cli report " + shellQuoted(scan.path) + " -o report.html";
-    for (const std::string& flags : {typedFlags(work.method), readingFlags(work.read.options),
+    std::string command = "edgescan-cli report " + shellQuoted(fileName(scan.path)) + " -o report.html";
+    for (const std::string& flags : {typedFlags(work.method), readingFlags(exports::withNames(work.read.options)),
                                      work.withRocks ? std::string("--rocks") : std::string(), typedFlags(work.rocks)})
         command += flags.empty() ? "" : " " + flags;
     return command;

@@ -169,6 +169,7 @@ int run(const Record& record) {
     }
     if (status.lines == 0) {
         Error none = scanner::noLinesError(status.connection, record.address);
+        if (last.undecodable > 0) none.what += "; " + std::to_string(last.undecodable) + " messages gave no line: " + last.whyUndecodable;
         if (status.statistics.stream.bytes > 0) none.hint += "; what did arrive is in " + record.out;
         printError(none);
         return kRefused;

@@ -29,17 +29,17 @@ struct ReportCommand {
 };
 
 std::string commandOf(const ReportCommand& report) {
-    std::string command = "edgescan-cli report " + shellQuoted(report.file) + " -o " + shellQuoted(report.out);
-    for (const std::string& flags : {typedFlags(report.method), readingFlags(report.read.options),
+    std::string command = "edgescan-cli report " + shellQuoted(fileName(report.file)) + " -o " + shellQuoted(fileName(report.out));
+    for (const std::string& flags : {typedFlags(report.method), readingFlags(exports::withNames(report.read.options)),
                                      report.withRocks ? std::string("--rocks") : std::string(), typedFlags(report.rocks)})
         command += flags.empty() ? "" : " " + flags;
-    if (!report.targets.empty()) command += " --targets " + shellQuoted(report.targets);
-    if (!report.before.empty()) command += " --before " + shellQuoted(report.before);
+    if (!report.targets.empty()) command += " --targets " + shellQuoted(fileName(report.targets));
+    if (!report.before.empty()) command += " --before " + shellQuoted(fileName(report.before));
     if (!report.operatorName.empty()) command += " --operator " + shellQuoted(report.operatorName);
     if (!report.role.empty()) command += " --role " + shellQuoted(report.role);
     if (!report.site.empty()) command += " --site " + shellQuoted(report.site);
     if (!report.remark.empty()) command += " --remark " + shellQuoted(report.remark);
-    if (!report.logo.empty()) command += " --logo " + shellQuoted(report.logo);
+    if (!report.logo.empty()) command += " --logo " + shellQuoted(fileName(report.logo));
     return command;
 }
 
@@ -91,7 +91,7 @@ Result<Done> make(const ReportCommand& report) {
     if (report.withRocks) rocks = rocks::studyRocks(rocks::rockInputs(*detection), *preset->settings, preset->edits);
     const exports::PageWords words{commandOf(report), report.operatorName, report.role, utcText(utcNow()),
                                    report.site,       report.remark,       *logo};
-    exports::PageNotes notes{rocks ? &*rocks : nullptr, nullptr, nullptr, report.before};
+    exports::PageNotes notes{rocks ? &*rocks : nullptr, nullptr, nullptr, fileName(report.before)};
     std::optional<inspect::Notebook> notebook;
     if (!report.targets.empty()) {
         auto read = notebookOf(report, *detection->scan);

@@ -66,9 +66,10 @@ py::object compare(const ResultObject& before, const ResultObject& now, const st
 std::string commandOf(const edges::Detection& detection, const std::string& path, const std::string& more) {
     const Scan& scan = *detection.scan;
     if (scan.path.empty()) return "edgescan.save(scan, FILE), because this scan was made in memory; then edgescan-cli report FILE" + more;
-    std::string command = "edgescan-cli report " + shellQuoted(scan.path) + " -o " + shellQuoted(path);
+    std::string command = "edgescan-cli report " + shellQuoted(fileName(scan.path)) + " -o " + shellQuoted(fileName(path));
     const auto options = parseReadingOptions(scan.openedWith, scan.path);
-    if (const std::string flags = options ? readingFlags(*options) : std::string(); !flags.empty()) command += " " + flags;
+    if (const std::string flags = options ? readingFlags(exports::withNames(*options)) : std::string(); !flags.empty())
+        command += " " + flags;
     command += " " + edges::settingsFlags(detection.settings) + more;
     return scan.placement ? command + "  # with --pose and --calibration: " + scan.placement->source : command;
 }
@@ -99,12 +100,12 @@ std::size_t report(const ResultObject& result, const std::string& path, const st
             const auto bytes = taken(readInput(targets));
             notes.notebook =
                 &notebook.emplace(taken(inspect::notebookFromText(edgescan::textOf(bytes), inspect::notebookScan(*scan), targets)));
-            more += " --targets " + shellQuoted(targets);
+            more += " --targets " + shellQuoted(fileName(targets));
         }
         std::optional<inspect::SceneChange> change;
         if (before != nullptr) {
             notes.change = &change.emplace(changeOf(*edges::detectEdges(before->scan, detection->settings), *detection));
-            notes.earlier = before->scan->path.empty() ? before->scan->name : before->scan->path;
+            notes.earlier = before->scan->path.empty() ? before->scan->name : fileName(before->scan->path);
             more += " --before " + shellQuoted(notes.earlier);
         }
         if (!operatorName.empty()) more += " --operator " + shellQuoted(operatorName);

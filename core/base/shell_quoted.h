@@ -3,6 +3,7 @@
 
 #include "core/base/foreign_text.h"
 
+#include <filesystem>
 #include <string>
 
 namespace edgescan {
@@ -21,6 +22,11 @@ namespace edgescan {
             result += c == '\'' ? std::string("'\\''") : std::string(1, c);
     }
     return result + "'";
+}
+
+/// The name of a file or a folder without the folders above it. What leaves the house names no home and no user.
+[[nodiscard]] inline std::string fileName(const std::filesystem::path& path) {
+    return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
 } // namespace edgescan

@@ -137,10 +137,11 @@ bool isOpenAt(int file, const fs::path& path) {
     return ::fstat(file, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev && open.st_ino == named.st_ino;
 }
 
-Result<TemporaryFile> TemporaryFile::write(const fs::path& asked, const fs::path& target, std::span<const std::byte> bytes) {
+Result<TemporaryFile> TemporaryFile::write(const fs::path& asked, const fs::path& target, std::span<const std::byte> bytes,
+                                           const fs::path& like) {
     removeLeftovers(target.parent_path());
     struct stat old {};
-    const bool replaces = ::stat(target.c_str(), &old) == 0;
+    const bool hasMode = ::stat(like.c_str(), &old) == 0 || ::stat(target.c_str(), &old) == 0;
     constexpr int kMostTries = 100;
     for (int n = 0; n < kMostTries; ++n) {
         const fs::path path = newName(target);
@@ -151,8 +152,7 @@ Result<TemporaryFile> TemporaryFile::write(const fs::path& asked, const fs::path
         if (lockFile(file.number()) == Lock::Busy || !isOpenAt(file.number(), path)) continue;
         TemporaryFile temporary(std::move(file), path, target);
         const int number = temporary.file_.number();
-        // The mode is that of a plain open(), or that of the file that is replaced.
-        if (replaces) static_cast<void>(::fchmod(number, old.st_mode & 0777U)); // a wrong mode is not a reason to fail
+        if (hasMode) static_cast<void>(::fchmod(number, old.st_mode & 0777U)); // a wrong mode is not a reason to fail
         if (const int code = writeAll(number, bytes)) return writeError(asked, code);
         if (::fsync(number) != 0 && errno != EINVAL) return writeError(asked, errno);
         if (!holds(number, bytes))

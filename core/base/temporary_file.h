@@ -20,9 +20,10 @@ namespace edgescan {
 /// that its program is running: the next program that writes into the folder on the same machine removes files whose program was killed.
 class TemporaryFile {
 public:
-    /// Writes all bytes, waits until they are on the disk and reads them back. `asked` is the path for messages.
+    /// Writes all bytes, waits until they are on the disk and reads them back. `asked` is the path for messages. The mode is that of `like`
+    /// where it is there, else that of the file that is replaced, else that of the umask.
     static Result<TemporaryFile> write(const std::filesystem::path& asked, const std::filesystem::path& target,
-                                       std::span<const std::byte> bytes);
+                                       std::span<const std::byte> bytes, const std::filesystem::path& like);
     TemporaryFile(TemporaryFile&& other) noexcept
         : file_(std::move(other.file_)), path_(std::move(other.path_)), target_(std::move(other.target_)),
           renamed_(std::exchange(other.renamed_, true)) {}

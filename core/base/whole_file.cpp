@@ -252,7 +252,7 @@ Result<Done> writeAll(const std::vector<FileContent>& files) {
             if (auto written = writeDevice(files[n].path, files[n].bytes); !written) return written.error();
             continue;
         }
-        auto temporary = TemporaryFile::write(files[n].path, targets[n], files[n].bytes);
+        auto temporary = TemporaryFile::write(files[n].path, targets[n], files[n].bytes, targets.front());
         if (!temporary) return temporary.error();
         moves.push_back({temporary->path(), temporary->target()});
         ready.push_back(std::move(*temporary));

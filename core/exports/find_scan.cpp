@@ -33,7 +33,7 @@ void likelyFirst(std::vector<fs::path>& files, const std::string& oldName) {
 } // namespace
 
 Result<fs::path> findScan(const std::string& sha256, const std::string& oldName, const fs::path& exported,
-                          const std::optional<fs::path>& scansFolder) {
+                          const std::optional<fs::path>& scansFolder, const std::function<bool(const fs::path&)>& isIt) {
     std::error_code problem;
     std::vector<fs::path> files;
     for (const fs::path& name : namesOf(exported)) {
@@ -49,10 +49,14 @@ Result<fs::path> findScan(const std::string& sha256, const std::string& oldName,
         likelyFirst(more, oldName);
         files.insert(files.end(), more.begin(), more.end());
     }
+    std::optional<fs::path> first;
     for (const fs::path& file : files) {
         const auto hash = sha256OfFile(file);
-        if (hash && *hash == sha256) return file;
+        if (!hash || *hash != sha256) continue;
+        if (isIt(file)) return file;
+        if (!first) first = file;
     }
+    if (first) return *first;
     const std::string where = scansFolder ? " or under " + scansFolder->string() : "";
     return Error{"the scan " + oldName + " with SHA-256 " + sha256.substr(0, 16) + "... is not next to the export" + where,
                  exported.string(), scansFolder ? "copy the scan there" : "give --scans the folder that holds it"};

@@ -107,15 +107,21 @@ Result<std::shared_ptr<const Scan>> scanOf(const Json& record, const std::option
     const std::string hash = wordAt(record, "/scan/sha256");
     if (hash.empty())
         return Error{"the export was made from a scan that was in no file", v.exported.string(), "save the scan first and export it again"};
-    const auto path = findScan(hash, wordAt(record, "/scan/input"), v.exported, scansFolder);
-    if (!path) return path.error();
-    v.scan = *path;
     const Json openedWith = at(record, "/scan/opened_with");
     const auto options = parseReadingOptions(openedWith.empty() ? std::string() : jsonText(openedWith), v.exported.string());
     if (!options) return options.error();
-    auto opened = files::openAsAsked(*path, *options);
+    Result<Scan> opened{Scan{}};
+    bool fits = false;
+    const auto isIt = [&](const fs::path& path) {
+        opened = files::openAsAsked(path, *options);
+        v.scan = path;
+        return fits = opened && gridSha256(*opened) == wordAt(record, "/scan/grid_sha256");
+    };
+    const auto path = findScan(hash, wordAt(record, "/scan/input"), v.exported, scansFolder, isIt);
+    if (!path) return path.error();
+    if (v.scan != *path) isIt(*path); // the last one that was tried is not it
     if (!opened) return opened.error();
-    if (gridSha256(*opened) != wordAt(record, "/scan/grid_sha256"))
+    if (!fits)
         v.findings.emplace_back(
             "The scan's file is the same but opens as another grid here: another version of the program reads it otherwise.");
     opened->placement.reset();

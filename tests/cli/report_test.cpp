@@ -101,6 +101,7 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
     EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 5U);
     for (const char* ours : {"no_return", "out_of_window", "silhouette", "convex crease"})
         EXPECT_EQ(text.substr(0, text.find("The whole record")).find(ours), std::string::npos) << "a word of files: " << ours;
+    EXPECT_EQ(text.find(now.parent_path().string() + "/"), std::string::npos);
     // Targets of another scan, and an impossible path.
     EXPECT_EQ(runCli("report " + before.string() + " -o " + (folder / "x.html").string() + " --targets " + targets.string()).code, 1);
     EXPECT_EQ(runCli("report " + now.string() + " -o " + (folder / "x.html").string() + " --before " + (folder / "none.pcd").string()).code,
@@ -124,6 +125,7 @@ TEST(CliReport, TextOfFilesAndNamesStaysText) {
     EXPECT_EQ(countOf(text, "<img"), 3U);
     EXPECT_EQ(countOf(text, "<b "), 0U);
     EXPECT_EQ(text.find("\xe2\x80\xae"), std::string::npos);
+    EXPECT_EQ(text.find(folder.path().string()), std::string::npos); // files by their names, no home and no user
     EXPECT_NE(text.find("&lt;img src=x onerror=alert(2)&gt;"), std::string::npos);
 }
 

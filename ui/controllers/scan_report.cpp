@@ -79,16 +79,15 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
     const Scan& scan = *detection.scan;
     if (scan.path.empty()) return "the scan came from a scanner and has no file yet: record it, and report the recording";
     const QString page = isPdf(path) ? path.chopped(kPdf.size()) + ".html" : path; // the program writes pages only
-    std::string command =
-        "edgescan-cli report " + shellQuoted(exactBytes(absolutePath(exactText(scan.path)))) + " -o " + shellQuoted(exactBytes(page));
+    std::string command = "edgescan-cli report " + shellQuoted(fileName(scan.path)) + " -o " + shellQuoted(fileName(exactBytes(page)));
     const auto add = [&command](const char* flag, const QString& text) {
         if (!text.isEmpty()) command += std::string(" ") + flag + " " + shellQuoted(exactBytes(text));
     };
     add("--operator", words.author);
     add("--site", words.site);
     add("--remark", words.remark);
-    add("--logo", words.logo.isEmpty() ? QString() : absolutePath(words.logo));
-    const std::string reading = readingFlags(files_.options());
+    add("--logo", QFileInfo(words.logo).fileName());
+    const std::string reading = readingFlags(exports::withNames(files_.options()));
     command += (reading.empty() ? "" : " " + reading) + " " + edges::settingsFlags(detection.settings);
     std::string missing; // a remark in shell syntax
     if (!targets_.notebook().empty()) {
@@ -96,7 +95,7 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
         if (kept.isEmpty())
             missing = " # without what was pinned and measured: no file keeps it";
         else
-            command += " --targets " + shellQuoted(exactBytes(kept));
+            command += " --targets " + shellQuoted(fileName(exactBytes(kept)));
     }
     if (const auto& compared = comparing_.comparison(); compared && compared->isOfTwoScans()) {
         const std::string& before = compared->asked.before->detection->scan->path;

@@ -52,7 +52,9 @@ bool describesGrid(const fs::path& path) {
         if (isThere(name.replace_extension(".u16"))) return true;
     }
     const auto bytes = readWholeFile(path, kMostDescription);
-    return bytes && textOf(*bytes).find("edgescan-raw-grid/") != std::string::npos;
+    const auto json = bytes ? parseJson(textOf(*bytes), path.string()) : Result<nlohmann::json>(nlohmann::json());
+    if (!json || !json->is_object() || !json->contains("format") || !json->at("format").is_string()) return false;
+    return json->at("format").get<std::string>().starts_with("edgescan-raw-grid/");
 }
 
 // A result of another run of this program: edges, pictures, clouds.

@@ -142,11 +142,19 @@ public:
                 if (auto given = giveJob(static_cast<int>(i)); !given) return given.error();
             }
             if (std::ranges::none_of(workers_, [](const WorkerProcess& worker) { return worker.job.has_value(); })) return Done{};
+            if (hasWaitedEnough()) return Done{}; // the jobs in work end with this object
             listen();
         }
     }
 
 private:
+    /// After the wish to stop, a job that nearly ends may do so.
+    bool hasWaitedEnough() {
+        constexpr std::chrono::milliseconds kWaits{400};
+        if (!jobs_.goOn() && !stopped_) stopped_ = Clock::now();
+        return stopped_ && Clock::now() - *stopped_ > kWaits;
+    }
+
     Result<Done> giveJob(int number) {
         if (finished_ || !jobs_.goOn()) return Done{};
         const auto job = jobs_.next();
@@ -182,7 +190,7 @@ private:
         if (child == 0) {
             ::prctl(PR_SET_PDEATHSIG, SIGKILL); // workers end when the run is killed
             if (::getppid() != parent) ::_exit(0);
-            ::signal(SIGINT, SIG_IGN); // the run ends in order: this scan is completed
+            ::signal(SIGINT, SIG_IGN); // the run ends in order, and ends its workers
             ::signal(SIGTERM, SIG_IGN);
             ::close(ends[0]);
             for (const WorkerProcess& other : workers_) {
@@ -253,6 +261,7 @@ private:
     const Jobs& jobs_;
     std::vector<WorkerProcess> workers_;
     bool finished_ = false;
+    std::optional<Clock::time_point> stopped_;
 };
 
 } // namespace

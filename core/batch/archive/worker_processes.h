@@ -28,12 +28,13 @@ struct Jobs {
     /// Runs in a worker, which is a copy of this process; `worker` is from 0 to processes - 1. An exception ends the worker.
     std::function<std::string(std::size_t job, int worker)> work;
     std::function<void(const JobEnd&)> ended; ///< called in this process, in the order in which jobs end
-    std::function<bool()> goOn;               ///< called several times a second; false: no more jobs are started
+    std::function<bool()> goOn;               ///< called several times a second; false: no more jobs are started, and those in work
+                                              ///< are ended, without `ended`, if they last longer than a moment
 };
 
-/// Returns when every started job has ended. A worker does one job after the other. A new worker replaces one that died or used most of its
-/// memory. Error: this process has other threads, whose locks a copy could wait for for ever; a process cannot be created; jobs already
-/// started are ended and reported.
+/// Returns when every started job has ended, or was ended. A worker does one job after the other. A new worker replaces one that died or
+/// used most of its memory. Error: this process has other threads, whose locks a copy could wait for for ever; a process cannot be created;
+/// jobs already started are ended and reported.
 Result<Done> runInProcesses(const WorkerLimits& limits, const Jobs& jobs);
 
 } // namespace edgescan::batch

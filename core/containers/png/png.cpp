@@ -192,6 +192,27 @@ Result<Done> savePngRgb(const Grid<Rgb>& picture, const std::filesystem::path& p
     return writeWholeFile(path, *bytes);
 }
 
+Result<std::string> barePng(std::string_view bytes, std::uint64_t mostPixels, const std::string& where) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    const FreeImage freeing{&image};
+    const auto refused = [&] { return Error{std::string("the picture cannot be read: ") + image.message, where, "save it again as PNG"}; };
+    if (!begin(image, bytes)) return refused();
+    const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
+    if (pixels > mostPixels)
+        return Error{"the picture has " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels; at most " +
+                         std::to_string(mostPixels) + " are taken",
+                     where, "make the picture smaller"};
+    image.format = PNG_FORMAT_RGBA;
+    std::vector<png_byte> samples(PNG_IMAGE_SIZE(image));
+    if (png_image_finish_read(&image, nullptr, samples.data(), 0, nullptr) == 0 || image.warning_or_error != 0) return refused();
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+    std::string bare(size, '\0');
+    if (png_image_write_to_memory(&image, bare.data(), &size, 0, samples.data(), 0, nullptr) == 0) return refused();
+    bare.resize(size);
+    return bare;
+}
+
 std::string pngRecord(std::string_view bytes) {
     const std::string wanted = std::string(kPngRecordKeyword) + '\0';
     std::size_t at = kMagic.size();

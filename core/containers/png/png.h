@@ -31,6 +31,10 @@ Result<Grid<std::uint16_t>> pngValues(std::string_view bytes, const std::string&
 /// Unlike Qt's reader it prints nothing.
 [[nodiscard]] std::string pngText(std::string_view bytes, std::string_view key);
 
+/// The picture alone, packed again: without texts, times and what any program put behind it. Error: no PNG, damaged, cut off, or of more
+/// pixels than `mostPixels`.
+Result<std::string> barePng(std::string_view bytes, std::uint64_t mostPixels, const std::string& where);
+
 /// 8-bit gray, one byte per cell unchanged. Error: the grid is empty or the file cannot be written.
 Result<Done> savePng8(const Grid<std::uint8_t>& gray, const std::filesystem::path& path);
 

@@ -5,6 +5,7 @@
 #include "core/containers/ros/message.h"
 
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <optional>
 #include <string>
@@ -58,9 +59,17 @@ struct RosBag {
 /// bag. Error: another version. What is torn or damaged costs only itself and gets a warning.
 Result<RosBag> readRosBag(ByteView bytes, const std::string& where);
 
-/// A database of rosbag2: tables topics, messages and, since 2023, message_definitions; messages plain or zstd. Error: no such database, or
-/// this program was built without SQLite.
-Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where);
+/// What SQLite left of a database that was not closed, as after a power cut: NAME-wal or NAME-journal.
+struct DatabaseLog {
+    std::string name; ///< of its file
+    ByteView bytes;
+};
+
+/// A database of rosbag2: plain tables topics, messages and, since 2023, message_definitions; messages plain or zstd. What the logs hold is
+/// read, too. `goOn` is called many times a second; false cancels. Error: no such database, tables that give more than the file can hold,
+/// cancelled, or this program was built without SQLite.
+Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where, const std::vector<DatabaseLog>& logs = {},
+                               const std::function<bool()>& goOn = {});
 
 /// The ROS topics of a recording of MCAP; the content must outlive the bag.
 RosBag rosBagOf(const McapContent& content, const std::string& where);

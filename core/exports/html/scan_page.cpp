@@ -6,7 +6,9 @@
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/base/shell_quoted.h"
 #include "core/base/tolerance_text.h"
+#include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
@@ -116,7 +118,7 @@ std::string factsOf(const edges::Detection& detection, const Json& record, const
     const auto edges = static_cast<double>(detection.edges->size());
     std::string facts = "<h2>What, when, by whom</h2>\n<dl class=\"facts\">\n";
     if (!words.site.empty()) facts += fact("Site", words.site);
-    facts += fact("File", scan.path) + fact("Format", scan.format);
+    facts += fact("File", fileName(scan.path)) + fact("Format", scan.format);
     facts += fact("Grid", std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams");
     const edges::GrayScale& gray = detection.gray->scale;
     facts += fact("Distances", valid > 0 ? metres(limits.minMm) + " to " + metres(limits.maxMm) + " measured; gray levels from " +
@@ -329,7 +331,16 @@ Result<std::string> logoFrom(std::string_view bytes, const std::string& path) {
     if (bytes.size() > kMostLogoBytes)
         return Error{"the logo has " + std::to_string(bytes.size()) + " bytes; at most " + std::to_string(kMostLogoBytes) + " are taken",
                      path, "make the picture smaller"};
-    return std::string(bytes);
+    constexpr std::uint64_t kMostPixels = 4'000'000; // 3 cm of paper need far fewer
+    return containers::barePng(bytes, kMostPixels, path);
+}
+
+ReadingOptions withNames(ReadingOptions options) {
+    for (const ReadingOption& option : readingOptionTable()) {
+        const std::string text = option.get(options);
+        if (option.kind == ReadingOption::Kind::Path && !text.empty()) option.set(options, fileName(text));
+    }
+    return options;
 }
 
 std::string scanPage(const edges::Detection& detection, const PageWords& words, const PageNotes& notes) {
@@ -342,7 +353,7 @@ std::string scanPage(const edges::Detection& detection, const PageWords& words, 
     const Json record = parsed ? *parsed : Json{{"warnings", Json::array()}, {"acquisition", Json::object()}};
     const std::optional<rocks::Faces> faces = rocks == nullptr ? std::nullopt : std::optional(rocks::rockFaces(*rocks));
     const ViewPoints view = viewPoints(detection, kMostPagePoints, kMostPageEdges, faces ? &*faces : nullptr);
-    const std::string title = "Scan " + (scan.name.empty() ? scan.path : scan.name);
+    const std::string title = "Scan " + (scan.name.empty() ? fileName(scan.path) : scan.name);
     std::string body =
         "<main>\n" + headOf(words) + "<h1>" + htmlText(title) +
         "</h1>\n<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was "

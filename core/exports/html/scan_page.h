@@ -6,6 +6,7 @@
 #include "core/inspect/change_detection/scene_change.h"
 #include "core/inspect/measure/notebook.h"
 #include "core/rocks/attributes/study.h"
+#include "core/scan/grid/reading_options.h"
 
 #include <string>
 #include <string_view>
@@ -42,5 +43,8 @@ struct PageNotes {
 
 /// The whole page. All text from files is escaped.
 [[nodiscard]] std::string scanPage(const edges::Detection& detection, const PageWords& words, const PageNotes& notes = {});
+
+/// For the command that makes a page again: files by their names, without the folders of the one who made it.
+[[nodiscard]] ReadingOptions withNames(ReadingOptions options);
 
 } // namespace edgescan::exports

@@ -1,6 +1,8 @@
 // ROS bags: ROS 1, and ROS 2 in MCAP and in SQLite. Read only.
 #include "core/files/formats/ros_bag.h"
 
+#include "core/base/held_file.h"
+#include "core/base/inputs.h"
 #include "core/containers/ros/bag.h"
 #include "core/files/formats/format.h"
 #include "core/files/ros/bag_sweep.h"
@@ -11,6 +13,8 @@
 
 namespace edgescan::files {
 namespace {
+
+namespace fs = std::filesystem;
 
 ByteView bytesOf(const Source& source) { return {reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size()}; }
 
@@ -32,13 +36,14 @@ bool isWholeScan(const Reading& reading) {
     return table == nullptr || table->points.size() >= kFewest;
 }
 
-/// A laser that does not turn is not a scan: the first topic that gives one is taken.
+/// A laser that does not turn is not a scan: the first topic that gives one is taken. Each is tried with all transforms and joints.
 Result<Reading> scanIn(const containers::RosBag& bag, const Source& source) {
+    constexpr std::size_t kMostTried = 30;
     auto topics = topicsToTry(bag, source.options->topic, source.path.string());
     if (!topics) return topics.error();
-    turnedFirst(bag, source.options->joint, *topics);
+    turnedFirst(bag, source.options->joint, *topics, [&] { return source.goOn("reading", 1.0); });
     auto first = scanOfTopic(bag, topics->front(), source);
-    for (std::size_t n = 1; n < topics->size() && !first && first.error().what != source.cancelled().what; ++n) {
+    for (std::size_t n = 1; n < std::min(topics->size(), kMostTried) && !first && first.error().what != source.cancelled().what; ++n) {
         auto other = scanOfTopic(bag, (*topics)[n], source);
         if (other && isWholeScan(*other)) return other;
     }
@@ -50,10 +55,34 @@ bool looksLikeBag(const Source& source) {
     return containers::looksLikeRosBag(bytes) || containers::looksLikeSqlite(bytes);
 }
 
+/// What SQLite left of a database that was not closed; of a link it is in the folder of the file itself.
+Result<std::vector<HeldFile>> logsOf(const Source& source, std::vector<containers::DatabaseLog>& logs) {
+    std::vector<HeldFile> held;
+    for (const fs::path& name : source.inMemory ? std::vector<fs::path>() : namesOf(source.path)) {
+        for (const char* ending : {"-wal", "-journal"}) {
+            std::error_code problem;
+            const fs::path log = name.string() + ending;
+            if (!fs::is_regular_file(log, problem) || fs::file_size(log, problem) == 0) continue;
+            claimInput(log);
+            auto file = holdFile(log);
+            if (!file) return file.error();
+            held.push_back(std::move(*file));
+            const std::span<const std::byte> bytes = held.back().bytes();
+            logs.push_back({log.filename().string(), {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}});
+        }
+        if (!held.empty()) break;
+    }
+    return held;
+}
+
 Result<containers::RosBag> bagIn(const Source& source) {
     const ByteView bytes = bytesOf(source);
     const std::string where = source.path.string();
-    return containers::looksLikeSqlite(bytes) ? containers::readRosDatabase(bytes, where) : containers::readRosBag(bytes, where);
+    if (!containers::looksLikeSqlite(bytes)) return containers::readRosBag(bytes, where);
+    std::vector<containers::DatabaseLog> logs;
+    const auto held = logsOf(source, logs);
+    if (!held) return held.error();
+    return containers::readRosDatabase(bytes, where, logs, [&] { return source.goOn("reading", 1.0); });
 }
 
 Result<Reading> readBag(const Source& source) {
@@ -68,15 +97,16 @@ struct WholeBag {
     containers::RosBag bag;
 };
 
-Result<containers::RosBag> bagOf(const BagPart& part, std::list<containers::McapContent>& contents) {
-    const Source source{part.name, part.bytes};
+Result<containers::RosBag> bagOf(const BagPart& part, const ReadingOptions* options, std::list<containers::McapContent>& contents) {
+    const Source source{part.path, part.bytes, options};
+    const std::string name = part.path.filename().string();
     if (!containers::looksLikeMcap(bytesOf(source))) {
         if (!looksLikeBag(source)) return source.refused("it is not a file of a bag", "copy it again");
         return bagIn(source);
     }
-    auto content = containers::readMcap(bytesOf(source), part.name);
+    auto content = containers::readMcap(bytesOf(source), name);
     if (!content) return content.error();
-    return containers::rosBagOf(contents.emplace_back(std::move(*content)), part.name);
+    return containers::rosBagOf(contents.emplace_back(std::move(*content)), name);
 }
 
 /// Adds the messages of the next part.
@@ -97,17 +127,19 @@ void append(containers::RosBag& whole, containers::RosBag part, const std::strin
     if (whole.kind.empty()) whole.kind = part.kind;
 }
 
-Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& where) {
+Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& where, const ReadingOptions* options) {
     WholeBag whole;
     std::optional<Error> first;
     for (const BagPart& part : parts) {
-        auto bag = bagOf(part, whole.contents);
+        const std::string name = part.path.filename().string();
+        auto bag = bagOf(part, options, whole.contents);
         if (bag) {
-            append(whole.bag, std::move(*bag), part.name);
+            append(whole.bag, std::move(*bag), name);
             continue;
         }
+        if (bag.error().what == "cancelled") return bag.error();
         if (!first) first = Error{bag.error().what, where, bag.error().hint};
-        whole.bag.warnings.push_back("The part " + part.name + " of the bag could not be read (" + bag.error().what +
+        whole.bag.warnings.push_back("The part " + name + " of the bag could not be read (" + bag.error().what +
                                      "): its messages are not in the scan.");
     }
     if (whole.bag.topics.empty() && first) return *first;
@@ -134,13 +166,13 @@ std::optional<Result<BagListing>> bagListing(const Source& source) {
 }
 
 Result<Reading> readBagParts(const std::vector<BagPart>& parts, const Source& whole) {
-    const auto bag = wholeBag(parts, whole.path.string());
+    const auto bag = wholeBag(parts, whole.path.string(), whole.options);
     if (!bag) return bag.error();
     return scanIn(bag->bag, whole);
 }
 
 Result<BagListing> listingOfParts(const std::vector<BagPart>& parts, const std::string& where) {
-    const auto bag = wholeBag(parts, where);
+    const auto bag = wholeBag(parts, where, nullptr);
     if (!bag) return bag.error();
     return listingOf(bag->bag);
 }

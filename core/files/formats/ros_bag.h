@@ -5,6 +5,7 @@
 #include "core/files/formats/reading.h"
 #include "core/files/ros/bag_listing.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ std::optional<Result<BagListing>> bagListing(const Source& source);
 
 /// A part of a bag that was split.
 struct BagPart {
-    std::string name;                 ///< of its file
+    std::filesystem::path path;       ///< of its file
     std::span<const std::byte> bytes; ///< not packed
 };
 

@@ -13,6 +13,7 @@
 #include "core/files/open_save/split_bag.h"
 #include "core/files/open_save/unpack.h"
 
+#include <algorithm>
 #include <future>
 #include <new>
 #include <stdexcept>
@@ -25,6 +26,9 @@ Result<Scan> scanOfReading(Reading reading, const Source& source, bool placesIts
     if (!scan) return scan;
     if (auto done = applyOptions(*scan, source, placesItself); !done) return done.error();  // apply_options.h
     if (auto done = checkMeasured(*scan, source.path.string()); !done) return done.error(); // check_measured.h
+    if (std::ranges::find(scan->state.cells, CellState::Valid) == scan->state.cells.end())
+        scan->warnings.emplace_back(
+            "No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.");
     return scan;
 }
 

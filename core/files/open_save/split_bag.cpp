@@ -33,7 +33,7 @@ Result<SplitBag> holdSplitBag(const BagFiles& bag, const ReadingOptions& options
             continue;
         }
         all.plain.push_back(std::move(*plain));
-        all.parts.push_back({part.filename().string(), all.plain.back().source.bytes});
+        all.parts.push_back({part, all.plain.back().source.bytes});
     }
     if (all.parts.empty()) return first.value_or(Error{"no part of the bag is there", bag.path.string(), "copy it again"});
     all.sha256 = sha256.hex();

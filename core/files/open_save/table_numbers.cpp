@@ -35,8 +35,7 @@ std::string coarseStep(const PointTable& table) {
     if (largest < 1e5) return {};
     const auto step = static_cast<double>(std::nextafter(static_cast<float>(largest), std::numeric_limits<float>::infinity())) -
                       static_cast<double>(static_cast<float>(largest));
-    return "numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file have a resolution of about " +
-           significantText(step, 3);
+    return "numbers up to " + significantText(largest, 7) + " in this file have a resolution of about " + significantText(step, 3);
 }
 
 Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& points) {

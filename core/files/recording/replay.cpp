@@ -66,7 +66,7 @@ void Replay::findLaser(const ReadingOptions& options) {
     if (recording_->robot().topics.empty()) return;
     auto topics = topicsToTry(recording_->robot(), options.topic, "");
     if (!topics) return;
-    turnedFirst(recording_->robot(), options.joint, *topics);
+    turnedFirst(recording_->robot(), options.joint, *topics, [&] { return !options.progress || options.progress("reading", 1.0); });
     if (topics->front().gives != TopicGives::Lines) return;
     laserTopic_ = topics->front().topic;
     joint_ = options.joint;

@@ -106,7 +106,11 @@ Result<BagFiles> filesOfBag(const fs::path& path) {
             bag.missing.push_back(name);
     }
     if (bag.parts.empty()) {
-        bag = {{}, filesIn(folder), {}};
+        bag.parts = filesIn(folder);
+        if (bag.parts.empty() && !bag.missing.empty())
+            return Error{"no file that metadata.yaml names is in this folder: " + bag.missing.front() +
+                             (bag.missing.size() > 1 ? " and " + std::to_string(bag.missing.size() - 1) + " more" : ""),
+                         folder.string(), "copy the files of the bag into it"};
         if (bag.parts.empty()) return asItIs;
         if (bag.parts.size() > 1 && !orderParts(bag.parts))
             return Error{"this folder holds " + std::to_string(bag.parts.size()) + " files of several bags", path.string(),

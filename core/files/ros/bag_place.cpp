@@ -3,12 +3,15 @@
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/files/ros/each_message.h"
 #include "core/scan/georef/chain.h"
+#include "core/scan/georef/place_scan.h"
 #include "core/scan/grid/acquisition.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 
 namespace edgescan::files {
 namespace {
@@ -38,50 +41,40 @@ bool stayed(const std::vector<RigidTransform>& poses) {
 
 } // namespace
 
-Result<FrameTree> transformsIn(const containers::RosBag& bag, const std::string& where) {
+Result<FrameTree> transformsIn(const containers::RosBag& bag, const std::string& where, const std::function<bool()>& goOn) {
+    const auto holdsThem = [](const std::string& type) { return type == "tf2_msgs/TFMessage" || type == "tf/tfMessage"; };
     FrameTree tree;
-    for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
-        if (bag.topics[topic].type != "tf2_msgs/TFMessage" && bag.topics[topic].type != "tf/tfMessage") continue;
-        const auto definition = containers::rosDefinition(bag.topics[topic].type, bag.topics[topic].definition, where);
-        if (!definition) return definition.error();
-        for (const containers::RosBagMessage& stored : bag.messages) {
-            if (stored.topic != topic) continue;
-            if (const auto message = containers::rosMessage(*definition, bag.topics[topic].encoding, stored.bytes, where))
-                tree.add(*message);
-        }
-    }
+    const auto read = eachMessage(
+        bag, holdsThem, where, [&](std::uint32_t, const containers::RosValue& message) { tree.add(message); },
+        [&] { tree.addDamagedMessage(); }, goOn);
+    if (!read) return read.error();
     return tree;
 }
 
 void addPoses(FrameTree& tree, const containers::RosBag& bag, const std::string& frame, std::vector<std::string>& warnings) {
     if (!mapAbove(tree, frame).empty()) return;
     const std::string highest = tree.chain(frame).back();
-    for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
-        const containers::RosTopic& of = bag.topics[topic];
-        if (of.type != "geometry_msgs/PoseStamped") continue;
-        const auto definition = containers::rosDefinition(of.type, of.definition, "");
-        bool used = false;
-        for (const containers::RosBagMessage& stored : bag.messages) {
-            if (stored.topic != topic || !definition) continue;
-            const auto message = containers::rosMessage(*definition, of.encoding, stored.bytes, "");
-            const std::string map = message ? frameNameOf(message->text("header.frame_id")) : std::string();
-            const auto pose = isMap(map) ? poseIn(*message, "pose.position", "pose.orientation") : std::nullopt;
-            if (!pose) continue;
-            tree.add(NamedPose{highest, map, *pose});
-            used = true;
-        }
-        if (!used) continue;
-        warnings.push_back("GUESS: the poses of the topic " + of.name + " are those of the frame " + highest + ".");
-        return;
-    }
+    std::map<std::uint32_t, std::vector<NamedPose>> found; // by topic
+    const auto take = [&](std::uint32_t topic, const containers::RosValue& message) {
+        const std::string map = frameNameOf(message.text("header.frame_id"));
+        const auto pose = isMap(map) ? poseIn(message, "pose.position", "pose.orientation") : std::nullopt;
+        if (pose) found[topic].push_back({highest, map, *pose});
+    };
+    const auto read = eachMessage(
+        bag, [](const std::string& type) { return type == "geometry_msgs/PoseStamped"; }, "", take, [] {}, {});
+    if (!read || found.empty()) return; // a pose is only a guess
+    for (const NamedPose& pose : found.begin()->second) tree.add(pose);
+    warnings.push_back("GUESS: the poses of the topic " + bag.topics[found.begin()->first].name + " are those of the frame " + highest +
+                       ".");
 }
 
 void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion, std::vector<std::string>& warnings) {
     const std::string map = motion.baseFrame.empty() ? std::string() : mapAbove(tree, motion.baseFrame);
     if (map.empty() || !scan.acquisition || scan.acquisition->lineTimesS.empty()) return;
+    const std::vector<std::string> up = tree.chain(motion.baseFrame);
     std::vector<RigidTransform> poses;
     for (const double seconds : scan.acquisition->lineTimesS) {
-        const auto base = tree.inFrame(motion.baseFrame, map, static_cast<std::int64_t>(seconds * 1e9));
+        const auto base = tree.inFrame(up, map, static_cast<std::int64_t>(seconds * 1e9));
         if (!base) return;
         poses.push_back(*base * motion.base);
         const Eigen::Vector3d& at = poses.back().translationM;
@@ -102,6 +95,7 @@ void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion,
     placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
     placement->warnings = {"GUESS: the frame " + map +
                            " of the bag is taken as the mine grid, with x to the east, y to the north and z up."};
+    judgeSpeed(*placement, scan.acquisition->lineTimesS);
     scan.placement = std::move(placement);
 }
 

@@ -6,13 +6,14 @@
 #include "core/files/ros/laser_motion.h"
 #include "core/scan/grid/scan.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace edgescan::files {
 
-/// All transforms of the bag; call FrameTree::finish() before it is used. Error: their definition is not understood.
-Result<FrameTree> transformsIn(const containers::RosBag& bag, const std::string& where);
+/// All transforms of the bag; call FrameTree::finish() before it is used. Error: their definition is not understood, or cancelled.
+Result<FrameTree> transformsIn(const containers::RosBag& bag, const std::string& where, const std::function<bool()>& goOn);
 
 /// Where no frame of a map is above `frame`, but the bag has geometry_msgs/PoseStamped in one: they become the transforms of the highest
 /// frame above it. A warning says that it is a guess. Call it before FrameTree::finish().

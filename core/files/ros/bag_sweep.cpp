@@ -23,17 +23,25 @@ Result<std::optional<LaserMotion>> motionOf(const containers::RosBag& bag, const
     const std::string where = source.path.string();
     const std::int64_t from = lines.lines.front().stampNs, to = lines.lines.back().stampNs;
     const std::string& joint = source.options->joint;
+    const auto goOn = [&] { return source.goOn("reading", 1.0); };
     if (joint.empty()) {
         auto byFrames = motionByFrames(tree, lines.frame, middleOf(lines.lines.front()), from, to, where);
         if (byFrames) return std::optional(std::move(*byFrames));
-        auto byJoint = motionByJoint(bag, joint, from, to, where);
+        auto byJoint = motionByJoint(bag, joint, from, to, where, goOn);
         if (byJoint) return std::optional(std::move(*byJoint));
+        if (byJoint.error().what == source.cancelled().what) return byJoint.error();
         if (source.options->lineStepDeg) return std::optional<LaserMotion>();
         return byFrames.error();
     }
-    auto byJoint = motionByJoint(bag, joint, from, to, where);
+    auto byJoint = motionByJoint(bag, joint, from, to, where, goOn);
     if (!byJoint) return byJoint.error();
     return std::optional(std::move(*byJoint));
+}
+
+/// The error, and what was left out of the transforms, which may be its cause.
+Error withWarning(Error error, const FrameTree& tree) {
+    if (!tree.warnings().empty()) error.what += "; " + tree.warnings().front().substr(0, tree.warnings().front().rfind('.'));
+    return error;
 }
 
 class Sweeps {
@@ -42,16 +50,16 @@ public:
         : bag_(bag), topic_(topic), source_(source), where_(source.path.string()) {}
 
     Result<Scan> assemble() {
-        auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_);
+        auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_, [&] { return source_.goOn("reading", 1.0); });
         if (!lines) return lines.error();
         lines_ = std::move(*lines);
         std::vector<std::string> said;
-        auto tree = transformsIn(bag_, where_);
+        auto tree = transformsIn(bag_, where_, [&] { return source_.goOn("reading", 1.0); });
         if (!tree) return tree.error();
         addPoses(*tree, bag_, lines_.frame, said);
         tree->finish();
         auto motion = motionOf(bag_, *tree, lines_, source_);
-        if (!motion) return motion.error();
+        if (!motion) return withWarning(motion.error(), *tree);
         motion_ = std::move(*motion);
         tree_ = std::move(*tree);
         warnings_ = bag_.warnings;
@@ -71,9 +79,17 @@ private:
             warn("The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.");
         if (lines_.unreadable > 0)
             warn(std::to_string(lines_.unreadable) + " messages of the topic were left out: " + lines_.whyUnreadable + ".");
+        if (lines_.contradict > 0)
+            warn("GUESS: in " + std::to_string(lines_.contradict) +
+                 " messages the angle_increment leads from angle_min away from angle_max: angle_min and angle_increment were taken.");
+        if (lines_.timesUnknown > 0)
+            warn(std::to_string(lines_.timesUnknown) +
+                 " messages have a time_increment that cannot be: the beams of a line count as measured at once.");
         if (lines_.disordered > 0)
             warn(std::to_string(lines_.disordered) + " lines came out of order and were put in the order of their stamps.");
         if (!motion_) return;
+        if (motion_->damagedMessages > 0)
+            warn(std::to_string(motion_->damagedMessages) + " messages of joints are damaged and were left out.");
         if (source_.options->joint.empty()) warn("GUESS: the angle of each line comes from " + motion_->source + ".");
         if (motion_->axisAssumed && !source_.options->axis)
             warn(std::string("A joint does not say how the laser is mounted on it. ASSUMED: the axis (") +

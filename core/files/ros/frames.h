@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -42,27 +43,39 @@ struct NamedPose {
 
 class FrameTree {
 public:
+    /// `mostPoses`: further ones are counted and left out; for messages that come without end.
+    explicit FrameTree(std::size_t mostPoses = SIZE_MAX) : mostPoses_(mostPoses) {}
+
     /// The transforms of one message. Those that cannot be used are counted and left out.
     void add(const containers::RosValue& tfMessage);
     void add(const NamedPose& pose);
+    void addDamagedMessage() { ++damaged_; }
     /// Leaves out poses before `ns`, but not the last one of each link.
     void forgetBefore(std::int64_t ns);
-    /// Sorts the poses. Call it after the last message; warnings about loops and other parents follow from it.
+    /// Sorts the poses of each link by time and leaves out repeated ones. All that follows needs it.
+    void sortPoses();
+    /// sortPoses(), and the warnings about what was left out, loops and long chains. Call it after the last message.
     void finish();
 
-    /// Frames from `frame` up to its root, itself first. A loop ends it.
+    /// Frames from `frame` up to its root, itself first. A loop ends it, and so does a length that no robot has.
     [[nodiscard]] std::vector<std::string> chain(const std::string& frame) const;
     /// Where a frame is in its parent: between two poses the rotation by slerp, before the first and after the last theirs. Empty: no
     /// parent.
     [[nodiscard]] std::optional<RigidTransform> inParent(const std::string& frame, std::int64_t ns) const;
-    /// Where a frame is in one of those above it. Empty: that frame is not above it.
-    [[nodiscard]] std::optional<RigidTransform> inFrame(const std::string& frame, const std::string& above, std::int64_t ns) const;
+    /// Where the first frame of a chain() is in another one of it, `above`. Empty: a frame between them has no pose, or that one is not in
+    /// it.
+    [[nodiscard]] std::optional<RigidTransform> inFrame(const std::vector<std::string>& up, const std::string& above,
+                                                        std::int64_t ns) const;
     [[nodiscard]] const FrameLink* link(const std::string& frame) const;
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
+    void warnOfCount(std::size_t count, const char* what);
+    void warnOfWays();
+
+    std::size_t mostPoses_, poses_ = 0;
     std::map<std::string, FrameLink> links_; // by child
-    std::size_t unusable_ = 0, moved_ = 0;
+    std::size_t unusable_ = 0, moved_ = 0, damaged_ = 0, tooMany_ = 0;
     std::vector<std::string> warnings_;
 };
 

@@ -18,6 +18,7 @@ using containers::RosValue;
 constexpr double kMmPerM = 1000.0;
 constexpr double kNsPerS = 1e9;
 constexpr std::size_t kMostBeams = 1'000'000;
+constexpr double kLongestLineS = 1000;   // from the first beam to the last
 constexpr double kOfNew = 0.05;          // share of a new line in the usual lateness
 constexpr std::size_t kAhead = 8;        // lines that must be late, too, until a late line shows that others were lost
 constexpr double kMostLostLines = 30000; // by one gap: a longer one begins another sweep anyway
@@ -141,23 +142,31 @@ void count(LaserLines& all) {
 
 } // namespace
 
-std::optional<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
+Result<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
     const auto number = [&](const char* name, double otherwise) {
         const double value = message.number(name).value_or(otherwise);
         return std::isfinite(value) ? value : otherwise;
     };
+    const auto refused = [](const char* what) { return Error{what, "", ""}; };
     const auto stamp = containers::stampNs(message, "header.stamp");
-    const double step = number("angle_increment", 0);
     std::vector<double> rangesM = echoesOf(message, "ranges", echo);
-    if (!stamp || rangesM.empty() || step == 0 || rangesM.size() > kMostBeams) return std::nullopt;
+    if (!stamp || rangesM.empty() || rangesM.size() > kMostBeams) return refused("it has no beams or no stamp");
     LaserLine found;
     found.stampNs = *stamp;
-    found.beamS = number("time_increment", 0);
     scanner::SweepLine& line = found.line;
     const auto count = static_cast<int>(rangesM.size());
-    line.beams = {scanner::snappedDeg(degrees(number("angle_min", 0))), scanner::snappedDeg(degrees(step)), count};
-    const double most = number("range_max", std::numeric_limits<double>::max());
-    takeRanges(line, rangesM, number("range_min", 0), most > 0 ? most : std::numeric_limits<double>::max());
+    const double from = degrees(message.number("angle_min").value_or(0)), step = degrees(message.number("angle_increment").value_or(0));
+    const double last = from + step * (count - 1), most = degrees(number("angle_max", 0));
+    if (!std::isfinite(step) || step == 0) return refused("its angle_increment does not give the step between beams");
+    if (!physical::kBeamDeg.hold(scanner::snappedDeg(from)) || !physical::kBeamDeg.hold(scanner::snappedDeg(last)))
+        return refused("its angle_min or angle_increment puts beams outside of one turn");
+    found.contradicts = (most - from) * step < 0 && std::abs(most - from) > std::abs(step);
+    line.beams = {scanner::snappedDeg(from), scanner::snappedDeg(step), count};
+    found.beamS = message.number("time_increment").value_or(0);
+    found.timeUnknown = !(std::abs(found.beamS) * count <= kLongestLineS);
+    if (found.timeUnknown) found.beamS = 0;
+    const double farthest = number("range_max", std::numeric_limits<double>::max());
+    takeRanges(line, rangesM, number("range_min", 0), farthest > 0 ? farthest : std::numeric_limits<double>::max());
     const std::vector<double> strengths = echoesOf(message, "intensities", echo);
     if (strengths.size() == rangesM.size()) line.intensity.assign(strengths.begin(), strengths.end());
     found.reversed = step < 0;
@@ -193,7 +202,8 @@ scanner::SweepSettings sweepOfLaser(scanner::SweepSettings asked, const LaserLin
     return asked;
 }
 
-Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where) {
+Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where,
+                              const std::function<bool()>& goOn) {
     const containers::RosTopic& of = bag.topics[topic];
     const auto definition = containers::rosDefinition(of.type, of.definition, where);
     if (!definition) return definition.error();
@@ -203,6 +213,7 @@ Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic
     };
     for (const containers::RosBagMessage& stored : bag.messages) {
         if (stored.topic != topic) continue;
+        if (!goOn()) return Error{"cancelled", where, ""};
         const auto message = containers::rosMessage(*definition, of.encoding, stored.bytes, where);
         if (!message) {
             unreadable(message.error().what);
@@ -210,9 +221,11 @@ Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic
         }
         auto line = laserLine(*message, echo);
         if (!line) {
-            unreadable("it has no beams, no stamp or no step between beams");
+            unreadable(line.error().what);
             continue;
         }
+        all.contradict += line->contradicts ? 1 : 0;
+        all.timesUnknown += line->timeUnknown ? 1 : 0;
         if (all.frame.empty()) all.frame = frameNameOf(message->text("header.frame_id"));
         if (!all.lines.empty() && line->stampNs < all.lines.back().stampNs) ++all.disordered;
         all.lines.push_back(std::move(*line));

@@ -6,7 +6,7 @@
 #include "core/scanner/scan_line/scan_line.h"
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +17,8 @@ struct LaserLine {
     std::int64_t stampNs = 0; ///< of its first beam in time
     double beamS = 0;         ///< from beam to the next in the line, negative where they were reversed; 0: the message does not say
     bool reversed = false;    ///< the beams run clockwise; they were put into ascending order
+    bool contradicts = false; ///< the beams run from angle_min away from angle_max
+    bool timeUnknown = false; ///< time_increment is not a number, or far too long: the beams count as measured at once
     scanner::SweepLine line;
 };
 
@@ -28,10 +30,12 @@ struct LaserLines {
     std::size_t disordered = 0; ///< messages that came before one with an earlier stamp
     std::size_t unreadable = 0; ///< messages that do not fit their definition, or hold no beams
     std::string whyUnreadable;
+    std::size_t contradict = 0, timesUnknown = 0; ///< lines, as LaserLine says
 };
 
-/// The line in a message; its counters are set by others. Empty: there are no beams, no stamp, or no step between beams.
-[[nodiscard]] std::optional<LaserLine> laserLine(const containers::RosValue& message, scanner::Echo echo);
+/// The line in a message; its counters are set by others. Error, of which only `what` is set: no beams, no stamp, or angles that no laser
+/// has. Numbers that are not finite are never replaced by others.
+[[nodiscard]] Result<LaserLine> laserLine(const containers::RosValue& message, scanner::Echo echo);
 /// Of the fan, degrees.
 [[nodiscard]] double middleOf(const LaserLine& line);
 /// Its beams in the scan's own frame (LaserMotion::beamShiftDeg), and the time from beam to beam, if the message says it.
@@ -41,6 +45,7 @@ void placeBeams(LaserLine& line, double shiftDeg);
 
 /// Angles become degrees, metres millimetres: whole ones where the message's number is the nearest to one. inf, NaN, 0 and what is outside
 /// range_min..range_max is a missing return. The counters of a line count the periods since the line before, so that a gap is lost lines.
-Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where);
+Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where,
+                              const std::function<bool()>& goOn);
 
 } // namespace edgescan::files

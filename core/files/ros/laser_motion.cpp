@@ -3,6 +3,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
+#include "core/files/ros/each_message.h"
 #include "core/scan/georef/rotations.h"
 
 #include <algorithm>
@@ -171,25 +172,27 @@ void addJoints(JointAngles& joints, const containers::RosValue& message) {
     const containers::RosValue* names = message.at("name");
     for (std::size_t n = 0; ns && names != nullptr && n < std::min({positions.size(), names->inside.size(), kMostJoints}); ++n) {
         const ByteView name = names->inside[n].bytes;
-        if (std::isfinite(positions[n])) joints[std::string(name.begin(), name.end())].push_back({*ns, degrees(positions[n])});
+        const std::string joint(name.begin(), name.end());
+        if (std::isfinite(positions[n]) && (joints.size() < kMostJoints || joints.contains(joint)))
+            joints[joint].push_back({*ns, degrees(positions[n])});
     }
 }
 
 Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,
-                                  const std::string& where) {
+                                  const std::string& where, const std::function<bool()>& goOn) {
+    constexpr std::int64_t kAroundNs = 1'000'000'000;
     JointAngles joints;
-    for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
-        if (bag.topics[topic].type != "sensor_msgs/JointState") continue;
-        const auto definition = containers::rosDefinition(bag.topics[topic].type, bag.topics[topic].definition, where);
-        if (!definition) return definition.error();
-        for (const containers::RosBagMessage& stored : bag.messages) {
-            if (stored.topic != topic) continue;
-            const auto message = containers::rosMessage(*definition, bag.topics[topic].encoding, stored.bytes, where);
-            const auto ns = message ? containers::stampNs(*message, "header.stamp") : std::nullopt;
-            if (ns && *ns >= fromNs - 1'000'000'000 && *ns <= toNs + 1'000'000'000) addJoints(joints, *message);
-        }
-    }
-    return motionOfJoints(std::move(joints), joint, where);
+    std::size_t damaged = 0;
+    const auto take = [&](std::uint32_t, const containers::RosValue& message) {
+        const auto ns = containers::stampNs(message, "header.stamp");
+        if (ns && *ns >= fromNs - kAroundNs && *ns <= toNs + kAroundNs) addJoints(joints, message);
+    };
+    const auto read = eachMessage(
+        bag, [](const std::string& type) { return type == "sensor_msgs/JointState"; }, where, take, [&] { ++damaged; }, goOn);
+    if (!read) return read.error();
+    auto motion = motionOfJoints(std::move(joints), joint, where);
+    if (motion) motion->damagedMessages = damaged;
+    return motion;
 }
 
 Result<LaserMotion> motionOfJoints(JointAngles joints, const std::string& joint, const std::string& where) {

@@ -6,6 +6,7 @@
 #include "core/scan/grid/placement.h"
 #include "core/scan/grid/scan.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,15 +25,16 @@ struct TimedAngle {
 struct LaserMotion {
     Axis axis = Axis::Spin;
     bool axisAssumed = false;
-    double beamShiftDeg = 0;        ///< is taken off the beam angles: the axis is the beam at 90 degrees (spin) or at 0 degrees (sweep)
-    std::vector<TimedAngle> angles; ///< by time
-    double outOfPlaneDeg = 0;       ///< between the axis and the plane of the fan
-    double offAxisM = 0;            ///< distance of the laser's origin from the axis
-    std::string mover;              ///< the frame that turns, or the joint
-    std::string source;             ///< "the transform of the frame laser in base", "the joint tilt"
-    StepperMount mount;             ///< how the scan's own frame is mounted on the frame that turns
-    std::string baseFrame;          ///< frame in which that one turns; empty: not known
-    RigidTransform base;            ///< the axis base in it
+    double beamShiftDeg = 0;         ///< is taken off the beam angles: the axis is the beam at 90 degrees (spin) or at 0 degrees (sweep)
+    std::vector<TimedAngle> angles;  ///< by time
+    double outOfPlaneDeg = 0;        ///< between the axis and the plane of the fan
+    double offAxisM = 0;             ///< distance of the laser's origin from the axis
+    std::string mover;               ///< the frame that turns, or the joint
+    std::string source;              ///< "the transform of the frame laser in base", "the joint tilt"
+    StepperMount mount;              ///< how the scan's own frame is mounted on the frame that turns
+    std::string baseFrame;           ///< frame in which that one turns; empty: not known
+    RigidTransform base;             ///< the axis base in it
+    std::size_t damagedMessages = 0; ///< of joints
 };
 
 /// The angle between two of them in a straight line, before the first and after the last theirs; rate in degrees per second there.
@@ -61,8 +63,8 @@ void addJoints(JointAngles& joints, const containers::RosValue& message);
 Result<LaserMotion> motionOfJoints(JointAngles joints, const std::string& joint, const std::string& where);
 
 /// The angles of a joint of sensor_msgs/JointState; the axis is only assumed, by its name. Without a name: of the joint that turned
-/// furthest, and of one whose name is a scanner's rather than of others.
+/// furthest, and of one whose name is a scanner's rather than of others. `goOn`: false cancels.
 Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,
-                                  const std::string& where);
+                                  const std::string& where, const std::function<bool()>& goOn);
 
 } // namespace edgescan::files

@@ -70,7 +70,7 @@ void LiveLaser::leaveOut(const char* why) {
 
 void LiveLaser::takeLine(const containers::RosValue& message) {
     auto line = laserLine(message, asked_.echo);
-    if (!line) return leaveOut("a message has no beams, no stamp or no step between beams");
+    if (!line) return leaveOut(line.error().what.c_str());
     if (newestNs_ != 0 && line->stampNs < newestNs_ - kRestartNs) restart();
     if (newestNs_ != 0 && line->stampNs == newestNs_) {
         ++repeated_;
@@ -123,16 +123,15 @@ void LiveLaser::findMotion() {
     const bool late = newestNs_ - first > kWaitsNs;
     tree_.forgetBefore(newestNs_ - kFindsNs);
     for (auto& [name, angles] : joints_) std::erase_if(angles, [&](const TimedAngle& angle) { return angle.ns < newestNs_ - kFindsNs; });
-    FrameTree sorted = tree_;
-    sorted.finish();
-    auto found = joint_.empty() ? motionByFrames(sorted, frame_, middleOf(waiting_.front()), first, newestNs_, "")
+    tree_.sortPoses();
+    auto found = joint_.empty() ? motionByFrames(tree_, frame_, middleOf(waiting_.front()), first, newestNs_, "")
                                 : motionOfJoints(joints_, joint_, "");
     if (!found && joint_.empty() && late) {
         if (auto byJoint = motionOfJoints(joints_, joint_, "")) found = std::move(byJoint);
     }
     if (found && found->angles.size() >= 2) {
         motion_ = std::move(*found);
-        tree_ = {};
+        tree_ = FrameTree(kMostPoses);
         joints_.clear();
         return;
     }

@@ -50,9 +50,10 @@ private:
 
     std::deque<LaserLine> waiting_;
     std::string frame_;
-    std::deque<double> periodsS_; // of the last lines, by their stamps
-    std::int64_t newestNs_ = 0;   // stamp of the newest line
-    FrameTree tree_;
+    std::deque<double> periodsS_;                      // of the last lines, by their stamps
+    std::int64_t newestNs_ = 0;                        // stamp of the newest line
+    static constexpr std::size_t kMostPoses = 200'000; // that wait for the motion: 20 s of a robot have some thousand
+    FrameTree tree_{kMostPoses};
     JointAngles joints_;
     std::optional<LaserMotion> motion_;
     bool bySteps_ = false; // no angle is known, only the step from line to line

@@ -94,24 +94,25 @@ std::size_t shared(const std::set<std::string>& a, const std::set<std::string>& 
 
 } // namespace
 
-void turnedFirst(const containers::RosBag& bag, const std::string& joint, std::vector<BagTopic>& topics) {
+void turnedFirst(const containers::RosBag& bag, const std::string& joint, std::vector<BagTopic>& topics,
+                 const std::function<bool()>& goOn) {
     const auto clouds =
         std::stable_partition(topics.begin(), topics.end(), [](const BagTopic& topic) { return topic.gives == TopicGives::Lines; });
     if (clouds - topics.begin() < 2) return;
     const auto last = topics.begin() + std::min(clouds - topics.begin(), kMostLasers);
-    auto tree = transformsIn(bag, "");
+    auto tree = transformsIn(bag, "", goOn);
     if (tree) tree->finish();
     struct Chance {
         BagTopic topic;
         std::tuple<bool, bool, std::size_t> order; // turned by transforms; sees the joint turn; words shared with the joint
     };
     std::vector<Chance> chances;
-    for (auto topic = topics.begin(); topic != last; ++topic) {
+    for (auto topic = topics.begin(); topic != last && goOn(); ++topic) {
         Chance chance{*topic, {}};
         if (const auto fan = fanOf(bag, topic->topic)) {
             std::get<0>(chance.order) =
                 joint.empty() && tree && motionByFrames(*tree, fan->frame, fan->middleDeg, fan->fromNs, fan->toNs, "");
-            if (const auto turns = motionByJoint(bag, joint, fan->fromNs, fan->toNs, "")) {
+            if (const auto turns = motionByJoint(bag, joint, fan->fromNs, fan->toNs, "", goOn)) {
                 std::get<1>(chance.order) = sawTheTurn(bag, topic->topic, turns->angles, *fan);
                 std::get<2>(chance.order) = shared(wordsOf(bag.topics[topic->topic].name + ' ' + fan->frame), wordsOf(turns->mover));
             }

@@ -140,6 +140,23 @@ void judgeCover(Placement& placement, const PoseTrack& poses, const std::vector<
              " lines were measured before the first or after the last pose and were given the nearest one.");
 }
 
+} // namespace
+
+void judgeSpeed(Placement& placement, std::span<const double> timesS) {
+    constexpr double kFastestMPerS = 30, kLeastM = 0.1; // a hundred km/h; less than this is noise of the poses
+    double fastest = 0;
+    for (std::size_t n = 1; n < std::min(placement.poses.size(), timesS.size()); ++n) {
+        const double seconds = timesS[n] - timesS[n - 1];
+        const double metres = (placement.poses[n].translationM - placement.poses[n - 1].translationM).norm();
+        if (metres > kLeastM && seconds > 0) fastest = std::max(fastest, metres / seconds);
+    }
+    if (fastest > kFastestMPerS)
+        warn(placement, true,
+             "the poses move the base at " + shortNumber(fastest) + " m/s between two lines, faster than any machine under ground.");
+}
+
+namespace {
+
 Result<Done> placeLines(Placement& placement, const Calibration& calibration, const PoseTrack& poses, const std::vector<double>& times) {
     placement.poses.clear();
     for (const double t : times) {
@@ -182,6 +199,7 @@ Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calib
         }
         if (auto placed = placeLines(*placement, calibration, poses, *times); !placed) return placed.error();
         judgeCover(*placement, poses, *times);
+        judgeSpeed(*placement, *times);
         judgeAge(*placement, calibration, newestTime(poses), startS);
     } else {
         const auto pose = poseAt(calibration, poses, averageInclinometer(poses.inclinometer), mean, placement->originEnhM);

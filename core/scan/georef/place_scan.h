@@ -78,4 +78,7 @@ Result<std::string> sourceOf(const std::filesystem::path& file);
 Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::path& pose, const std::filesystem::path& calibration,
                                                        const Scan& scan, std::span<const double> lineTimesS = {});
 
+/// Poses of the lines that move the base faster than any machine get a warning. `timesS`: of the lines.
+void judgeSpeed(Placement& placement, std::span<const double> timesS);
+
 } // namespace edgescan

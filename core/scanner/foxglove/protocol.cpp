@@ -38,6 +38,10 @@ std::optional<BridgeChannel> channelIn(const Json& value) {
 } // namespace
 
 Result<BridgeText> bridgeText(std::string_view json, const std::string& where) {
+    constexpr std::size_t kLongest = std::size_t{4} << 20U; // a robot's topics with their definitions take a quarter of it
+    if (json.size() > kLongest)
+        return Error{"the bridge describes its topics in a text of more than 4 MB", where,
+                     "choose another bridge, or let it offer fewer topics"};
     const auto parsed = parseJson(json, where);
     if (!parsed || !parsed->is_object() || textIn(*parsed, "op").empty())
         return Error{"what it sends is not the Foxglove WebSocket protocol", where,

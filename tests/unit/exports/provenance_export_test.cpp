@@ -20,6 +20,7 @@
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
+#include <fstream>
 #include <map>
 #include <random>
 
@@ -153,6 +154,49 @@ TEST(Provenance, TheRecordDependsOnNeitherTimeNorFolder) {
         ASSERT_TRUE(exportWithProvenance(e.content, *a, one / e.name));
         ASSERT_TRUE(exportWithProvenance(e.content, *b, other / (std::string("other-") + e.name)));
         EXPECT_EQ(readText(one / e.name), readText(other / (std::string("other-") + e.name))) << e.name;
+    }
+}
+
+// The counts of two scans may be the same, and their hash is that of the counts.
+TEST(Provenance, OfScansWithTheSameCountsTheOneThatFitsIsTaken) {
+    const Folder folder;
+    Scan scan = makeScan({.axis = Axis::Sweep, .lines = 30, .beams = 40, .seed = 5});
+    for (const char* name : {"b.json", "a.json", "c.json"}) {
+        ASSERT_TRUE(files::saveScan(scan, folder / name));
+        for (double& deg : std::get<PolarGeometry>(scan.geometry).lineDeg) deg *= 1.5; // another description
+    }
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(*files::openScan(folder / "b.json")), edges::Settings{});
+    ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / "o.ply"));
+    const auto verified = verifyExport(folder / "o.ply");
+    ASSERT_TRUE(verified) << verified.error().sentence();
+    EXPECT_TRUE(verified->identical) << verificationText(*verified);
+    EXPECT_EQ(verified->scan, folder / "b.u16");
+    std::filesystem::remove(folder / "b.json");
+    std::filesystem::remove(folder / "b.u16");
+    const auto others = verifyExport(folder / "o.ply");
+    ASSERT_TRUE(others) << others.error().sentence();
+    EXPECT_FALSE(others->identical);
+    EXPECT_EQ(others->scan, folder / "a.u16");
+}
+
+TEST(Provenance, TheRecordIsAsPrivateAsItsExport) {
+    using std::filesystem::perms;
+    const Folder folder;
+    const auto detection = detectionIn(folder, 3, true);
+    const auto own = perms::owner_read | perms::owner_write;
+    const auto modeOf = [](const std::filesystem::path& path) { return std::filesystem::status(path).permissions(); };
+    for (const bool recordIsThere : {false, true}) {
+        const auto path = folder / (recordIsThere ? "old.pcd" : "new.pcd");
+        const auto record = files::sidecarPath(path);
+        std::ofstream(path) << "old";
+        std::filesystem::permissions(path, own);
+        if (recordIsThere) {
+            std::ofstream(record) << "old";
+            std::filesystem::permissions(record, own | perms::group_read | perms::others_read);
+        }
+        ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *detection, path));
+        EXPECT_EQ(modeOf(path), own);
+        EXPECT_EQ(modeOf(record), own);
     }
 }
 

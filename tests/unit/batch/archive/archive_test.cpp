@@ -69,6 +69,22 @@ TEST(ArchiveListing, AFolderGivesItsScansInOrderAndEachOnce) {
     EXPECT_FALSE(listArchive({folder.path().string()}, folder.path())); // the results folder is among the scans
 }
 
+// The records of formats that have no room for the grid hold its description.
+TEST(ArchiveListing, ARecordThatHoldsAGridIsNoScan) {
+    const TemporaryFolder folder;
+    write(folder / "bell.pcd", "x");
+    for (const char* name : {"edges.csv", "edges.xyz", "edges.obj", "edges.ptx"}) {
+        write(folder / name, "x");
+        write(folder / (std::string(name) + ".provenance.json"),
+              R"({"format":"edgescan-provenance/1","record":{"content":"edge cloud"},"grid":{"format":"edgescan-raw-grid/1"}})");
+    }
+    write(folder / "list.json", R"([{"format":"edgescan-raw-grid/1"}])");
+    write(folder / "says.json", R"({"note":"edgescan-raw-grid/1"})");
+    const auto listing = listArchive({folder.path().string()}, folder / "results");
+    ASSERT_TRUE(listing) << listing.error().sentence();
+    EXPECT_EQ(below(folder.path(), listing->inputs), (std::vector<std::string>{"bell.pcd"}));
+}
+
 TEST(ArchiveListing, LinkedFoldersAreFollowedOnceAndWhatIsNotReadIsListed) {
     const TemporaryFolder folder, elsewhere;
     const fs::path archive = folder / "archive";
@@ -327,6 +343,20 @@ TEST(WorkerProcesses, WhatEndsOneJobEndsNoOther) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(WorkerProcesses, TheWishToStopEndsJobsThatLast) {
+    Jobs jobs;
+    std::size_t given = 0, ended = 0;
+    jobs.next = [&]() -> std::optional<std::size_t> { return given < 4 ? std::optional(given++) : std::nullopt; };
+    jobs.work = [](std::size_t, int) -> std::string {
+        while (true) ::pause(); // until it is killed
+    };
+    jobs.ended = [&](const JobEnd&) { ++ended; };
+    jobs.goOn = [&] { return given < 2; };
+    ASSERT_TRUE(runInProcesses({2, 0, 0}, jobs));
+    EXPECT_EQ(given, 2U);
+    EXPECT_EQ(ended, 0U); // they have no row, and the next run does them
+}
+
 TEST(WorkerProcesses, AJobThatTakesTooMuchMemoryEndsAlone) {
     std::map<std::size_t, JobEnd> ends;
     std::size_t next = 0;

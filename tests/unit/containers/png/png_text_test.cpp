@@ -30,5 +30,20 @@ TEST(PngText, ADamagedPictureGivesItsTextOrNoneAndPrintsNothing) {
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
+TEST(BarePng, IsThePictureWithoutTextsAndRefusesWhatIsNone) {
+    const std::string picture = *png8Bytes(Grid<std::uint8_t>(20, 30, 7), "x.png", "secret");
+    const auto bare = barePng(picture + "behind it", 1000, "logo.png");
+    ASSERT_TRUE(bare) << bare.error().sentence();
+    EXPECT_EQ(bare->find("secret"), std::string::npos);
+    EXPECT_EQ(bare->find("behind it"), std::string::npos);
+    ASSERT_TRUE(barePng(*bare, 600, "logo.png"));
+    EXPECT_FALSE(barePng(picture, 599, "logo.png"));
+    for (std::size_t length = 0; length < picture.size() - 12; length += 7) // the last 12 bytes only say that it ends
+        EXPECT_FALSE(barePng(picture.substr(0, length), 1000, "logo.png")) << length;
+    std::string huge = picture;
+    huge[16] = '\x7f'; // of the width
+    EXPECT_FALSE(barePng(huge, 1000, "logo.png"));
+}
+
 } // namespace
 } // namespace edgescan::containers

@@ -297,6 +297,12 @@ TEST(Poses, AMovingBaseGetsAPosePerLine) {
     ASSERT_TRUE(late);
     EXPECT_TRUE((*late)->outOfSpec);
     EXPECT_NE((*late)->warnings[0].find("2 of 11 lines"), std::string::npos) << (*late)->warnings[0];
+    poses.scanEndS = start + 40;
+    poses.talin[1].enhM += Eigen::Vector3d(40'000, 0, 0);
+    const auto fast = placeScan(spinScan(11), exampleCalibration(), poses);
+    ASSERT_TRUE(fast);
+    EXPECT_TRUE((*fast)->outOfSpec);
+    EXPECT_NE((*fast)->warnings[0].find("faster than any machine"), std::string::npos) << (*fast)->warnings[0];
 }
 
 TEST(Poses, AStaticSweepIsAveragedAcrossNorth) {
