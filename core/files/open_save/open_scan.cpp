@@ -60,6 +60,7 @@ Result<Scan> scanOfBytes(const Source& source) {
     if (!plain) return plain.error();
     auto scan = scanOf(plain->source);
     if (!scan) return plain->refused(scan.error());
+    scan->warnings.insert(scan->warnings.end(), plain->warnings.begin(), plain->warnings.end());
     scan->openedWith = openedWith(*source.options);
     scan->name = scanName(source.path);
     if (scan->sha256.empty()) scan->sha256 = sha256.get();
