@@ -21,7 +21,8 @@ Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source);
 /// the program was built without libtiff.
 Result<Scan> readRangeTiff(const Source& source);
 
-/// The scan that a picture's numbers are. Values that are not finite or not above 0 are missing returns.
-Result<Scan> scanFromPicture(Grid<float> values, const char* format, const Source& source);
+/// The scan that a picture's numbers are: counts of 16 bits are millimetres, the unit of floats shows itself, and --unit goes before both.
+/// Values that are not finite or not above 0 are missing returns.
+Result<Scan> scanFromPicture(const Grid<float>& values, bool counts, const char* format, const Source& source);
 
 } // namespace edgescan::files
