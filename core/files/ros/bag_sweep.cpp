@@ -42,7 +42,7 @@ public:
         : bag_(bag), topic_(topic), source_(source), where_(source.path.string()) {}
 
     Result<Scan> assemble() {
-        auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_);
+        auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_, source_.options->keepRepeated);
         if (!lines) return lines.error();
         lines_ = std::move(*lines);
         std::vector<std::string> said;
@@ -73,6 +73,15 @@ private:
             warn(std::to_string(lines_.unreadable) + " messages of the topic were left out: " + lines_.whyUnreadable + ".");
         if (lines_.disordered > 0)
             warn(std::to_string(lines_.disordered) + " lines came out of order and were put in the order of their stamps.");
+        if (lines_.repeated > 0)
+            warn(std::to_string(lines_.repeated) +
+                 " messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.");
+        if (lines_.contradicting > 0)
+            warn("In " + std::to_string(lines_.contradicting) +
+                 " messages angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the "
+                 "beams may be "
+                 "mirrored or turned.");
+        if (!lines_.noReturns.empty()) warn(lines_.noReturns);
         if (!motion_) return;
         if (source_.options->joint.empty()) warn("GUESS: the angle of each line comes from " + motion_->source + ".");
         if (motion_->axisAssumed && !source_.options->axis)

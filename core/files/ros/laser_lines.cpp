@@ -2,12 +2,15 @@
 #include "core/files/ros/laser_lines.h"
 
 #include "core/base/angles.h"
+#include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/files/point_tables/repeated_values.h"
 #include "core/files/ros/frames.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace edgescan::files {
@@ -139,6 +142,50 @@ void count(LaserLines& all) {
     }
 }
 
+/// Messages that a bag holds twice, as where two recorders or a relay wrote them. Lines are in order of their stamps.
+void leaveOutRepeated(LaserLines& all) {
+    std::vector<LaserLine> once;
+    once.reserve(all.lines.size());
+    for (LaserLine& line : all.lines) {
+        bool again = false;
+        constexpr std::size_t kLookedBack = 8; // others may have the same stamp
+        for (std::size_t n = once.size(), looked = 0; n > 0 && looked < kLookedBack && once[n - 1].stampNs == line.stampNs && !again;
+             --n, ++looked)
+            again = once[n - 1].line.ranges.rangeMm == line.line.ranges.rangeMm;
+        if (!again) once.push_back(std::move(line));
+    }
+    all.repeated = all.lines.size() - once.size();
+    all.lines = std::move(once);
+}
+
+/// A range that stands for "no return" in all lines, as range_max does.
+void markNoReturns(LaserLines& all) {
+    std::vector<double> ranges;
+    std::vector<double> beamDeg;
+    double mostM = all.lines.front().mostM;
+    for (const LaserLine& line : all.lines) {
+        mostM = line.mostM == mostM ? mostM : 0;
+        const auto& mm = line.line.ranges.rangeMm;
+        ranges.insert(ranges.end(), mm.begin(), mm.end());
+        for (std::size_t j = 0; j < mm.size(); ++j)
+            beamDeg.push_back(line.line.beams.startDeg + line.line.beams.stepDeg * static_cast<double>(j));
+    }
+    RangesToJudge given{ranges};
+    given.direction = [&](std::size_t n) { return Eigen::Vector3d(std::cos(radians(beamDeg[n])), std::sin(radians(beamDeg[n])), 0); };
+    if (mostM > 0) given.stated = static_cast<double>(millimetresOf(mostM));
+    const auto found = repeatedRange(given);
+    if (!found) return;
+    for (LaserLine& line : all.lines) {
+        auto& [mm, state] = line.line.ranges;
+        for (std::size_t j = 0; j < mm.size(); ++j) {
+            if (static_cast<double>(mm[j]) < found->least) continue;
+            mm[j] = 0;
+            state[j] = CellState::NoReturn;
+        }
+    }
+    all.noReturns = repeatedSentence(found->count, "ranges of the topic are " + significantText(found->least / kMmPerM, 6) + " m");
+}
+
 } // namespace
 
 std::optional<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
@@ -149,15 +196,22 @@ std::optional<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) 
     const auto stamp = containers::stampNs(message, "header.stamp");
     const double step = number("angle_increment", 0);
     std::vector<double> rangesM = echoesOf(message, "ranges", echo);
-    if (!stamp || rangesM.empty() || step == 0 || rangesM.size() > kMostBeams) return std::nullopt;
+    constexpr double kMostTurns = 2;
+    const double from = message.number("angle_min").value_or(std::numeric_limits<double>::quiet_NaN());
+    const bool isAngle = std::abs(from) <= kMostTurns * 2 * std::numbers::pi; // not for NaN
+    if (!stamp || rangesM.empty() || step == 0 || !isAngle || rangesM.size() > kMostBeams) return std::nullopt;
     LaserLine found;
     found.stampNs = *stamp;
     found.beamS = number("time_increment", 0);
     scanner::SweepLine& line = found.line;
     const auto count = static_cast<int>(rangesM.size());
-    line.beams = {scanner::snappedDeg(degrees(number("angle_min", 0))), scanner::snappedDeg(degrees(step)), count};
-    const double most = number("range_max", std::numeric_limits<double>::max());
-    takeRanges(line, rangesM, number("range_min", 0), most > 0 ? most : std::numeric_limits<double>::max());
+    line.beams = {scanner::snappedDeg(degrees(from)), scanner::snappedDeg(degrees(step)), count};
+    const double to = number("angle_max", from + step * (count - 1));
+    constexpr double kStepsOff = 2; // drivers count the beams or the steps between them
+    found.contradicts = std::abs(to - from - step * (count - 1)) > kStepsOff * std::abs(step) && to != 0;
+    const double most = number("range_max", 0);
+    found.mostM = most > 0 ? most : std::numeric_limits<double>::max();
+    takeRanges(line, rangesM, number("range_min", 0), found.mostM);
     const std::vector<double> strengths = echoesOf(message, "intensities", echo);
     if (strengths.size() == rangesM.size()) line.intensity.assign(strengths.begin(), strengths.end());
     found.reversed = step < 0;
@@ -193,7 +247,8 @@ scanner::SweepSettings sweepOfLaser(scanner::SweepSettings asked, const LaserLin
     return asked;
 }
 
-Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where) {
+Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where,
+                              bool keepRepeated) {
     const containers::RosTopic& of = bag.topics[topic];
     const auto definition = containers::rosDefinition(of.type, of.definition, where);
     if (!definition) return definition.error();
@@ -210,10 +265,11 @@ Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic
         }
         auto line = laserLine(*message, echo);
         if (!line) {
-            unreadable("it has no beams, no stamp or no step between beams");
+            unreadable("it has no beams, no stamp, no first angle (angle_min) or no step between beams");
             continue;
         }
         if (all.frame.empty()) all.frame = frameNameOf(message->text("header.frame_id"));
+        all.contradicting += line->contradicts ? 1 : 0;
         if (!all.lines.empty() && line->stampNs < all.lines.back().stampNs) ++all.disordered;
         all.lines.push_back(std::move(*line));
     }
@@ -221,6 +277,8 @@ Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic
         return Error{"no message of the topic " + of.name + " is a line of ranges" + (all.unreadable > 0 ? ": " + all.whyUnreadable : ""),
                      where, "choose another topic"};
     std::ranges::stable_sort(all.lines, {}, &LaserLine::stampNs);
+    leaveOutRepeated(all);
+    if (!keepRepeated) markNoReturns(all);
     all.periodS = usualPeriodS(all.lines);
     count(all);
     return all;
