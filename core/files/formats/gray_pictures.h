@@ -9,7 +9,7 @@
 
 namespace edgescan::files {
 
-inline constexpr std::uint64_t kBytesPerPixel = 16; ///< while a picture becomes a scan
+inline constexpr std::uint64_t kBytesPerPixel = 32; ///< while a picture becomes a scan
 
 /// Error when the file is far too small for so many bytes of pixels: a bomb, or a false header.
 Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source);

@@ -152,6 +152,7 @@ Result<PtxScan> findScan(const Source& source) {
     const std::string_view text = source.text();
     std::size_t wanted = source.options->scanIndex.value_or(0);
     PtxScan found;
+    std::optional<PtxScan> first; // with points
     std::size_t at = 0;
     std::size_t lineNumber = 1;
     while (at < text.size()) {
@@ -173,11 +174,14 @@ Result<PtxScan> findScan(const Source& source) {
         }
         const std::uint64_t left = text.size() - header->firstByte;
         // A point takes four numbers with a blank or line end behind each.
-        const bool lies = header->columns > kMostAlongOneSide || header->rows > kMostAlongOneSide || header->points() > left / 6 + 1;
+        const bool isEmpty = header->columns == 0 && header->rows == 0;
+        const bool lies = (header->points() == 0 && !isEmpty) || header->columns > kMostAlongOneSide || header->rows > kMostAlongOneSide ||
+                          header->points() > left / 6 + 1;
         const auto end = lies ? std::nullopt : afterLines(text, header->firstByte, header->points());
         if (!end && found.inFile <= wanted) return cutOff(*header, found.inFile, source);
-        const bool empty = end && !holdsReturn(text.substr(header->firstByte, *end - header->firstByte));
-        if (empty && !source.options->scanIndex && found.inFile == wanted) ++wanted; // the first that has points
+        const bool noReturn = end && !holdsReturn(text.substr(header->firstByte, *end - header->firstByte));
+        if (!first && !isEmpty && end) first = PtxScan{*header, *end, found.inFile};
+        if (noReturn && !source.options->scanIndex && found.inFile == wanted) ++wanted; // the first that has points
         if (found.inFile == wanted) {
             found.header = *header;
             found.endByte = *end;
@@ -188,10 +192,18 @@ Result<PtxScan> findScan(const Source& source) {
         at = *end;
         if (!source.goOn("reading points", 0.1 * static_cast<double>(at) / static_cast<double>(text.size()))) return source.cancelled();
     }
-    found.index = wanted;
-    if (found.inFile > wanted) return found;
+    if (found.inFile > wanted) {
+        found.index = wanted;
+        return found;
+    }
+    if (!source.options->scanIndex && first) { // no scan has a return: the first one says so
+        found.header = first->header;
+        found.endByte = first->endByte;
+        found.index = first->index;
+        return found;
+    }
     if (!source.options->scanIndex && found.inFile > 0)
-        return source.refused("none of the " + std::to_string(found.inFile) + " scans of this PTX file holds a point with a return",
+        return source.refused("none of the " + std::to_string(found.inFile) + " scans of this PTX file holds a point",
                               "export the file again");
     return source.refused("the file holds " + std::to_string(found.inFile) + " scans, and number " + std::to_string(wanted + 1) +
                               " was asked for",

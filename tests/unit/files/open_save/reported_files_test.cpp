@@ -56,8 +56,6 @@ std::string ptxHead(std::size_t columns, std::size_t rows, const std::string& pl
     return std::to_string(columns) + "\n" + std::to_string(rows) + "\n" + place + "\n1 0 0\n0 1 0\n0 0 1\n" + matrix;
 }
 
-} // namespace
-
 TEST_F(ReportedFiles, TextInOtherBytes) {
     const std::string plain = list(points_);
     for (const bool big : {false, true}) {
@@ -279,7 +277,8 @@ TEST_F(ReportedFiles, TablesOfMessages) {
     for (int i = 0; i < 24; ++i) {
         csv += "\n" + std::to_string(i) + ",laser,30.0";
         for (int j = 0; j < 28; ++j)
-            csv += expected_.rangeMm.at(i, j) > 0 ? numberText(",%.3f", static_cast<double>(expected_.rangeMm.at(i, j)) / 1000) : ",inf";
+            csv += expected_.rangeMm.at(i, j) > 0 ? "," + numberText("%.3f", static_cast<double>(expected_.rangeMm.at(i, j)) / 1000)
+                                                  : std::string(",inf");
         for (int j = 0; j < 28; ++j) csv += ",100";
     }
     expectSame(readBytes(csv + "\n", ".csv", typedAngles(expected_)));
@@ -310,4 +309,8 @@ TEST_F(ReportedFiles, BagsWithRepeatsAndALimit) {
     ASSERT_TRUE(without) << without.error().sentence();
     EXPECT_EQ(countCells(*without)[0], countCells(expected_)[0]);
     EXPECT_TRUE(warns(*without, std::to_string(marks) + " ranges of the topic"));
+    for (const double first : {std::nan(""), HUGE_VAL, 1e30})
+        expectRefused(open(rosMessagesOf(expected_, {.from = AngleFrom::Joint, .shiftDeg = first})), "no first angle (angle_min)");
 }
+
+} // namespace
