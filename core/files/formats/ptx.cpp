@@ -203,8 +203,7 @@ Result<PtxScan> findScan(const Source& source) {
         return found;
     }
     if (!source.options->scanIndex && found.inFile > 0)
-        return source.refused("none of the " + std::to_string(found.inFile) + " scans of this PTX file holds a point",
-                              "export the file again");
+        return source.refused("the " + std::to_string(found.inFile) + " scans of this PTX file hold 0 points", "export the file again");
     return source.refused("the file holds " + std::to_string(found.inFile) + " scans, and number " + std::to_string(wanted + 1) +
                               " was asked for",
                           "choose a smaller --scan");

@@ -54,7 +54,7 @@ Eigen::Vector3d directionOf(const PolarGeometry& polar, std::size_t line, std::s
     return {std::cos(a), std::sin(a) * std::cos(p), std::sin(a) * std::sin(p)};
 }
 
-/// The largest ranges become 0 where they stand for "no return"; a sentence then.
+/// The largest ranges become 0 where they mean "no return"; a sentence then.
 std::string clearRepeated(BareRanges& ranges, const PolarGeometry& polar, const Source& source) {
     if (source.options->keepRepeated) return {};
     const auto direction = [&](std::size_t k) { return directionOf(polar, k / ranges.beams, k % ranges.beams); };

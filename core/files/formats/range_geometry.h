@@ -27,7 +27,7 @@ struct BareRanges {
 };
 
 /// A scan of them, with angles as assumedAngles() and the unit found from the numbers where the options do not say it. 0, infinity and one
-/// number below 0 that repeats are missing returns, with a warning, and so is the largest number where it stands for one
+/// number below 0 that repeats are missing returns, with a warning, and so is the largest number where it means one
 /// (repeated_values.h). Error: the angles are not known, or several numbers are below 0; `at` names the place of a cell ("line 3, column
 /// 7").
 Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& source,

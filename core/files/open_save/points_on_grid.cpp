@@ -379,7 +379,7 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     return projectedScan(table, source, grid.error());
 }
 
-/// Points that stand for "no return" become not finite: the same point many times, or points all as far from the sensor.
+/// Points that mean "no return" become not finite: the same point many times, or points all as far from the sensor.
 void removeRepeated(PointTable& table, const Source& source) {
     if (source.options->keepRepeated) return;
     for (const RepeatedPoint& one : repeatedPoints(table.points)) {

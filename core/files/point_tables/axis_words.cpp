@@ -21,7 +21,7 @@ constexpr MarkedLetter kMarkedLetters[]{
     {"ú", "u"},  {"Ú", "u"},  {"ý", "y"},  {"Ý", "y"},  {"ł", "l"},  {"Ł", "l"},  {"ś", "s"},  {"Ś", "s"},  {"ć", "c"},
     {"Ć", "c"},  {"š", "s"},  {"Š", "s"},  {"ğ", "g"},  {"Ğ", "g"},  {"ő", "oe"}, {"ı", "i"},  {"İ", "i"}};
 
-// The same in Latin-1, where one byte stands alone.
+// The same in Latin-1, where a letter has one byte.
 constexpr MarkedLetter kLatinLetters[]{{"\xe4", "ae"}, {"\xc4", "ae"}, {"\xf6", "oe"}, {"\xd6", "oe"}, {"\xfc", "ue"}, {"\xdc", "ue"},
                                        {"\xf8", "oe"}, {"\xd8", "oe"}, {"\xe5", "aa"}, {"\xc5", "aa"}, {"\xe1", "a"},  {"\xe3", "a"},
                                        {"\xe7", "c"},  {"\xe9", "e"},  {"\xe8", "e"},  {"\xea", "e"},  {"\xed", "i"},  {"\xf3", "o"},
@@ -96,7 +96,7 @@ const std::vector<NamedAxis>& axisTable() {
     return rows;
 }
 
-/// Words beside that of the axis: they say of what or in which frame the numbers are, and not which axis.
+/// Words next to that of the axis: they say of what or in which frame the numbers are, and not which axis.
 bool saysNoAxis(std::string_view word) {
     static constexpr std::string_view kWords[]{
         "mine",        "grid",        "local",       "global",      "world",      "utm",       "mga",          "amg",   "gda",

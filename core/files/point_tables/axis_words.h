@@ -1,4 +1,4 @@
-// The words by which headings name an axis, in the languages of mining, and the units that stand with them.
+// The words by which headings name an axis, in the languages of mining, and the units next to them.
 #pragma once
 
 #include <cstdint>

@@ -200,7 +200,8 @@ std::vector<RepeatedPoint> repeatedPoints(std::span<const Eigen::Vector3d> point
 
 std::string repeatedSentence(std::size_t count, const std::string& what) {
     return std::to_string(count) + " " + what +
-           ", which repeats exactly and stands apart as nothing measured does: taken as no return (--keep-repeated takes it as measured).";
+           ", which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return (--keep-repeated takes it "
+           "as measured).";
 }
 
 } // namespace edgescan::files

@@ -1,4 +1,4 @@
-// The one rule by which every reader recognises a value or a point that stands for "nothing measured".
+// The one rule by which every reader recognises a value or a point that means "nothing measured".
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace edgescan::files {
 
-/// Ranges of a scan, of points or of the lines of a laser, in any unit. What is not above 0 is no return already.
+/// Ranges of a scan, of points or of the lines of a laser, in any unit. What is not above 0 counts as no return already.
 struct RangesToJudge {
     std::span<const double> ranges;
     double absolute = 0, relative = 0;                       ///< the same range may differ by absolute + relative * range
@@ -26,7 +26,7 @@ struct RepeatedRange {
     std::size_t count = 0; ///< how many they are
 };
 
-/// The largest range is one where five or more have it and it stands far apart: twice as far as all others, in directions so wide apart
+/// The largest range is one where five or more have it and it is far apart: twice as far as all others, in directions so wide apart
 /// that no surface has one range there, as finely as the others are written. Where it is the stated limit it is one if it repeats three
 /// times and more often than any other range near it. Empty: it is measured. Linear in the count of ranges.
 [[nodiscard]] std::optional<RepeatedRange> repeatedRange(const RangesToJudge& given);
@@ -38,8 +38,8 @@ struct RepeatedPoint {
 };
 
 /// Points that repeat exactly, eight times and more, where nothing else repeats an eighth as often; three times are enough far outside of
-/// all others. At most a few. Points that are rounded so coarsely that many share their place are measured. What is no return already is
-/// not looked at. Linear in the count of points where few repeat.
+/// all others. At most a few. Points that are rounded so coarsely that many share their place are measured. What counts as no return
+/// already is not looked at. Linear in the count of points where few repeat.
 [[nodiscard]] std::vector<RepeatedPoint> repeatedPoints(std::span<const Eigen::Vector3d> points);
 
 /// "40 ranges of 65535 (in the numbers of the file) ...": what was taken, and the option against it.

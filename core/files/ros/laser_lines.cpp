@@ -158,7 +158,7 @@ void leaveOutRepeated(LaserLines& all) {
     all.lines = std::move(once);
 }
 
-/// A range that stands for "no return" in all lines, as range_max does.
+/// A range that means "no return" in all lines, as range_max does.
 void markNoReturns(LaserLines& all) {
     std::vector<double> ranges;
     std::vector<double> beamDeg;

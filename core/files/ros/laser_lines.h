@@ -46,7 +46,7 @@ void placeBeams(LaserLine& line, double shiftDeg);
 [[nodiscard]] scanner::SweepSettings sweepOfLaser(scanner::SweepSettings asked, const LaserLine& line);
 
 /// Angles become degrees, metres millimetres: whole ones where the message's number is the nearest to one. inf, NaN, 0 and what is outside
-/// range_min..range_max is a missing return, and so is a range that stands for one (repeated_values.h) unless `keepRepeated`. A message
+/// range_min..range_max is a missing return, and so is a range that means one (repeated_values.h) unless `keepRepeated`. A message
 /// that is there twice counts once. The counters of a line count the periods since the line before, so that a gap is lost lines.
 Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where,
                               bool keepRepeated);
