@@ -161,6 +161,14 @@ private:
     std::size_t others_ = 0;
 };
 
+/// No other point is near a point, as seen from the origin. Each line of a scan measures the same point on the axis that it turns about:
+/// this one has neighbours of its surface.
+bool isAlone(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& one) {
+    constexpr double kNear = 0.1; // of its distance
+    const double near = kNear * one.norm();
+    return std::ranges::none_of(points, [&](const Eigen::Vector3d& p) { return isReturn(p) && p != one && (p - one).norm() < near; });
+}
+
 } // namespace
 
 std::optional<RepeatedRange> repeatedRange(const RangesToJudge& given) {
@@ -191,7 +199,8 @@ std::vector<RepeatedPoint> repeatedPoints(std::span<const Eigen::Vector3d> point
         const std::size_t before = found.size();
         for (const RepeatedPoint& one : candidates) {
             const bool often = one.count >= kFewestSame && one.count >= kOftener * natural;
-            if (often || (one.count >= kFewestStated && isFar(one.point))) found.push_back(one);
+            const bool far = one.count >= kFewestStated && isFar(one.point);
+            if (far || (often && isAlone(points, one.point))) found.push_back(one);
         }
         if (found.size() == before) break;
     }

@@ -37,9 +37,10 @@ struct RepeatedPoint {
     std::size_t count = 0;
 };
 
-/// Points that repeat exactly, eight times and more, where nothing else repeats an eighth as often; three times are enough far outside of
-/// all others. At most a few. Points that are rounded so coarsely that many share their place are measured. What counts as no return
-/// already is not looked at. Linear in the count of points where few repeat.
+/// Points that repeat exactly, eight times and more, where nothing else repeats an eighth as often and no other point is nearer than a
+/// tenth of their distance from the origin; three times are enough far outside of all others. At most a few. Points that are rounded so
+/// coarsely that many share their place are measured, and so is the point on the axis of a scan, which all lines have. What counts as no
+/// return already is not looked at. Linear in the count of points where few repeat.
 [[nodiscard]] std::vector<RepeatedPoint> repeatedPoints(std::span<const Eigen::Vector3d> points);
 
 /// "40 ranges of 65535 (in the numbers of the file) ...": what was taken, and the option against it.

@@ -113,6 +113,20 @@ TEST(RepeatedPoints, TwoMarksAndFewOfOne) {
     ASSERT_EQ(repeatedPoints(points).size(), 1U); // three times, far outside
 }
 
+TEST(RepeatedPoints, ThePointOnTheAxisStays) {
+    for (const double shift : {0.0, 0.4}) { // all lines look along z with their middle beam
+        std::vector<Eigen::Vector3d> points;
+        for (int i = 0; i < 60; ++i) {
+            for (int j = -40; j <= 40; ++j) {
+                const double p = i * 0.05, a = j * 0.01745;
+                const Eigen::Vector3d direction(std::sin(a) * std::cos(p), std::sin(a) * std::sin(p), std::cos(a));
+                points.emplace_back(j == 0 ? Eigen::Vector3d(shift, 0, 5) : Eigen::Vector3d(direction * 5 + Eigen::Vector3d(shift, 0, 0)));
+            }
+        }
+        EXPECT_TRUE(repeatedPoints(points).empty()) << shift;
+    }
+}
+
 TEST(RepeatedPoints, PointsThatShareTheirPlaceStay) {
     const Fan fan = rocks(1, [](std::size_t k) { return wall(k, 3000, 1); });
     for (const double step : {10.0, 100.0, 1000.0}) { // coordinates in centimetres, decimetres, metres
