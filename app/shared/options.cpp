@@ -61,8 +61,11 @@ void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptio
                     ->expected(3);
     else
         added = command.add_option_function<std::string>(name, take, option.help);
-    if (!option.words.empty()) added->check(CLI::IsMember(option.words));
-    if (option.limit != nullptr) added->type_name(rangeName(option.limit->limits));
+    if (!option.words.empty() && option.limit == nullptr) added->check(CLI::IsMember(option.words));
+    if (!option.words.empty() && option.limit != nullptr)
+        added->type_name("mm|cm|m|NUMBER of mm");
+    else if (option.limit != nullptr)
+        added->type_name(rangeName(option.limit->limits));
     if (option.kind == ReadingOption::Kind::Path) added->type_name("FILE");
     if (option.kind == ReadingOption::Kind::Name) added->type_name("NAME");
     added->group(group);

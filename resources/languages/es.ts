@@ -1947,6 +1947,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tema (topic) de un bag de ROS que es el escaneo; si no, un láser que gira</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulación (joint) de un bag de ROS que gira el láser; si no, la dan las transformaciones</translation></message>
+<message><source>Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3</source><translation>Columnas de x, y y z en una lista de puntos, por número desde 1 o por nombre: 2,1,3</translation></message>
+<message><source>Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return</source><translation>Tomar un valor o punto que se repite exactamente, lejos del resto, como medido y no como sin retorno</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>

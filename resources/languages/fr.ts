@@ -1947,6 +1947,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon un laser qui tourne</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>
+<message><source>Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3</source><translation>Colonnes de x, y et z dans une liste de points, par numéro à partir de 1 ou par nom : 2,1,3</translation></message>
+<message><source>Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return</source><translation>Prendre une valeur ou un point qui se répète exactement, loin du reste, comme mesuré et non comme sans retour</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier d'étalonnage du robot ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Easting E [m]</source><translation>Est E [m]</translation></message>

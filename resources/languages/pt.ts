@@ -1947,6 +1947,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tópico de um bag do ROS que é a varredura; senão um laser que gira</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Junta (joint) de um bag do ROS que gira o laser; senão, as transformações a dão</translation></message>
+<message><source>Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3</source><translation>Colunas de x, y e z em uma lista de pontos, por número a partir de 1 ou por nome: 2,1,3</translation></message>
+<message><source>Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return</source><translation>Tomar um valor ou ponto que se repete exatamente, longe do resto, como medido e não como sem retorno</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Arquivo de pose da varredura; uma gravação pode conter o seu</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>

@@ -307,8 +307,8 @@ constexpr std::array<std::pair<const char*, const char*>, 7> kPlaces{{
     {"fill", QT_TRANSLATE_NOOP("QObject", "the filling of gaps in the Edges panel")},
     {"picture-outlines", QT_TRANSLATE_NOOP("QObject", "the outlines in the picture")},
 }};
-constexpr std::array kFieldsOfReading{"beam-start", "beam-step", "line-start", "line-step", "unit", "grid-step",
-                                      "axis",       "sensor",    "project",    "scan",      "pose", "calibration"};
+constexpr std::array kFieldsOfReading{"beam-start", "beam-step", "line-start", "line-step", "unit", "grid-step",  "axis",
+                                      "sensor",     "project",   "scan",       "columns",   "pose", "calibration"};
 
 struct Pattern {
     const char* source;

@@ -20,11 +20,11 @@ const Eigen::Vector3d kNoPoint = Eigen::Vector3d::Constant(std::numeric_limits<d
 struct E57Columns {
     std::array<std::size_t, 3> place{}; ///< x y z, or range, azimuth, elevation
     bool spherical = false;
-    std::optional<std::size_t> invalid, row, column, intensity;
+    std::optional<std::size_t> invalid, row, column, intensity, returnIndex;
 
     [[nodiscard]] std::vector<std::size_t> all() const {
         std::vector<std::size_t> list(place.begin(), place.end());
-        for (const auto& more : {invalid, row, column, intensity}) {
+        for (const auto& more : {invalid, row, column, intensity, returnIndex}) {
             if (more) list.push_back(*more);
         }
         return list;
@@ -56,6 +56,7 @@ std::optional<E57Columns> columnsOf(const containers::E57Scan& scan) {
         columns.row = wholeField(scan, "rowIndex");
         columns.column = wholeField(scan, "columnIndex");
         columns.intensity = scan.field("intensity");
+        columns.returnIndex = wholeField(scan, "returnIndex");
         if (!columns.row || !columns.column) columns.row = columns.column = std::nullopt;
         return columns;
     }
@@ -88,7 +89,7 @@ Precision precisionOf(const containers::E57Scan& scan, const E57Columns& columns
 /// The numbers of a scan's points, one list per column.
 struct E57Numbers {
     std::vector<std::vector<double>> lists;
-    std::vector<double>*invalid = nullptr, *row = nullptr, *column = nullptr, *intensity = nullptr;
+    std::vector<double>*invalid = nullptr, *row = nullptr, *column = nullptr, *intensity = nullptr, *returnIndex = nullptr;
 };
 
 Result<E57Numbers> numbersOf(containers::E57File& file, const containers::E57Scan& scan, const E57Columns& columns, const Source& source) {
@@ -102,6 +103,7 @@ Result<E57Numbers> numbersOf(containers::E57File& file, const containers::E57Sca
     if (columns.row) numbers.row = &numbers.lists[next++];
     if (columns.column) numbers.column = &numbers.lists[next++];
     if (columns.intensity) numbers.intensity = &numbers.lists[next++];
+    if (columns.returnIndex) numbers.returnIndex = &numbers.lists[next++];
     return numbers;
 }
 
@@ -200,10 +202,13 @@ void spread(PointTable& table, const E57Grid& grid, const E57Numbers& numbers, b
 struct E57Choice {
     containers::E57Scan scan;
     PointTable table;
+    std::size_t index = 0; ///< of the scan in the file
 };
 
 Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
-    const std::size_t wanted = source.options->scanIndex.value_or(0);
+    const auto withPoints = std::ranges::find_if(file.scans, [](const containers::E57Scan& scan) { return scan.points > 0; });
+    const auto first = withPoints == file.scans.end() ? std::size_t{0} : static_cast<std::size_t>(withPoints - file.scans.begin());
+    const std::size_t wanted = source.options->scanIndex.value_or(first);
     if (file.scans.empty()) {
         return source.refused("this E57 file holds no scan" +
                                   (file.pictures > 0 ? ", only " + std::to_string(file.pictures) + " pictures" : std::string()),
@@ -214,7 +219,9 @@ Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
                                   " was asked for",
                               "choose a smaller --scan");
     }
-    E57Choice choice{file.scans[wanted], {}};
+    E57Choice choice{file.scans[wanted], {}, wanted};
+    if (!source.options->scanIndex && wanted > 0)
+        choice.table.remarks.push_back("The first " + std::to_string(wanted) + " scans of the file hold no points.");
     if (file.scans.size() > 1) {
         choice.table.remarks.push_back("The file holds " + std::to_string(file.scans.size()) + " scans; this is number " +
                                        std::to_string(wanted + 1) + ", --scan chooses another.");
@@ -248,7 +255,7 @@ Result<E57Choice> readChoice(const Source& source) {
     if (!choice) return choice;
     containers::E57Scan& scan = choice->scan;
     PointTable& table = choice->table;
-    const std::string which = "scan " + std::to_string(source.options->scanIndex.value_or(0) + 1) + " of this E57 file";
+    const std::string which = "scan " + std::to_string(choice->index + 1) + " of this E57 file";
     if (scan.points == 0) return source.refused(which + " holds no points", "choose another scan or file");
     const auto columns = columnsOf(scan);
     if (!columns) {
@@ -265,6 +272,10 @@ Result<E57Choice> readChoice(const Source& source) {
     table.width = table.points.size();
     if (numbers->intensity != nullptr) table.intensity.assign(numbers->intensity->begin(), numbers->intensity->end());
     if (auto taken = takeGrid(table, scan, *numbers, source); !taken) return taken.error();
+    if (numbers->returnIndex != nullptr && !table.gridIsGiven) {
+        for (const double index : *numbers->returnIndex) // from 0
+            table.returnNumber.push_back(index >= 0 && index < 255 ? static_cast<std::uint8_t>(index + 1) : std::uint8_t{1});
+    }
     if (invalid > 0) table.remarks.push_back(std::to_string(invalid) + " points are marked as invalid in the file and count as no return.");
     if (const std::string unread = fieldNames(scan, &*columns); !unread.empty())
         table.remarks.push_back("What else a point of this file has is not read: " + unread + ".");

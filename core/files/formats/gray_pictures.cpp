@@ -7,6 +7,7 @@
 #include "core/base/physical_limits.h"
 #include "core/files/formats/format.h"
 #include "core/files/formats/range_geometry.h"
+#include "core/files/point_tables/point_table.h"
 
 #include <png.h>
 
@@ -144,7 +145,7 @@ Result<Scan> readRangePng(const Source& source) {
     if (!readRows(reader.png, rows.data())) return damaged();
     Grid<float> values(static_cast<int>(header.height), static_cast<int>(header.width));
     for (std::size_t k = 0; k < samples.size(); ++k) values[k] = static_cast<float>(samples[k]);
-    auto scan = scanFromPicture(std::move(values), "range PNG", source);
+    auto scan = scanFromPicture(values, true, "range PNG", source);
     if (scan) remarkOnChunks(*scan, source);
     return scan;
 }
@@ -175,28 +176,31 @@ Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source) {
                           "copy the file again");
 }
 
-Result<Scan> scanFromPicture(Grid<float> values, const char* format, const Source& source) {
-    auto angles = assumedAngles(static_cast<std::size_t>(values.lines), static_cast<std::size_t>(values.beams), "picture", source);
-    if (!angles) return angles.error();
-    Scan scan;
-    scan.format = format;
-    scan.unitMm = source.options->unitMm.value_or(1.0);
-    scan.state = Grid<CellState>(values.lines, values.beams, CellState::NoReturn);
+Result<Scan> scanFromPicture(const Grid<float>& values, bool counts, const char* format, const Source& source) {
+    constexpr double kMostCounts = 65535;
+    BareRanges ranges{{values.cells.begin(), values.cells.end()},
+                      static_cast<std::size_t>(values.lines),
+                      static_cast<std::size_t>(values.beams),
+                      {0.0, counts ? 0x1p-53 : kFloatError}};
+    if (counts) ranges.stated = kMostCounts;
     std::size_t odd = 0;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        const auto mm = static_cast<float>(values[k] * scan.unitMm);
-        const bool valid = mm > 0 && physical::kRangeMm.hold(mm);
-        if (!valid && mm != 0) ++odd;
-        values[k] = valid ? mm : 0.0F;
-        if (valid) scan.state[k] = CellState::Valid;
+    for (double& value : ranges.values) {
+        if (value == 0 || (value > 0 && physical::kRangeMm.hold(value))) continue;
+        value = 0;
+        ++odd;
     }
-    scan.rangeMm = std::move(values);
-    scan.geometry = std::move(angles->polar);
-    if (!angles->warning.empty()) scan.warnings.push_back(angles->warning);
+    ReadingOptions options = *source.options;
+    if (counts && !options.unitMm) options.unitMm = 1.0;
+    Source asked = source;
+    asked.options = &options;
+    auto scan = scanFromRanges(std::move(ranges), "picture", asked, [](std::size_t, std::size_t) { return std::string("a pixel"); });
+    if (!scan) return scan;
+    scan->format = format;
+    scan->unitMm = source.options->unitMm.value_or(1.0);
     if (odd > 0)
-        scan.warnings.push_back(std::to_string(odd) +
-                                " pixels hold no range (negative, not a number, or too far) and were taken as no return.");
-    if (!source.options->unitMm) scan.warnings.emplace_back("Unit taken as millimetres, as range pictures have it.");
+        scan->warnings.push_back(std::to_string(odd) +
+                                 " pixels hold no range (negative, not a number, or too far) and were taken as no return.");
+    if (counts && !source.options->unitMm) scan->warnings.emplace_back("Unit taken as millimetres, as range pictures have it.");
     return scan;
 }
 

@@ -9,7 +9,7 @@
 
 namespace edgescan::files {
 
-inline constexpr std::uint64_t kBytesPerPixel = 16; ///< while a picture becomes a scan
+inline constexpr std::uint64_t kBytesPerPixel = 32; ///< while a picture becomes a scan
 
 /// Error when the file is far too small for so many bytes of pixels: a bomb, or a false header.
 Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source);
@@ -21,7 +21,8 @@ Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source);
 /// the program was built without libtiff.
 Result<Scan> readRangeTiff(const Source& source);
 
-/// The scan that a picture's numbers are. Values that are not finite or not above 0 are missing returns.
-Result<Scan> scanFromPicture(Grid<float> values, const char* format, const Source& source);
+/// The scan that a picture's numbers are: counts of 16 bits are millimetres, the unit of floats shows itself, and --unit goes before both.
+/// Values that are not finite or not above 0 are missing returns.
+Result<Scan> scanFromPicture(const Grid<float>& values, bool counts, const char* format, const Source& source);
 
 } // namespace edgescan::files

@@ -6,8 +6,10 @@
 #include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/files/formats/las_layout.h"
+#include "core/files/formats/las_units.h"
 #include "core/files/formats/laz.h"
 #include "core/files/point_tables/column_names.h"
 #include "core/files/point_tables/point_columns.h"
@@ -137,6 +139,7 @@ Result<LasPoints> readPoints(const LasHeader& header, const Source& source) {
     LasPoints read;
     read.points.reserve(header.points);
     read.intensity.reserve(header.points);
+    read.returnNumber.reserve(header.points);
     for (std::uint64_t n = 0; n < header.points; ++n) {
         const std::uint64_t at = header.pointsAt + n * header.pointBytes;
         const Eigen::Vector3d whole(valueAt<std::int32_t>(source, at), valueAt<std::int32_t>(source, at + 4),
@@ -148,6 +151,8 @@ Result<LasPoints> readPoints(const LasHeader& header, const Source& source) {
         read.points.push_back(isWithheld ? Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())
                                          : Eigen::Vector3d(whole.cwiseProduct(header.scale) + header.offset));
         read.intensity.push_back(valueAt<std::uint16_t>(source, at + las::kIntensity));
+        const unsigned returns = valueAt<std::uint8_t>(source, at + las::kReturn);
+        read.returnNumber.push_back(static_cast<std::uint8_t>(returns & (header.format >= 6 ? las::kLongReturn : las::kLegacyReturn)));
         if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(header.points)))
             return source.cancelled();
     }
@@ -236,6 +241,33 @@ Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Sou
     return Done{};
 }
 
+/// What the coordinate system of the file says of its numbers. Error: they are degrees.
+Result<Done> readUnits(PointTable& table, const LasHeader& header, const Source& source) {
+    const las::StatedUnits stated =
+        las::statedUnits(source.bytes, {header.headerBytes, header.records, header.pointsAt, header.extendedAt, header.extended});
+    if (source.options->unitMm) return Done{}; // goes before the file
+    if (stated.degrees)
+        return source.refused(
+            "x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres",
+            "export it in a projected coordinate system such as UTM");
+    if (!stated.mm) {
+        const bool named = !stated.name.empty() && stated.name != "EPSG:0" && stated.name != "EPSG:32767";
+        if (named)
+            table.remarks.push_back("The coordinate system of the file is " + stated.name +
+                                    ", without its unit: metres were taken. --unit says another one.");
+        return Done{};
+    }
+    table.unitMm = stated.mm;
+    if (*stated.mm != 1000.0)
+        table.remarks.push_back("The coordinate system of the file gives lengths in " + stated.name + " of " +
+                                significantText(*stated.mm, 10) + " mm: they were converted.");
+    if (!stated.heightMm || *stated.heightMm == *stated.mm) return Done{};
+    for (Eigen::Vector3d& p : table.points) p.z() *= *stated.heightMm / *stated.mm;
+    table.remarks.push_back("Heights of the file have another unit than x and y, " + significantText(*stated.heightMm, 10) +
+                            " mm: they were converted.");
+    return Done{};
+}
+
 bool looksLikeLas(const Source& source) { return source.text().starts_with("LASF"); }
 
 std::string lasRecord(std::string_view bytes) {
@@ -265,7 +297,12 @@ Result<PointTable> readLasPoints(const Source& source) {
         table.remarks.push_back(std::to_string(read->withheld) + " points are marked as withheld in the file and count as no return.");
     // Who has no intensities leaves the field 0.
     if (std::ranges::any_of(read->intensity, [](float value) { return value != 0; })) table.intensity = std::move(read->intensity);
+    if (std::ranges::any_of(read->returnNumber, [](std::uint8_t number) { return number > 1; }))
+        table.returnNumber = std::move(read->returnNumber);
     const OwnRecords own = ownRecords(*header, source);
+    if (own.description.empty()) {
+        if (auto known = readUnits(table, *header, source); !known) return known.error();
+    }
     sayRest(table, *header, read->end, own, source);
     const bool withCells = !own.description.empty() && !own.cells.empty();
     const std::size_t extra = read->extra.size() / table.points.size(); // bytes of a point

@@ -19,6 +19,9 @@ inline constexpr std::size_t kGlobalEncoding = 6, kVersionMajor = 24, kVersionMi
                              kExtendedCount = 243, kPoints = 247, kPointsByReturn = 255;
 /// Of a point of any format.
 inline constexpr std::size_t kIntensity = 12;
+/// The number of the return of its pulse: three bits before format 6, four from there on.
+inline constexpr std::size_t kReturn = 14;
+inline constexpr unsigned kLegacyReturn = 0x07, kLongReturn = 0x0F;
 /// A point marked so was deleted: a bit of the byte of flags, which is that of the class before format 6 (and does not exist in LAS 1.0).
 inline constexpr std::size_t kFlags = 15;
 inline constexpr unsigned kWithheldFlag = 0x04, kWithheldClass = 0x80;

@@ -143,6 +143,7 @@ Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source&
         read.withheld += withheld ? 1 : 0;
         read.points.push_back(p);
         read.intensity.push_back(point->intensity);
+        read.returnNumber.push_back(point->extended_point_type != 0 ? point->extended_return_number : point->return_number);
         if (point->num_extra_bytes > 0) {
             const auto extra = std::as_bytes(std::span(point->extra_bytes, static_cast<std::size_t>(point->num_extra_bytes)));
             read.extra.insert(read.extra.end(), extra.begin(), extra.end());

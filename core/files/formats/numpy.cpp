@@ -50,6 +50,7 @@ Result<Scan> rangeScan(const NumpyArray& array, const Source& source) {
     if (auto enough = checkMemory(lines * beams * 24, source.path.string()); !enough) return enough.error();
     const NumpyNumbers numbers(array);
     BareRanges ranges{{}, lines, beams, precisionOf(array.scalar)};
+    if (array.scalar.kind == 'u' && array.scalar.bytes <= 2) ranges.stated = std::ldexp(1.0, 8 * static_cast<int>(array.scalar.bytes)) - 1;
     ranges.values.reserve(lines * beams);
     for (std::uint64_t i = 0; i < lines; ++i) {
         for (std::uint64_t j = 0; j < beams; ++j) ranges.values.push_back(numbers.value(numbers.item(i, j)));

@@ -163,7 +163,8 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
     std::vector<RecordField> fields;
     for (std::size_t i = 0; i < count; ++i) {
         const auto scalar = scalarOf(header.types[i], header.sizes[i]);
-        if (!scalar || header.counts[i] == 0 || header.counts[i] > kLargestRecord) {
+        if (scalar && header.counts[i] == 0) continue; // padding that takes no bytes, as PCL makes it of a ROS message
+        if (!scalar || header.counts[i] > kLargestRecord) {
             return source.refused("the field " + header.names[i].substr(0, 40) + " has a type or size that PCD does not know",
                                   "export the file again");
         }
@@ -172,10 +173,13 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
         layout.recordNumbers += header.counts[i];
         if (layout.recordBytes > kLargestRecord) return source.refused("one point would take more than a megabyte", "check SIZE and COUNT");
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool columns = header.encoding == "binary_compressed";
-        if (columns) fields[i].offset *= layout.points;
-        fields[i].stride = columns ? header.sizes[i] * header.counts[i] : layout.recordBytes;
+    const bool columns = header.encoding == "binary_compressed";
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const std::uint64_t end = i + 1 < fields.size() ? fields[i + 1].offset : layout.recordBytes;
+        fields[i].stride = columns ? end - fields[i].offset : layout.recordBytes;
+    }
+    if (columns) {
+        for (RecordField& field : fields) field.offset *= layout.points;
     }
     const auto picked = pickFields(fields);
     if (!picked) return source.refused("the PCD file has no fields x, y and z", "export the file with coordinates");

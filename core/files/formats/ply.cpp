@@ -1,4 +1,5 @@
-// Polygon files (PLY 1.0): vertices with scalar properties; ascii, little and big endian.
+// Polygon files (PLY 1.0): the scalar properties of the vertices; ascii, little and big endian. Lists of a vertex and elements before the
+// vertices are stepped over.
 
 #include "core/files/formats/format.h"
 
@@ -17,11 +18,18 @@ namespace {
 
 constexpr std::size_t kMostProperties = 4096;
 
+/// One property in the order of the file. A list is a count and then so many items.
+struct Property {
+    Scalar scalar = Scalar::Float32;  ///< of the items, for a list
+    std::optional<Scalar> count = {}; ///< empty: one number and not a list
+};
+
 struct Element {
     std::string name;
     std::uint64_t count = 0;
-    std::vector<RecordField> fields;
-    std::size_t recordBytes = 0;
+    std::vector<Property> properties;
+    std::vector<RecordField> fields; ///< of the single numbers, as if there were no lists
+    std::size_t recordBytes = 0;     ///< of the single numbers
     bool hasList = false;
 };
 
@@ -37,10 +45,11 @@ struct PlyHeader {
 
 std::optional<Scalar> scalarNamed(std::string_view name) {
     using Named = std::pair<const char*, Scalar>;
-    static constexpr std::array<Named, 16> kNames{{{"char", Scalar::Int8},
+    static constexpr std::array<Named, 17> kNames{{{"char", Scalar::Int8},
                                                    {"int8", Scalar::Int8},
                                                    {"uchar", Scalar::UInt8},
                                                    {"uint8", Scalar::UInt8},
+                                                   {"bool", Scalar::UInt8},
                                                    {"short", Scalar::Int16},
                                                    {"int16", Scalar::Int16},
                                                    {"ushort", Scalar::UInt16},
@@ -60,9 +69,16 @@ std::optional<Scalar> scalarNamed(std::string_view name) {
 }
 
 bool readProperty(const std::vector<std::string_view>& words, Element& element) {
-    if (words.size() == 5 && words[1] == "list") return element.hasList = true;
+    if (element.properties.size() >= kMostProperties) return false;
+    if (words.size() == 5 && words[1] == "list") {
+        const auto count = scalarNamed(words[2]), item = scalarNamed(words[3]);
+        if (!count || !item) return false;
+        element.properties.push_back({*item, count});
+        return element.hasList = true;
+    }
     const auto scalar = words.size() == 3 ? scalarNamed(words[1]) : std::nullopt;
-    if (!scalar || element.fields.size() >= kMostProperties) return false;
+    if (!scalar) return false;
+    element.properties.push_back({*scalar});
     element.fields.push_back({std::string(words[2]), *scalar, element.fields.size(), element.recordBytes, 0});
     element.recordBytes += sizeOf(*scalar);
     return true;
@@ -77,7 +93,7 @@ bool readHeaderLine(std::string_view line, PlyHeader& header) {
     if (words[0] == "element" && words.size() == 3) {
         const auto count = wholeNumber(words[2]);
         if (!count) return false;
-        header.elements.push_back({std::string(words[1]), *count, {}, 0, false});
+        header.elements.push_back({std::string(words[1]), *count, {}, {}, 0, false});
         return true;
     }
     return words[0] == "property" && !header.elements.empty() && readProperty(words, header.elements.back());
@@ -122,32 +138,127 @@ bool hasUnnamedColourByte(Element& vertex, const PlyHeader& header, std::uint64_
     return true;
 }
 
-/// The vertices' place, after elements whose length is known.
+/// Where a record of an element ends that begins at `at`; empty where the bytes end before. Appends its single numbers to `numbers` unless
+/// that is null.
+std::optional<std::size_t> endOfRecord(const Element& element, std::span<const std::byte> bytes, std::size_t at, bool bigEndian,
+                                       std::vector<std::byte>* numbers) {
+    for (const Property& property : element.properties) {
+        const std::size_t size = sizeOf(property.scalar);
+        std::size_t items = 1;
+        if (property.count) {
+            if (bytes.size() - at < sizeOf(*property.count)) return std::nullopt;
+            const double stated = readScalar(*property.count, bytes.data() + at, bigEndian);
+            at += sizeOf(*property.count);
+            if (!(stated >= 0) || stated > static_cast<double>(bytes.size())) return std::nullopt;
+            items = static_cast<std::size_t>(stated);
+        }
+        if (items > (bytes.size() - at) / size) return std::nullopt;
+        if (!property.count && numbers != nullptr) {
+            const auto number = bytes.subspan(at, size);
+            numbers->insert(numbers->end(), number.begin(), number.end());
+        }
+        at += items * size;
+    }
+    return at;
+}
+
+/// Moves the header's first byte and line behind an element that precedes the vertices.
+Result<Done> stepOver(const Element& element, PlyHeader& header, const Source& source) {
+    const Error cut = source.refused("the file ends before its vertices", kCopyAgain);
+    if (header.encoding == "ascii") { // a row of text each
+        for (std::uint64_t n = 0; n < element.count; ++n, ++header.firstLine) {
+            if (header.firstByte >= source.bytes.size()) return cut;
+            header.firstByte = textLineAt(source.text(), header.firstByte).next;
+        }
+        return Done{};
+    }
+    const std::uint64_t held = source.bytes.size() - header.firstByte;
+    if (!element.hasList) {
+        if (element.recordBytes > 0 && element.count > held / element.recordBytes) return cut;
+        header.firstByte += productOf({element.count, element.recordBytes});
+        return Done{};
+    }
+    for (std::uint64_t n = 0; n < element.count; ++n) {
+        const auto end = endOfRecord(element, source.bytes, header.firstByte, header.encoding == "binary_big_endian", nullptr);
+        if (!end) return cut;
+        header.firstByte = *end;
+        if (n % 65536 == 0 && !source.goOn("reading points", 0.0)) return source.cancelled();
+    }
+    return Done{};
+}
+
+/// The vertices' place, after the elements before them.
 Result<const Element*> vertexElement(PlyHeader& header, const Source& source) {
     for (Element& element : header.elements) {
         if (element.name == "vertex") {
-            if (element.hasList)
-                return source.refused("the vertices have lists of numbers, which cannot be read", "export the file without them");
             if (element.count == 0 || element.count > kMostPoints)
                 return source.refused("the header promises " + std::to_string(element.count) + " points", "check the file");
-            header.unnamedByte = hasUnnamedColourByte(element, header, source.bytes.size() - header.firstByte);
+            header.unnamedByte = !element.hasList && hasUnnamedColourByte(element, header, source.bytes.size() - header.firstByte);
             for (RecordField& field : element.fields) field.stride = element.recordBytes;
             return static_cast<const Element*>(&element);
         }
-        if (element.hasList || header.encoding == "ascii") {
-            return source.refused("the vertices do not come first in this PLY file", "export the file with the vertices first");
-        }
-        const std::uint64_t held = source.bytes.size() - header.firstByte;
-        if (element.recordBytes > 0 && element.count > held / element.recordBytes)
-            return source.refused("the file ends before its vertices", kCopyAgain);
-        header.firstByte += productOf({element.count, element.recordBytes});
+        if (auto passed = stepOver(element, header, source); !passed) return passed.error();
     }
     return source.refused("the PLY file has no vertices", "choose another file");
+}
+
+/// The text of the vertices without the words of their lists, a row each as before.
+std::string rowsWithoutLists(const Element& vertex, std::string_view text) {
+    std::string rows;
+    std::size_t at = 0;
+    for (std::uint64_t n = 0; n < vertex.count && at < text.size(); ++n) {
+        const TextLine line = textLineAt(text, at);
+        at = line.next;
+        const auto words = wordsOf(line.text);
+        std::size_t next = 0;
+        const auto put = [&](std::string_view word) { (rows += word) += ' '; };
+        for (const Property& property : vertex.properties) {
+            if (next >= words.size()) break; // the reader of rows says that some are missing
+            if (!property.count)
+                put(words[next++]);
+            else
+                next += std::min<std::uint64_t>(wholeNumber(words[next]).value_or(0), words.size()) + 1;
+        }
+        for (; next < words.size(); ++next) put(words[next]); // and that there are too many
+        rows += '\n';
+    }
+    return rows;
+}
+
+/// Vertices with lists: their single numbers alone, and read from there.
+Result<Done> readVerticesWithLists(PointTable& table, const PlyHeader& header, const Element& vertex, const PointFields& fields,
+                                   const Source& source) {
+    const auto held = source.bytes.subspan(header.firstByte);
+    table.remarks.emplace_back("The lists that each vertex of this file has were not read.");
+    if (auto enough = checkMemory(held.size(), source.path.string()); !enough) return enough;
+    if (header.encoding == "ascii") {
+        const std::string rows = rowsWithoutLists(vertex, source.text().substr(header.firstByte));
+        Source plain = source;
+        plain.bytes = std::as_bytes(std::span(rows));
+        return readRows(table, fields, {vertex.count, vertex.fields.size(), 0, header.firstLine, false}, plain);
+    }
+    const bool bigEndian = header.encoding == "binary_big_endian";
+    std::vector<std::byte> numbers;
+    std::size_t at = 0;
+    for (std::uint64_t n = 0; n < vertex.count; ++n) {
+        const auto end = endOfRecord(vertex, held, at, bigEndian, &numbers);
+        if (!end)
+            return source.refused("the header promises " + std::to_string(vertex.count) + " vertices and the file ends after " +
+                                      std::to_string(n),
+                                  kCopyAgain);
+        at = *end;
+        if (n % 65536 == 0 && !source.goOn("reading points", 0.0)) return source.cancelled();
+    }
+    if (!readRecords(table, fields, vertex.count, numbers, bigEndian, source)) return source.cancelled();
+    return Done{};
 }
 
 Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Element& vertex, const PointFields& fields,
                           const Source& source) {
     const std::uint64_t held = source.bytes.size() - header.firstByte;
+    const bool known = header.encoding == "ascii" || header.encoding == "binary_little_endian" || header.encoding == "binary_big_endian";
+    if (!known)
+        return source.refused("the format \"" + header.encoding.substr(0, 40) + "\" is none that PLY knows", "export the file again");
     const std::uint64_t least = header.encoding == "ascii" ? vertex.fields.size() * 2 : vertex.recordBytes;
     if ((held + 2) / least < vertex.count) {
         return source.refused("the header promises " + std::to_string(vertex.count) + " vertices and the file holds " +
@@ -155,14 +266,12 @@ Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Elem
                               kCopyAgain);
     }
     if (auto enough = checkMemory(productOf({vertex.count, 32}), source.path.string()); !enough) return enough.error();
+    if (vertex.hasList) return readVerticesWithLists(table, header, vertex, fields, source);
     const bool last = &vertex == &header.elements.back();
     if (header.encoding == "ascii")
         return readRows(table, fields, {vertex.count, vertex.fields.size(), header.firstByte, header.firstLine, last}, source);
     if (held / vertex.recordBytes < vertex.count) return source.refused("the file is cut off in its last vertex", kCopyAgain);
     const bool bigEndian = header.encoding == "binary_big_endian";
-    if (!bigEndian && header.encoding != "binary_little_endian") {
-        return source.refused("the format \"" + header.encoding.substr(0, 40) + "\" is none that PLY knows", "export the file again");
-    }
     const auto bytes = source.bytes.subspan(header.firstByte);
     if (const auto behind = bytesBehindVertices(header); behind && *behind <= bytes.size() - vertex.count * vertex.recordBytes) {
         const auto vertices = bytes.first(bytes.size() - *behind);
@@ -174,7 +283,7 @@ Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Elem
     return Done{};
 }
 
-bool looksLikePly(const Source& source) { return source.text().starts_with("ply\n") || source.text().starts_with("ply\r\n"); }
+bool looksLikePly(const Source& source) { return source.text().starts_with("ply\n") || source.text().starts_with("ply\r"); }
 
 Result<PointTable> readPlyPoints(const Source& source) {
     auto header = readPlyHeader(source);

@@ -4,6 +4,8 @@
 
 #include "core/base/foreign_text.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
+#include "core/files/point_tables/axis_words.h"
 #include "core/files/point_tables/column_names.h"
 #include "core/files/point_tables/column_rows.h"
 #include "core/files/point_tables/description.h"
@@ -69,6 +71,36 @@ std::size_t wholeNumbersFirst(const Source& source, const TextLayout& layout) {
     return 0;
 }
 
+constexpr const char* kSayColumns = "say which columns are easting (x), northing (y) and elevation (z), by number or name: --columns 2,1,3";
+
+/// The column that a word of --columns means: its number from 1, or its name.
+std::optional<std::size_t> columnMeant(std::string_view word, const TextLayout& layout) {
+    if (const auto number = wholeNumber(word)) return *number >= 1 && *number <= layout.columns ? std::optional(*number - 1) : std::nullopt;
+    const auto name = std::ranges::find(layout.names, headingLetters(word), [](const std::string& n) { return headingLetters(n); });
+    if (name == layout.names.end()) return std::nullopt;
+    return static_cast<std::size_t>(name - layout.names.begin());
+}
+
+/// x, y and z as the user says them.
+Result<std::array<std::size_t, 3>> columnsAsked(const TextLayout& layout, const Source& source) {
+    std::array<std::size_t, 3> xyz{};
+    std::string_view asked = source.options->columns;
+    std::size_t axis = 0;
+    for (bool more = true; more; ++axis) {
+        const std::size_t comma = asked.find(',');
+        const auto column = axis < 3 ? columnMeant(asked.substr(0, comma), layout) : std::nullopt;
+        if (!column) break;
+        xyz[axis] = *column;
+        more = comma != std::string_view::npos;
+        if (more) asked.remove_prefix(comma + 1);
+        if (!more && axis == 2 && xyz[0] != xyz[1] && xyz[1] != xyz[2] && xyz[0] != xyz[2]) return xyz;
+    }
+    return source.refused("--columns " + source.options->columns + " does not name three different ones of its " +
+                              std::to_string(layout.columns) + " columns" +
+                              (layout.names.empty() ? std::string() : " (" + joined(layout.names) + ")"),
+                          "give three numbers from 1, or three names, such as --columns 2,1,3");
+}
+
 Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     if (layout.columns < 3) {
         return source.refusedAtLine(layout.firstLine, "holds " + std::to_string(layout.columns) + " numbers where a point needs three",
@@ -76,9 +108,16 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     }
     Columns columns;
     columns.named = columnsNamed(layout.names);
-    if (const auto other = contentsNamed(layout.names)) {
+    if (!source.options->columns.empty()) {
+        const auto asked = columnsAsked(layout, source);
+        if (!asked) return asked.error();
+        for (std::size_t axis = 0; axis < 3; ++axis) columns.named.of[axis] = (*asked)[axis];
+    } else if (const auto other = contentsNamed(layout.names)) {
         return source.refused("its heading names " + *other + " (" + joined(layout.names) + "), and points need x, y and z in metres",
-                              "write x, y and z, or ranges as a table with a row per scan line");
+                              std::string("write x, y and z, or ranges as a table with a row per scan line; or ") + kSayColumns);
+    } else if (!columns.named.hasPoint() && areWords(layout) && nameAnAxis(layout.names)) {
+        return source.refused("its heading names axes (" + joined(layout.names) + "), and not all of x, y and z are understood",
+                              kSayColumns);
     }
     if (columns.named.hasPoint()) {
         for (std::size_t axis = 0; axis < 3; ++axis) columns.xyz[axis] = *columns.named.of[axis];
@@ -94,6 +133,7 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
     for (const auto& column : columns.named.of) {
         const bool mayBeMissing = &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::Intensity)] ||
+                                  &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::ReturnNumber)] ||
                                   &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::FilledSdMm)];
         if (column && !mayBeMissing) columns.needed = std::max(columns.needed, *column + 1);
     }
@@ -151,8 +191,6 @@ void reserveRows(PointTable& table, const Source& source, const TextLayout& layo
 }
 
 Result<Done> checkIsText(const Source& source) {
-    if (source.text().starts_with("\xFF\xFE") || source.text().starts_with("\xFE\xFF"))
-        return source.refused("this is text of two bytes per character (UTF-16)", "save it as UTF-8, or as CSV");
     if (const auto byte = firstByteThatIsNoText(source.text()))
         return source.refusedAtByte(*byte, "this is neither text nor any scan format that is known", kChooseScan);
     return Done{};
@@ -193,6 +231,10 @@ void addRow(PointTable& table, std::span<const double> row, const RowUse& use) {
     }
     if (const auto filled = named[ColumnRole::FilledSdMm])
         table.filledSdMm.push_back(*filled < row.size() ? static_cast<float>(row[*filled]) : 0.0F);
+    if (const auto number = named[ColumnRole::ReturnNumber]) {
+        const double counted = *number < row.size() ? row[*number] : 1.0;
+        table.returnNumber.push_back(counted >= 0 && counted < 256 ? static_cast<std::uint8_t>(counted) : std::uint8_t{1});
+    }
     if (named.hasCell() && !use.rangesOnly) {
         table.line.push_back(indexOf(value(ColumnRole::Line)));
         table.beam.push_back(indexOf(value(ColumnRole::Beam)));
@@ -242,6 +284,11 @@ Result<Done> addRows(PointTable& table, RowReader& rows, const RowUse& use, cons
 /// What the heading, the columns and the name of the file say of the points.
 void describePoints(PointTable& table, const Columns& columns, const RowUse& use, const TextLayout& layout, const Source& source) {
     table.unitMm = use.named.unitMm;
+    if (!table.unitMm && layout.unitMm) {
+        table.unitMm = layout.unitMm;
+        if (!source.options->unitMm)
+            table.remarks.push_back("Unit taken from a comment of the file: " + significantText(*layout.unitMm, 8) + " mm per number.");
+    }
     table.description = layout.description;
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
     const bool cells = columns.unnamedCells && areCells(table);

@@ -19,18 +19,24 @@
 namespace edgescan::files {
 namespace {
 
-constexpr std::size_t kHeaderLines = 10;
 constexpr auto kMostAlongOneSide = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
 constexpr float kNoIntensity = 0.5F;
 
 struct PtxHeader {
     std::uint64_t columns = 0, rows = 0;
-    Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< the scanner's, by the matrix
+    Eigen::Vector3d stated = Eigen::Vector3d::Zero(); ///< the scanner's place by the third line
+    bool byColumns = false;                           ///< the matrix was written with its rows as columns, and is turned back
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< the scanner's, by the matrix
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     std::size_t firstByte = 0; ///< of the points
     std::size_t firstLine = 0; ///< its number
 
     [[nodiscard]] std::uint64_t points() const { return productOf({columns, rows}); }
+    /// Line 3 and the matrix name two places: no program prints them less exactly than a centimetre.
+    [[nodiscard]] bool namesTwoPlaces() const {
+        constexpr double kSamePlaceM = 0.01;
+        return !stated.isZero(0.0) && (stated - place).norm() > kSamePlaceM;
+    }
 };
 
 std::optional<std::vector<double>> numbersIn(std::string_view line, std::size_t count) {
@@ -51,35 +57,55 @@ std::optional<std::uint64_t> countIn(std::string_view line) {
     return words.size() == 1 ? wholeNumber(words[0]) : std::nullopt;
 }
 
-/// The ten lines of a header from `from` on; empty when they are not one.
+bool isBlankOrComment(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    return first == std::string_view::npos || line[first] == '#' || line.substr(first).starts_with("//");
+}
+
+/// The matrix of a header: rows of vectors, p' = p M. Where its last column holds the place that line 3 states and its last row none, it
+/// was written the other way.
+void readMatrix(PtxHeader& header, Eigen::Matrix4d matrix) {
+    const Eigen::Vector3d lastColumn = matrix.col(3).head<3>();
+    header.byColumns = matrix.row(3).head<3>().isZero(0.0) && !lastColumn.isZero(0.0);
+    if (header.byColumns) matrix.transposeInPlace();
+    header.turn = matrix.topLeftCorner<3, 3>().transpose();
+    header.place = matrix.row(3).head<3>().transpose();
+}
+
+/// The header from `from` on, ten lines or nine where both counts are on one; blank lines and comments before it are passed over. Empty
+/// where there is none.
 std::optional<PtxHeader> headerAt(std::string_view text, std::size_t from, std::size_t lineNumber) {
     PtxHeader header;
     std::size_t at = from;
     const auto line = [&] {
         const TextLine next = textLineAt(text, at);
         at = next.next;
+        ++lineNumber;
         return next.text;
     };
-    const auto columns = countIn(line());
-    const auto rows = countIn(line());
+    std::string_view first = line();
+    while (at < text.size() && isBlankOrComment(first)) first = line();
+    const auto both = numbersIn(first, 2);
+    const auto words = wordsOf(first);
+    const auto columns = both ? wholeNumber(words[0]) : countIn(first);
+    const auto rows = both ? wholeNumber(words[1]) : countIn(line());
     if (!columns || !rows) return std::nullopt;
-    for (std::size_t i = 0; i < 4; ++i) {
-        if (!numbersIn(line(), 3)) return std::nullopt; // position and axes: the matrix says the same
+    for (std::size_t i = 0; i < 4; ++i) { // the place and the scanner's axes: the matrix says the same
+        const auto three = numbersIn(line(), 3);
+        if (!three) return std::nullopt;
+        if (i == 0) header.stated = {(*three)[0], (*three)[1], (*three)[2]};
     }
+    Eigen::Matrix4d matrix;
     for (Eigen::Index i = 0; i < 4; ++i) {
         const auto row = numbersIn(line(), 4);
         if (!row) return std::nullopt;
-        for (Eigen::Index j = 0; j < 3; ++j) {
-            if (i < 3)
-                header.turn(j, i) = (*row)[static_cast<std::size_t>(j)]; // row vectors: p' = p M
-            else
-                header.place[j] = (*row)[static_cast<std::size_t>(j)];
-        }
+        for (Eigen::Index j = 0; j < 4; ++j) matrix(i, j) = (*row)[static_cast<std::size_t>(j)];
     }
+    readMatrix(header, matrix);
     header.columns = *columns;
     header.rows = *rows;
     header.firstByte = at;
-    header.firstLine = lineNumber + kHeaderLines;
+    header.firstLine = lineNumber;
     return header;
 }
 
@@ -94,9 +120,24 @@ std::optional<std::size_t> afterLines(std::string_view text, std::size_t at, std
     return at;
 }
 
+/// Some of these rows is not 0 0 0. Looks no further than the first such row.
+bool holdsReturn(std::string_view rows) {
+    for (std::size_t at = 0; at < rows.size();) {
+        const TextLine line = textLineAt(rows, at);
+        at = line.next;
+        std::size_t numbers = 0;
+        for (const std::string_view word : wordsOf(line.text)) {
+            if (numbers++ == 3) break;
+            if (word.find_first_of("123456789") != std::string_view::npos) return true;
+        }
+    }
+    return false;
+}
+
 struct PtxScan {
     PtxHeader header;
     std::size_t endByte = 0;
+    std::size_t index = 0;   ///< of the scan in the file
     std::size_t inFile = 0;  ///< scans that the file holds
     bool restIsNone = false; ///< what follows a later scan is not a scan
 };
@@ -109,8 +150,9 @@ Error cutOff(const PtxHeader& header, std::size_t index, const Source& source) {
 
 Result<PtxScan> findScan(const Source& source) {
     const std::string_view text = source.text();
-    const std::size_t wanted = source.options->scanIndex.value_or(0);
+    std::size_t wanted = source.options->scanIndex.value_or(0);
     PtxScan found;
+    std::optional<PtxScan> first; // with points
     std::size_t at = 0;
     std::size_t lineNumber = 1;
     while (at < text.size()) {
@@ -132,10 +174,14 @@ Result<PtxScan> findScan(const Source& source) {
         }
         const std::uint64_t left = text.size() - header->firstByte;
         // A point takes four numbers with a blank or line end behind each.
-        const bool lies = header->columns == 0 || header->rows == 0 || header->columns > kMostAlongOneSide ||
-                          header->rows > kMostAlongOneSide || header->points() > left / 6 + 1;
+        const bool isEmpty = header->columns == 0 && header->rows == 0;
+        const bool lies = (header->points() == 0 && !isEmpty) || header->columns > kMostAlongOneSide || header->rows > kMostAlongOneSide ||
+                          header->points() > left / 6 + 1;
         const auto end = lies ? std::nullopt : afterLines(text, header->firstByte, header->points());
         if (!end && found.inFile <= wanted) return cutOff(*header, found.inFile, source);
+        const bool noReturn = end && !holdsReturn(text.substr(header->firstByte, *end - header->firstByte));
+        if (!first && !isEmpty && end) first = PtxScan{*header, *end, found.inFile};
+        if (noReturn && !source.options->scanIndex && found.inFile == wanted) ++wanted; // the first that has points
         if (found.inFile == wanted) {
             found.header = *header;
             found.endByte = *end;
@@ -146,7 +192,18 @@ Result<PtxScan> findScan(const Source& source) {
         at = *end;
         if (!source.goOn("reading points", 0.1 * static_cast<double>(at) / static_cast<double>(text.size()))) return source.cancelled();
     }
-    if (found.inFile > wanted) return found;
+    if (found.inFile > wanted) {
+        found.index = wanted;
+        return found;
+    }
+    if (!source.options->scanIndex && first) { // no scan has a return: the first one says so
+        found.header = first->header;
+        found.endByte = first->endByte;
+        found.index = first->index;
+        return found;
+    }
+    if (!source.options->scanIndex && found.inFile > 0)
+        return source.refused("the " + std::to_string(found.inFile) + " scans of this PTX file hold 0 points", "export the file again");
     return source.refused("the file holds " + std::to_string(found.inFile) + " scans, and number " + std::to_string(wanted + 1) +
                               " was asked for",
                           "choose a smaller --scan");
@@ -200,8 +257,16 @@ Result<Reading> readPtx(const Source& source) {
     if (auto read = readPoints(table, header, part); !read) return read.error();
     if (found->inFile > 1) {
         table.remarks.push_back("The file holds " + std::to_string(found->inFile) + " scans; this is number " +
-                                std::to_string(source.options->scanIndex.value_or(0) + 1) + ", --scan chooses another.");
+                                std::to_string(found->index + 1) + ", --scan chooses another.");
     }
+    if (!source.options->scanIndex && found->index > 0)
+        table.remarks.push_back("The first " + std::to_string(found->index) + " of these scans hold no point with a return.");
+    if (header.byColumns)
+        table.remarks.emplace_back(
+            "The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.");
+    if (header.namesTwoPlaces())
+        table.remarks.push_back("Line 3 of the header puts the scanner " + significantText((header.stated - header.place).norm(), 4) +
+                                " m from the place that its matrix gives: the matrix was used.");
     if (endsWithoutLineEnd(part.text())) table.remarks.emplace_back(kMayBeCutOff);
     if (found->restIsNone) table.remarks.emplace_back("Behind the last of these scans there is text that is none.");
     Reading reading(std::move(table));

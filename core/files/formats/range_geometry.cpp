@@ -1,9 +1,11 @@
 // Angles from the options, or those of an LMS511; the unit from the numbers.
 #include "core/files/formats/range_geometry.h"
 
+#include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/files/grid_recovery/unit.h"
+#include "core/files/point_tables/repeated_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +48,28 @@ Result<NotRanges> clearNoRanges(BareRanges& ranges, const Source& source, const 
     return found;
 }
 
+Eigen::Vector3d directionOf(const PolarGeometry& polar, std::size_t line, std::size_t beam) {
+    const double a = radians(polar.beamDeg[beam]), p = radians(polar.lineDeg[line]);
+    if (polar.axis == Axis::Spin) return {std::cos(a) * std::cos(p), std::cos(a) * std::sin(p), std::sin(a)};
+    return {std::cos(a), std::sin(a) * std::cos(p), std::sin(a) * std::sin(p)};
+}
+
+/// The largest ranges become 0 where they mean "no return"; a sentence then.
+std::string clearRepeated(BareRanges& ranges, const PolarGeometry& polar, const Source& source) {
+    if (source.options->keepRepeated) return {};
+    const auto direction = [&](std::size_t k) { return directionOf(polar, k / ranges.beams, k % ranges.beams); };
+    std::string sentence;
+    constexpr int kMostCodes = 3;
+    for (int code = 0; code < kMostCodes; ++code) {
+        const auto found = repeatedRange({ranges.values, 0, 0, direction, ranges.stated});
+        if (!found) break;
+        if (!sentence.empty()) sentence += ' ';
+        sentence += repeatedSentence(found->count, "cells hold " + shortestText(found->least) + " in the numbers of the file");
+        for (double& value : ranges.values) value = value >= found->least ? 0 : value;
+    }
+    return sentence;
+}
+
 } // namespace
 
 Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& source,
@@ -54,6 +78,7 @@ Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& s
     if (!notRanges) return notRanges.error();
     auto angles = assumedAngles(ranges.lines, ranges.beams, what, source);
     if (!angles) return angles.error();
+    const std::string repeated = clearRepeated(ranges, angles->polar, source);
     std::vector<double> returns;
     std::ranges::copy_if(ranges.values, std::back_inserter(returns), [](double range) { return range > 0; });
     const RangeUnit unit = findUnit(returns, ranges.precision, source.options->unitMm);
@@ -76,6 +101,7 @@ Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& s
     if (!angles->warning.empty()) scan.warnings.push_back(angles->warning);
     if (!unit.remark.empty()) scan.warnings.push_back(unit.remark);
     notRanges->addTo(scan.warnings);
+    if (!repeated.empty()) scan.warnings.push_back(repeated);
     return scan;
 }
 

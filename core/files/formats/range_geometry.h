@@ -22,12 +22,14 @@ Result<Done> checkAnglesKnown(std::size_t beams, const char* what, const Source&
 struct BareRanges {
     std::vector<double> values;
     std::size_t lines = 0, beams = 0;
-    Precision precision; ///< how exactly they are written
+    Precision precision;               ///< how exactly they are written
+    std::optional<double> stated = {}; ///< the largest number of the type, where that is small
 };
 
 /// A scan of them, with angles as assumedAngles() and the unit found from the numbers where the options do not say it. 0, infinity and one
-/// number below 0 that repeats are missing returns, with a warning. Error: the angles are not known, or several numbers are below 0; `at`
-/// names the place of a cell ("line 3, column 7").
+/// number below 0 that repeats are missing returns, with a warning, and so is the largest number where it means one
+/// (repeated_values.h). Error: the angles are not known, or several numbers are below 0; `at` names the place of a cell ("line 3, column
+/// 7").
 Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& source,
                             const std::function<std::string(std::size_t line, std::size_t beam)>& at);
 

@@ -129,7 +129,7 @@ Result<Scan> readRangeTiff(const Source& source) {
         }
         if (i % 256 == 0 && !source.goOn("reading the picture", static_cast<double>(i) / shape.height)) return source.cancelled();
     }
-    auto scan = scanFromPicture(std::move(values), "range TIFF", source);
+    auto scan = scanFromPicture(values, !shape.floats(), "range TIFF", source);
     if (!scan) return scan;
     std::uint64_t end = endOfPicture(tiff.get(), source.bytes);
     std::uint16_t orientation = ORIENTATION_TOPLEFT;

@@ -108,7 +108,7 @@ FoundGrid findMovedGrid(const PointTable& table, const Source& source, bool orga
     return found;
 }
 
-FoundGrid findGrid(const PointTable& table, const Source& source, bool organised, bool named) {
+FoundGrid findGridAboutAxis(const PointTable& table, const Source& source, bool organised, bool named) {
     FoundGrid found{recoverInFileFrame(table, source, organised ? table.width : 0)};
     if (found.grid && named && isOfAnotherShape(*found.grid, table)) found.grid = Error{"another grid", "", ""};
     found.inFrameOfFile = static_cast<bool>(found.grid);
@@ -116,7 +116,12 @@ FoundGrid findGrid(const PointTable& table, const Source& source, bool organised
     FoundGrid elsewhere = findMovedGrid(table, source, organised, named);
     if (elsewhere.cancelled() || elsewhere.grid) return elsewhere;
     found.grid = Error{found.grid.error().what + ", and " + elsewhere.grid.error().what, "", found.grid.error().hint};
-    if (!named || table.gridIsGiven) return found;
+    return found;
+}
+
+FoundGrid findGrid(const PointTable& table, const Source& source, bool organised, bool named) {
+    FoundGrid found = findGridAboutAxis(table, source, organised, named);
+    if (found.grid || found.cancelled() || !named || table.gridIsGiven) return found;
     auto turned = recoverTurned(table, source);
     if ((!turned && turned.error().what == "cancelled") || (turned && !isOfAnotherShape(*turned, table))) found.grid = std::move(turned);
     return found;
@@ -132,6 +137,28 @@ FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector
     if (other.grid || other.cancelled()) return other;
     exchangeLinesAndBeams(table, behind);
     return found;
+}
+
+std::optional<FoundGrid> findGridInOtherOrder(PointTable& table, const Source& source, bool fromAfar) {
+    if (table.height < 2 || table.width < 2 || table.leftHanded) return std::nullopt;
+    std::vector<AttachedPoint> none;
+    const auto find = [&] { return fromAfar ? findMovedGrid(table, source, true, true) : findGridAboutAxis(table, source, true, true); };
+    const auto accepted = [&](FoundGrid found, const char* order) -> std::optional<FoundGrid> {
+        if (found.grid)
+            table.remarks.push_back(std::string("The rows of the file make no fans about one axis as they are stored: ") + order +
+                                    ", and only that way the lines make fans.");
+        return found.grid || found.cancelled() ? std::optional(std::move(found)) : std::nullopt;
+    };
+    exchangeLinesAndBeams(table, none);
+    if (auto found = accepted(find(), "they were taken as beams, and the columns as lines")) return found;
+    exchangeLinesAndBeams(table, none);
+    std::swap(table.width, table.height);
+    if (auto found = accepted(find(), "its counts of rows and columns were exchanged")) return found;
+    exchangeLinesAndBeams(table, none);
+    if (auto found = accepted(find(), "its points were taken row by row, where the header says column by column")) return found;
+    exchangeLinesAndBeams(table, none);
+    std::swap(table.width, table.height);
+    return std::nullopt;
 }
 
 } // namespace edgescan::files

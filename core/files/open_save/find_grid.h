@@ -26,4 +26,11 @@ struct FoundGrid {
 /// `table` and of `behind` are exchanged. `fromAfar`: as findMovedGrid() instead, because the points were not measured from the origin.
 [[nodiscard]] FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector<AttachedPoint>& behind, bool fromAfar);
 
+/// As findGrid() without a turn of the frame.
+[[nodiscard]] FoundGrid findGridAboutAxis(const PointTable& table, const Source& source, bool organised, bool named);
+
+/// The grid of an organised cloud whose rows make no fans: its rows as beams, its counts of rows and columns exchanged, or both. Changes
+/// the order of the points and says so in a remark. Empty, with the table as before: no order makes fans of all points.
+[[nodiscard]] std::optional<FoundGrid> findGridInOtherOrder(PointTable& table, const Source& source, bool fromAfar);
+
 } // namespace edgescan::files

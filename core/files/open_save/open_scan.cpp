@@ -63,7 +63,14 @@ Result<Scan> scanOfBytes(const Source& source) {
     const auto plain = unpack(source);
     if (!plain) return plain.error();
     auto scan = scanOf(plain->source);
-    if (!scan) return plain->refused(scan.error());
+    if (!scan) {
+        Error refused = scan.error();
+        // What was odd about the text may be why it makes no scan.
+        if (!plain->warnings.empty() && refused.what != "cancelled")
+            refused.what += "; " + plain->warnings.front().substr(0, plain->warnings.front().rfind('.'));
+        return plain->refused(refused);
+    }
+    scan->warnings.insert(scan->warnings.end(), plain->warnings.begin(), plain->warnings.end());
     scan->openedWith = openedWith(*source.options);
     scan->name = scanName(source.path);
     if (scan->sha256.empty()) scan->sha256 = sha256.get();

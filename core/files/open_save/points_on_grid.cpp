@@ -13,10 +13,14 @@
 #include "core/files/open_save/find_grid.h"
 #include "core/files/open_save/table_numbers.h"
 #include "core/files/open_save/written_place.h"
+#include "core/files/point_tables/repeated_values.h"
 #include "core/scan/georef/rotations.h"
 #include "core/scan/grid/cartesian.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace edgescan::files {
@@ -221,6 +225,91 @@ void attach(Scan& scan, const std::vector<AttachedPoint>& behind, const PointTab
     for (const AttachedPoint& point : behind) scan.attached.push_back({point.cell, point.pointM * metres});
 }
 
+/// A later return of a pulse, and the point of the table that is the first one.
+struct LaterReturn {
+    std::size_t first = 0; ///< index into the table without later returns
+    Eigen::Vector3d point;
+};
+
+/// Removes the later returns of each pulse from the table: the first ones make the grid. A return belongs to the pulse of the point before
+/// it if its number is higher. Empty, with the table as before: the file does not number them, or not one behind the other.
+std::vector<LaterReturn> removeLaterReturns(PointTable& table) {
+    std::vector<LaterReturn> later;
+    const std::vector<std::uint8_t> numbers = std::move(table.returnNumber);
+    table.returnNumber.clear();
+    const bool plain = table.height == 1 && table.line.empty() && table.state.empty() && table.rangeMm.empty();
+    if (numbers.size() != table.points.size() || !plain) return later;
+    const auto follows = [&](std::size_t n) { return n > 0 && numbers[n] > 1 && numbers[n] > numbers[n - 1]; };
+    std::size_t others = 0, following = 0;
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+        others += numbers[n] > 1 ? 1 : 0;
+        following += follows(n) ? 1 : 0;
+    }
+    if (others == 0) return later;
+    const bool interleaved = 2 * following >= others;
+    const bool someFirst = others < numbers.size();
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+        if (interleaved ? follows(n) : someFirst && numbers[n] > 1) {
+            later.push_back({interleaved ? kept - 1 : RecoveredGrid::kNoPoint, table.points[n]});
+            continue;
+        }
+        table.points[kept] = table.points[n];
+        if (!table.intensity.empty()) table.intensity[kept] = table.intensity[n];
+        ++kept;
+    }
+    table.points.resize(kept);
+    if (!table.intensity.empty()) table.intensity.resize(kept);
+    table.width = kept;
+    return later;
+}
+
+/// Puts them back, where there is no grid to attach them to.
+void putBack(PointTable& table, const std::vector<LaterReturn>& later) {
+    for (const LaterReturn& one : later) {
+        table.points.push_back(one.point);
+        if (!table.intensity.empty()) table.intensity.push_back(std::numeric_limits<float>::quiet_NaN());
+    }
+    table.width = table.points.size();
+}
+
+/// How far along their pulses later returns are behind the first ones, before the points are moved into the scanner's frame.
+class FirstReturns {
+public:
+    FirstReturns(const std::vector<LaterReturn>& later, const PointTable& table, const Eigen::Vector3d& place) : later_(later) {
+        for (const LaterReturn& one : later) {
+            const double away = one.first < table.points.size() ? (table.points[one.first] - place).norm() : 0;
+            times_.push_back(away > 0 ? (one.point - place).norm() / away : 0);
+        }
+    }
+    /// By cell: a pulse has one direction.
+    [[nodiscard]] std::vector<AttachedPoint> behindCells(const PointTable& table, const Grid<std::uint32_t>& pointOf) const {
+        std::vector<std::uint32_t> cellOf(table.points.size(), RecoveredGrid::kNoPoint);
+        for (std::size_t k = 0; k < pointOf.size(); ++k) {
+            if (pointOf[k] != RecoveredGrid::kNoPoint) cellOf[pointOf[k]] = static_cast<std::uint32_t>(k);
+        }
+        std::vector<AttachedPoint> behind;
+        for (std::size_t n = 0; n < later_.size(); ++n) {
+            const std::size_t first = later_[n].first;
+            if (first >= cellOf.size() || cellOf[first] == RecoveredGrid::kNoPoint || !isReturn(table.points[first])) continue;
+            if (times_[n] > 0) behind.push_back({cellOf[first], table.points[first] * times_[n]});
+        }
+        std::ranges::stable_sort(behind, {}, &AttachedPoint::cell);
+        return behind;
+    }
+
+private:
+    const std::vector<LaterReturn>& later_;
+    std::vector<double> times_; ///< as far as the first return
+};
+
+std::string laterReturnsSentence(std::size_t later, std::size_t attached) {
+    std::string text = std::to_string(later) + " points are later returns of a pulse, as the file says: the first returns make the grid";
+    if (attached > 0) text += ", and " + std::to_string(attached) + " others were attached to their cells";
+    if (attached < later) text += "; " + std::to_string(later - attached) + " others have no cell of their own and were left out";
+    return text + ".";
+}
+
 /// Nothing in the file says that its points have a grid.
 std::string gridFoundSentence(const Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
@@ -233,6 +322,7 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     const Projection projection = source.options->projection;
     const bool sensorUnknown = dropImpossibleSensor(table, source);
     if (projection == Projection::Always) return projectedScan(table, source, {});
+    const std::vector<LaterReturn> later = removeLaterReturns(table);
     std::vector<AttachedPoint> behind;
     const bool laidOut = !table.line.empty() && layOutByColumns(table, source.options->sensorM.has_value(), behind);
     if (!laidOut) {
@@ -245,6 +335,9 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     FoundGrid found = laidOut || table.gridIsGiven ? findGridEitherWay(table, source, behind, afar.has_value())
                       : afar                       ? findMovedGrid(table, source, organised, false)
                                                    : findGrid(table, source, organised, false);
+    if (organised && !laidOut && !table.gridIsGiven && !found.grid && !found.cancelled()) {
+        if (auto other = findGridInOtherOrder(table, source, afar.has_value())) found = std::move(*other);
+    }
     auto& grid = found.grid;
     if (afar && !grid && !found.cancelled()) return Error{afar->what + ", and " + grid.error().what, afar->where, afar->hint};
     const bool text = table.format == "point list";
@@ -258,9 +351,14 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
                               kGiveSensor);
     if (grid || organised) {
         const bool returnsOnly = !organised && std::ranges::all_of(table.points, isReturn);
+        const FirstReturns firsts{later, table, found.moved ? found.moved->place : Eigen::Vector3d(table.sensor)};
         if (found.moved) {
             compareWithSensor(*found.moved, table);
             takePointsOf(*found.moved, table);
+        }
+        if (grid && !later.empty()) {
+            behind = firsts.behindCells(table, grid->pointOf);
+            table.remarks.push_back(laterReturnsSentence(later.size(), behind.size()));
         }
         const FreeAxis* moved = found.moved ? &*found.moved : nullptr;
         Scan scan = grid ? recoveredScan(table, std::move(*grid), source, found.inFrameOfFile, moved) : organisedScan(table, source);
@@ -277,7 +375,51 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     const bool gridExpected = source.options->axis && !source.options->sensorM && !source.options->gridStepDeg;
     if (projection == Projection::Never || gridExpected || sensorUnknown)
         return source.refused(withCoarseStep(grid.error().what, table), sensorUnknown ? kGiveSensor : grid.error().hint);
+    putBack(table, later);
     return projectedScan(table, source, grid.error());
+}
+
+/// Points that mean "no return" become not finite: the same point many times, or points all as far from the sensor.
+void removeRepeated(PointTable& table, const Source& source) {
+    if (source.options->keepRepeated) return;
+    for (const RepeatedPoint& one : repeatedPoints(table.points)) {
+        std::string place;
+        for (int axis = 0; axis < 3; ++axis) place += " " + shortestText(one.point[axis]);
+        for (Eigen::Vector3d& p : table.points) {
+            if (p == one.point) p.setConstant(std::numeric_limits<double>::quiet_NaN());
+        }
+        table.remarks.push_back(repeatedSentence(one.count, "points are one and the same," + place));
+    }
+    const std::vector<double> ranges = rangesOf(table);
+    RangesToJudge given{ranges, table.precision.absolute * 2, table.precision.relative * 2};
+    given.direction = [&](std::size_t n) { return Eigen::Vector3d((table.points[n] - table.sensor).normalized()); };
+    const auto far = repeatedRange(given);
+    if (!far) return;
+    for (std::size_t n = 0; n < ranges.size(); ++n) {
+        if (ranges[n] >= far->least) table.points[n].setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    table.remarks.push_back(
+        repeatedSentence(far->count, "points are " + significantText(far->least, 6) + " (in the numbers of the file) from the sensor"));
+}
+
+/// Numbers that were printed with so few digits that they step by a good part of what was scanned, as spreadsheets write large ones.
+Result<Done> checkDigits(const PointTable& table, const Source& source) {
+    constexpr double kOfTheirSize = 0.01, kPrinted = 10 * kFloatError;
+    if (table.precision.relative < kPrinted) return Done{};
+    Eigen::AlignedBox3d box;
+    double largest = 0;
+    for (const Eigen::Vector3d& p : table.points) {
+        if (!isReturn(p)) continue;
+        box.extend(p);
+        largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+    const int digits = static_cast<int>(std::lround(1 - std::log10(2 * table.precision.relative)));
+    const double step = std::pow(10.0, std::floor(std::log10(largest)) + 1 - digits);
+    if (step < kOfTheirSize * box.diagonal().norm()) return Done{};
+    return source.refused("its numbers were rounded to " + std::to_string(digits) + " digits, so that those near " +
+                              std::to_string(std::llround(largest)) + " step by " + significantText(step, 3) +
+                              ": the digits that place the points are lost",
+                          "write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06");
 }
 
 } // namespace
@@ -291,6 +433,7 @@ std::optional<std::string> leftOutSentence(const Scan& scan) {
 Result<Scan> scanOfPoints(PointTable table, const Source& source) {
     if (auto enough = checkMemory(table.points.size() * kBytesPerPoint, source.path.string()); !enough) return enough.error();
     if (!table.sensor.allFinite()) table.sensor = Eigen::Vector3d::Zero();
+    removeRepeated(table, source);
     std::size_t infinite = 0;
     for (const Eigen::Vector3d& p : table.points)
         infinite += p.array().isNaN().any() || p.cwiseAbs().maxCoeff() < physical::kCoordinate.limits.most ? 0 : 1;
@@ -298,6 +441,7 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
         return source.refused("the file holds 0 points with a return, out of " + std::to_string(table.points.size()),
                               "choose another file, or copy it again");
     }
+    if (auto fine = checkDigits(table, source); !fine) return fine.error();
     table.precision = withDecimals(table.precision, table.points);
     takeGivenSensor(table, source);
     const auto returns = static_cast<std::size_t>(std::count_if(table.points.begin(), table.points.end(), isReturn));

@@ -5,6 +5,7 @@
 #include "core/base/memory.h"
 #include "core/containers/compression/chunks.h"
 #include "core/containers/compression/gunzip.h"
+#include "core/files/open_save/plain_text.h"
 
 namespace edgescan::files {
 namespace {
@@ -22,17 +23,18 @@ std::optional<std::uint64_t> zstdSizeOf(const Source& packed) {
 
 Error UnpackedSource::refused(const Error& error) const {
     const std::string path = source.path.string();
-    if (bytes == nullptr || !error.where.starts_with(path)) return error;
+    if (!packed || !error.where.starts_with(path)) return error;
     return {error.what, path + " (unpacked)" + error.where.substr(path.size()), error.hint};
 }
 
 Result<UnpackedSource> unpack(const Source& packed) {
-    UnpackedSource plain{packed, nullptr};
+    UnpackedSource plain{packed, nullptr, false};
     if (containers::isGzip(packed.bytes)) {
         auto bytes = containers::gunzip(packed.bytes, packed.path.string(), [&](double done) { return packed.goOn("unpacking", done); });
         if (!bytes) return bytes.error();
         plain.bytes = std::make_shared<const std::vector<std::byte>>(std::move(*bytes));
         plain.source.bytes = *plain.bytes;
+        plain.packed = true;
     }
     if (const auto size = zstdSizeOf(packed)) { // rosbag2 packs whole files so
         if (auto enough = checkMemory(*size, packed.path.string()); !enough) return enough.error();
@@ -42,8 +44,19 @@ Result<UnpackedSource> unpack(const Source& packed) {
         const auto all = std::as_bytes(std::span(*unpacked));
         plain.bytes = std::make_shared<const std::vector<std::byte>>(all.begin(), all.end());
         plain.source.bytes = *plain.bytes;
+        plain.packed = true;
     }
     if (plain.source.bytes.empty()) return plain.refused(packed.refused("the file is empty", "copy it again or choose another"));
+    auto text = plainText(plain.source);
+    if (!text) return text.error();
+    if (!*text) return plain;
+    plain.warnings = std::move((*text)->warnings);
+    plain.source.bytes = (*text)->bytes;
+    if ((*text)->converted.empty()) return plain;
+    const auto start = static_cast<std::size_t>((*text)->bytes.data() - (*text)->converted.data());
+    const std::size_t length = (*text)->bytes.size();
+    plain.bytes = std::make_shared<const std::vector<std::byte>>(std::move((*text)->converted));
+    plain.source.bytes = std::span(*plain.bytes).subspan(start, length);
     return plain;
 }
 

@@ -25,6 +25,7 @@ struct UdpDatagrams {
     std::vector<UdpDatagram> datagrams; ///< in the order of the file, of a fragmented one that of its last piece
     std::list<Bytes> joined;            ///< bytes of those that were fragmented
     std::size_t torn = 0;               ///< fragmented ones of which a piece is missing
+    std::size_t repeated = 0;           ///< that were captured twice, and are here once
 
     UdpDatagrams() = default;
     UdpDatagrams(UdpDatagrams&&) = default;
@@ -37,10 +38,13 @@ constexpr std::uint8_t kUdp = 17;
 constexpr std::size_t kUdpHead = 8, kIpv4Head = 20, kIpv6Head = 40;
 constexpr std::size_t kOpenPackets = 64; // fragmented, at once
 constexpr std::size_t kLongestIp = 65535;
+constexpr std::int64_t kLongestApartNs = 2'000'000'000; // pieces of one packet: its number of 16 bits comes again after some seconds
+constexpr std::size_t kLookedBack = 64;                 // datagrams among which one is looked for that was captured twice
 
 struct Pieces {
     ByteView from, to;
     std::uint32_t id = 0;
+    std::int64_t firstNs = 0; ///< when the first of them came
     Bytes bytes;
     std::vector<std::size_t> places;
     std::size_t held = 0, whole = 0; // whole: 0 while the last piece is missing
@@ -72,9 +76,14 @@ private:
         const std::size_t offset = std::size_t{place & 0x1FFFU} * 8;
         if (!more && offset == 0) return takeUdp(body, from, timeNs);
         if (offset + body.size() > kLongestIp) return;
-        Pieces& pieces = piecesOf(from, ip.subspan(16, 4), netU16(ip, 4));
+        Pieces& pieces = piecesOf(from, ip.subspan(16, 4), netU16(ip, 4), timeNs);
+        if (std::ranges::find(pieces.places, offset) != pieces.places.end()) {
+            const auto held = ByteView(pieces.bytes).subspan(offset, std::min(body.size(), pieces.bytes.size() - offset));
+            if (std::ranges::equal(held, body)) return; // once more
+            ++found_.torn;                              // of another packet with the same number
+            pieces = {from, ip.subspan(16, 4), pieces.id, timeNs, {}, {}, 0, 0};
+        }
         if (pieces.bytes.size() < offset + body.size()) pieces.bytes.resize(offset + body.size());
-        if (std::ranges::find(pieces.places, offset) != pieces.places.end()) return; // once more
         pieces.places.push_back(offset);
         std::ranges::copy(body, pieces.bytes.begin() + static_cast<std::ptrdiff_t>(offset));
         pieces.held += body.size();
@@ -85,17 +94,22 @@ private:
         takeUdp(found_.joined.back(), from, timeNs);
     }
 
-    Pieces& piecesOf(ByteView from, ByteView to, std::uint32_t id) {
+    /// The pieces that one belongs to; those of a packet that is too old with the same number are given up.
+    Pieces& piecesOf(ByteView from, ByteView to, std::uint32_t id, std::int64_t timeNs) {
         const auto same = [&](const Pieces& one) {
             return one.id == id && std::ranges::equal(one.from, from) && std::ranges::equal(one.to, to);
         };
         const auto found = std::ranges::find_if(open_, same);
-        if (found != open_.end()) return *found;
+        if (found != open_.end() && std::abs(timeNs - found->firstNs) <= kLongestApartNs) return *found;
+        if (found != open_.end()) {
+            open_.erase(found);
+            ++found_.torn;
+        }
         if (open_.size() >= kOpenPackets) {
             open_.pop_front();
             ++found_.torn;
         }
-        open_.push_back({from, to, id, {}, {}, 0, 0});
+        open_.push_back({from, to, id, timeNs, {}, {}, 0, 0});
         return open_.back();
     }
 
@@ -108,7 +122,20 @@ private:
         datagram.from = {std::string(from.begin(), from.end()), static_cast<std::uint16_t>(netU16(udp, 0))};
         datagram.toPort = static_cast<std::uint16_t>(netU16(udp, 2));
         datagram.payload = udp.subspan(kUdpHead, end - kUdpHead);
+        if (isRepeated(datagram)) {
+            ++found_.repeated;
+            return;
+        }
         found_.datagrams.push_back(std::move(datagram));
+    }
+
+    /// The same bytes of the same sender are among the last ones: a switch or a second capture repeated them. Scanners count their packets.
+    [[nodiscard]] bool isRepeated(const UdpDatagram& one) const {
+        const auto& all = found_.datagrams;
+        const std::size_t from = all.size() > kLookedBack ? all.size() - kLookedBack : 0;
+        return std::any_of(all.begin() + static_cast<std::ptrdiff_t>(from), all.end(), [&](const UdpDatagram& before) {
+            return before.from == one.from && before.toPort == one.toPort && std::ranges::equal(before.payload, one.payload);
+        });
     }
 
     std::list<Pieces> open_;
@@ -120,6 +147,31 @@ UdpDatagrams udpDatagrams(const std::vector<Packet>& packets) {
     Reader reader;
     for (const Packet& packet : packets) reader.take(packet);
     return reader.all();
+}
+
+/// A datagram and the scanner's own clock in it.
+struct Clocked {
+    std::int64_t clockNs = 0;
+    std::size_t datagram = 0;
+};
+
+/// Brings datagrams into the order in which the scanner sent them; returns how many came late. A clock that goes back by a second and more
+/// began again: what follows stays behind what was before.
+std::size_t orderByClock(std::vector<Clocked>& all) {
+    constexpr std::int64_t kBeganAgainNs = 1'000'000'000;
+    std::size_t late = 0;
+    auto from = all.begin();
+    std::int64_t newest = 0;
+    for (auto one = all.begin(); one != all.end(); ++one) {
+        if (one != from && one->clockNs < newest - kBeganAgainNs) {
+            std::stable_sort(from, one, [](const Clocked& a, const Clocked& b) { return a.clockNs < b.clockNs; });
+            from = one;
+        }
+        if (one != from && one->clockNs < newest) ++late;
+        newest = one == from ? one->clockNs : std::max(newest, one->clockNs);
+    }
+    std::stable_sort(from, all.end(), [](const Clocked& a, const Clocked& b) { return a.clockNs < b.clockNs; });
+    return late;
 }
 
 /// The sender with most datagrams that `fits`, and how many others there are.
@@ -153,10 +205,12 @@ Result<Scan> chosenTurn(const std::vector<scanner::SpinningColumn>& columns, con
     return scan;
 }
 
-void sayLosses(Scan& scan, const UdpDatagrams& udp, const PacketFile& file, std::size_t otherSenders) {
+void sayLosses(Scan& scan, const UdpDatagrams& udp, const PacketFile& file, std::size_t otherSenders, std::size_t late) {
     std::vector<std::string> said;
+    if (late > 0) said.push_back(std::to_string(late) + " packets came out of order and were put in the order of the scanner's clock.");
     if (file.cutOff) said.emplace_back("The capture was cut off: everything up to the cut is here.");
     if (udp.torn > 0) said.push_back(std::to_string(udp.torn) + " packets are missing in part in the capture: their lines are lost.");
+    if (udp.repeated > 0) said.push_back(std::to_string(udp.repeated) + " packets are in the capture twice: each was read once.");
     if (otherSenders > 0)
         said.push_back("The capture holds packets of " + std::to_string(otherSenders + 1) +
                        " scanners; the one with most of them was opened.");
@@ -166,9 +220,15 @@ void sayLosses(Scan& scan, const UdpDatagrams& udp, const PacketFile& file, std:
 std::optional<Result<Scan>> velodyneIn(const UdpDatagrams& udp, const PacketFile& file, const Source& source) {
     const auto [sender, others] = busiest(udp, [](ByteView bytes) { return scanner::decodeVlp16(bytes).has_value(); });
     if (!sender) return std::nullopt;
+    std::vector<Clocked> order;
+    for (std::size_t n = 0; n < udp.datagrams.size(); ++n) {
+        if (udp.datagrams[n].from != *sender) continue;
+        if (const auto packet = scanner::decodeVlp16(udp.datagrams[n].payload)) order.push_back({std::int64_t{packet->usOfHour} * 1000, n});
+    }
+    const std::size_t late = orderByClock(order);
     scanner::Vlp16Columns all;
-    for (const UdpDatagram& datagram : udp.datagrams) {
-        if (datagram.from != *sender) continue;
+    for (const Clocked& one : order) {
+        const UdpDatagram& datagram = udp.datagrams[one.datagram];
         if (const auto packet = scanner::decodeVlp16(datagram.payload)) all.take(*packet, datagram.timeNs);
     }
     auto scan = chosenTurn(all.columns(), scanner::vlp16Beams(), source);
@@ -177,7 +237,7 @@ std::optional<Result<Scan>> velodyneIn(const UdpDatagrams& udp, const PacketFile
         scan->warnings.push_back("The scanner sent two returns for each beam: the strongest ones are here, and " +
                                  std::to_string(all.others()) + " others of the capture were left out.");
     scan->warnings.emplace_back("The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.");
-    sayLosses(*scan, udp, file, others);
+    sayLosses(*scan, udp, file, others, late);
     return scan;
 }
 
@@ -194,9 +254,14 @@ std::optional<Result<Scan>> ousterIn(const UdpDatagrams& udp, const PacketFile& 
     if (!text) return text.error();
     const auto sensor = scanner::osSensor({reinterpret_cast<const char*>(text->data()), text->size()}, metadata.string());
     if (!sensor) return sensor.error();
+    std::vector<Clocked> order;
+    for (std::size_t n = 0; n < udp.datagrams.size(); ++n) {
+        if (udp.datagrams[n].from == *sender) order.push_back({scanner::osClockNs(udp.datagrams[n].payload, *sensor), n});
+    }
+    const std::size_t late = orderByClock(order);
     std::vector<scanner::SpinningColumn> columns;
-    for (const UdpDatagram& datagram : udp.datagrams) {
-        if (datagram.from != *sender) continue;
+    for (const Clocked& one : order) {
+        const UdpDatagram& datagram = udp.datagrams[one.datagram];
         if (auto found = scanner::decodeOs(datagram.payload, *sensor, datagram.timeNs))
             std::ranges::move(*found, std::back_inserter(columns));
     }
@@ -207,7 +272,7 @@ std::optional<Result<Scan>> ousterIn(const UdpDatagrams& udp, const PacketFile& 
     if (!scan) return scan;
     scan->warnings.emplace_back(
         "The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.");
-    sayLosses(*scan, udp, file, others);
+    sayLosses(*scan, udp, file, others, late);
     return scan;
 }
 

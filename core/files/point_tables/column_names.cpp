@@ -1,6 +1,8 @@
 // One table of names.
 #include "core/files/point_tables/column_names.h"
 
+#include "core/files/point_tables/axis_words.h"
+
 #include <algorithm>
 #include <array>
 
@@ -85,6 +87,13 @@ constexpr KnownName kNames[]{
     {"rssi1", Role::Intensity},
     {"remission", Role::Intensity},
     {"amplitude", Role::Intensity},
+    {"returnnumber", Role::ReturnNumber},
+    {"return", Role::ReturnNumber},
+    {"returnno", Role::ReturnNumber},
+    {"returnnum", Role::ReturnNumber},
+    {"echo", Role::ReturnNumber},
+    {"echonumber", Role::ReturnNumber},
+    {"echono", Role::ReturnNumber},
     {"este", Role::X}, // Spanish and Portuguese; French below
     {"leste", Role::X},
     {"norte", Role::Y},
@@ -104,70 +113,19 @@ constexpr KnownName kNames[]{
     {"z1", Role::Z},
 };
 
-/// Letters with marks in UTF-8 or Latin-1 that names of columns are spelled with, and what they are spelled without: Höhe, Elevación.
-struct MarkedLetter {
-    std::string_view bytes;
-    std::string_view plain;
-};
-constexpr MarkedLetter kMarkedLetters[]{{"\xc3\xb6", "oe"}, {"\xf6", "oe"}, {"\xc3\xb3", "o"}, {"\xf3", "o"},
-                                        {"\xc3\xa7", "c"},  {"\xe7", "c"},  {"\xc3\xa3", "a"}, {"\xe3", "a"}};
-
-std::string withoutMarks(std::string_view text) {
-    std::string plain;
-    while (!text.empty()) {
-        const auto* const marked = std::ranges::find_if(kMarkedLetters, [&](const auto& m) { return text.starts_with(m.bytes); });
-        plain += marked == std::end(kMarkedLetters) ? text.substr(0, 1) : marked->plain;
-        text.remove_prefix(marked == std::end(kMarkedLetters) ? 1 : marked->bytes.size());
-    }
-    return plain;
-}
-
-/// Letters and digits between anything else, in lower case.
-std::vector<std::string> wordsOf(std::string_view given) {
-    std::vector<std::string> words(1);
-    for (char c : withoutMarks(given)) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-        const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-        if (letter)
-            words.back() += c;
-        else if (!words.back().empty())
-            words.emplace_back();
-    }
-    if (words.back().empty()) words.pop_back();
-    return words;
-}
-
-std::string plain(std::string_view text) {
-    std::string letters;
-    for (const std::string& word : wordsOf(text)) letters += word;
-    return letters;
-}
-
-std::optional<double> unitNamed(const std::string& text) {
-    if (text == "mm" || text == "millimetre" || text == "millimetres" || text == "millimeter" || text == "millimeters") return 1.0;
-    if (text == "cm" || text == "centimetre" || text == "centimetres" || text == "centimeter" || text == "centimeters") return 10.0;
-    if (text == "km" || text == "kilometre" || text == "kilometres" || text == "kilometer" || text == "kilometers") return 1e6;
-    if (text == "ft" || text == "feet" || text == "foot" || text == "ift") return 304.8;
-    if (text == "usft" || text == "ftus" || text == "ussurveyfeet") return 1200.0 / 3937.0 * 1000.0;
-    if (text == "in" || text == "inch" || text == "inches") return 25.4;
-    if (text == "m" || text == "metre" || text == "metres" || text == "meter" || text == "meters") return 1000.0;
-    return std::nullopt;
-}
-
 /// "Easting [m]", "x_mm", "z(m)", "Xmm": the name without its unit, and millimetres per unit.
 struct Name {
     std::string_view given; ///< without the unit
     std::optional<double> unitMm;
 };
 Name nameOf(std::string_view given) {
-    const std::size_t cut = given.find_last_of("_ ([/");
-    if (cut != std::string_view::npos && cut > 0) {
-        if (const auto unit = unitNamed(plain(given.substr(cut)))) {
-            if (plain(given.substr(0, cut)) != "range") return {given.substr(0, cut), unit}; // range_mm is a name of its own
-        }
+    constexpr std::string_view kBefore = "_ ([/-";
+    for (std::size_t cut = given.find_first_of(kBefore, 1); cut != std::string_view::npos; cut = given.find_first_of(kBefore, cut + 1)) {
+        const auto unit = unitNamed(headingLetters(given.substr(cut))); // the longest unit: "US survey feet" is not "feet"
+        if (unit && headingLetters(given.substr(0, cut)) != "range") return {given.substr(0, cut), unit}; // range_mm is a name of its own
     }
     const bool glued = given.size() > 1 && std::string_view("xyzXYZ").find(given.front()) != std::string_view::npos;
-    if (const auto unit = glued ? unitNamed(plain(given.substr(1))) : std::nullopt) return {given.substr(0, 1), unit};
+    if (const auto unit = glued ? unitNamed(headingLetters(given.substr(1))) : std::nullopt) return {given.substr(0, 1), unit};
     return {given, std::nullopt};
 }
 
@@ -197,13 +155,15 @@ std::optional<std::string> axisAmongWords(std::vector<std::string> words) {
 
 /// Place in the table; a name that is only found without some of its words follows all that are found whole.
 std::optional<std::size_t> rankOf(std::string_view given) {
-    const std::size_t whole = rankIn(plain(given));
+    const std::size_t whole = rankIn(headingLetters(given));
     if (whole < std::size(kNames)) return whole;
     const std::size_t bracket = given.find_first_of("([", 1); // "Easting (X)"
-    const std::size_t before = bracket == std::string_view::npos ? std::size(kNames) : rankIn(plain(given.substr(0, bracket)));
+    const std::size_t before = bracket == std::string_view::npos ? std::size(kNames) : rankIn(headingLetters(given.substr(0, bracket)));
     if (before < std::size(kNames)) return std::size(kNames) + before;
-    const auto axis = axisAmongWords(wordsOf(given));
-    return axis ? std::optional(2 * std::size(kNames) + rankIn(*axis)) : std::nullopt;
+    if (const auto axis = axisAmongWords(headingWords(given))) return 2 * std::size(kNames) + rankIn(*axis);
+    const auto axis = axisNamed(given); // axis_words.h
+    static constexpr const char* kAxes[]{"x", "y", "z"};
+    return axis ? std::optional(3 * std::size(kNames) + rankIn(kAxes[static_cast<std::size_t>(*axis)])) : std::nullopt;
 }
 
 bool isOneOf(const std::string& name, std::initializer_list<std::string_view> names) {
@@ -223,7 +183,7 @@ NamedColumns columnsNamed(std::span<const std::string> names) {
         found.of[role] = i;
         rank[role] = *itsRank;
     }
-    if (const auto line = found[ColumnRole::Line]) found.rowsAndColumns = plain(names[*line]).starts_with("row");
+    if (const auto line = found[ColumnRole::Line]) found.rowsAndColumns = headingLetters(names[*line]).starts_with("row");
     if (!found.hasPoint()) return found;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (const auto unit = nameOf(names[*found.of[axis]]).unitMm) found.unitMm = unit;
@@ -236,8 +196,9 @@ std::optional<std::string> contentsNamed(std::span<const std::string> names) {
     if (named.hasPoint()) return std::nullopt;
     const auto has = [&](std::initializer_list<std::string_view> any) {
         return std::ranges::any_of(names, [&](const std::string& name) {
-            const auto words = wordsOf(name);
-            return isOneOf(plain(name), any) || std::ranges::any_of(words, [&](const std::string& word) { return isOneOf(word, any); });
+            const auto words = headingWords(name);
+            return isOneOf(headingLetters(name), any) ||
+                   std::ranges::any_of(words, [&](const std::string& word) { return isOneOf(word, any); });
         });
     };
     if (has({"lat", "latitude"}) && has({"lon", "long", "lng", "longitude"})) return "degrees of latitude and longitude";
@@ -248,5 +209,7 @@ std::optional<std::string> contentsNamed(std::span<const std::string> names) {
     if (axes == 2) return "two coordinates of a point and not the third";
     return std::nullopt;
 }
+
+bool nameAnAxis(std::span<const std::string> names) { return std::ranges::any_of(names, speaksOfAxis); }
 
 } // namespace edgescan::files

@@ -11,8 +11,22 @@
 
 namespace edgescan::files {
 
-enum class ColumnRole : std::uint8_t { X, Y, Z, Line, Beam, RangeMm, State, ScannerX, ScannerY, ScannerZ, Intensity, FilledSdMm };
-inline constexpr std::size_t kColumnRoles = 12;
+enum class ColumnRole : std::uint8_t {
+    X,
+    Y,
+    Z,
+    Line,
+    Beam,
+    RangeMm,
+    State,
+    ScannerX,
+    ScannerY,
+    ScannerZ,
+    Intensity,
+    FilledSdMm,
+    ReturnNumber
+};
+inline constexpr std::size_t kColumnRoles = 13;
 
 /// Which column has which role; empty where no column has it.
 struct NamedColumns {
@@ -36,5 +50,8 @@ struct NamedColumns {
 /// What the names say the columns hold in place of x, y and z: "angles and ranges", "degrees of latitude and longitude"; empty where the
 /// names do not say it, or where they name x, y and z.
 [[nodiscard]] std::optional<std::string> contentsNamed(std::span<const std::string> names);
+
+/// True where a name speaks of an axis. Where x, y and z are not all found among such names their order is unknown.
+[[nodiscard]] bool nameAnAxis(std::span<const std::string> names);
 
 } // namespace edgescan::files

@@ -175,7 +175,12 @@ Precision precisionOf(const PrintedDigits& digits) {
 
 bool HeaderLines::next() {
     if (nextByte_ >= text_.size()) return false;
-    std::size_t end = text_.find('\n', nextByte_);
+    if (number_ == 0) { // a CR alone ends all lines where it ends the first one
+        const std::size_t first = text_.find_first_of("\r\n");
+        const bool alone = first != std::string_view::npos && text_[first] == '\r' && !text_.substr(first).starts_with("\r\n");
+        lineEnd_ = alone ? '\r' : '\n';
+    }
+    std::size_t end = text_.find(lineEnd_, nextByte_);
     if (end == std::string_view::npos) end = text_.size();
     line_ = text_.substr(nextByte_, end - nextByte_);
     if (line_.ends_with('\r')) line_.remove_suffix(1);

@@ -76,6 +76,7 @@ private:
     std::string_view text_, line_;
     std::size_t number_ = 0;
     std::size_t nextByte_ = 0;
+    char lineEnd_ = '\n';
 };
 
 /// Words between blanks.

@@ -43,6 +43,7 @@ struct PointTable {
     std::vector<std::uint8_t> state;
     std::vector<float> intensity;               ///< one per point, in any file; NaN where a point has none; empty where no point has one
     std::vector<float> filledSdMm;              ///< one per point: more than 0 was filled by this program and not measured
+    std::vector<std::uint8_t> returnNumber;     ///< one per point where pulses have several: 1 is the first; empty where no point has one
     std::vector<std::uint32_t> line, beam;      ///< of columns of that name, in any file; kNoIndex where there is no whole number
     std::vector<Eigen::Vector3d> scannerPoints; ///< of a cloud in mine coordinates: the points as they were read
 };

@@ -232,6 +232,54 @@ std::optional<TextLayout> layoutAmongWords(std::string_view text) {
     return std::nullopt;
 }
 
+/// The text before the number at the end of a name, and the number: "field.ranges12".
+std::optional<std::pair<std::string_view, std::uint64_t>> countedName(std::string_view name) {
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    std::uint64_t number = 0;
+    const auto [end, problem] = std::from_chars(name.data() + digits, name.data() + name.size(), number);
+    if (digits == 0 || digits == name.size() || problem != std::errc{}) return std::nullopt;
+    return std::pair(name.substr(0, digits), number);
+}
+
+/// Which columns are among many that one name counts: ranges0, ranges1 ... as a table of messages has them.
+std::vector<bool> countedColumns(const std::vector<std::string>& names) {
+    std::vector<bool> counted(names.size(), false);
+    for (std::size_t first = 0, end = 0; first < names.size(); first = std::max(end, first + 1)) {
+        const auto start = countedName(names[first]);
+        for (end = first + 1; start && end < names.size(); ++end) {
+            const auto next = countedName(names[end]);
+            if (!next || next->first != start->first || next->second != start->second + (end - first)) break;
+        }
+        if (start && end - first >= kWide)
+            std::fill(counted.begin() + static_cast<std::ptrdiff_t>(first), counted.begin() + static_cast<std::ptrdiff_t>(end), true);
+    }
+    return counted;
+}
+
+/// Rows of a table of messages, words among their numbers, below a heading with many columns that one name counts.
+std::optional<TextLayout> layoutOfMessages(std::string_view text) {
+    const TextLine heading = textLineAt(text, 0);
+    std::string_view names = heading.text;
+    const bool comment = names.starts_with('%') || names.starts_with('#');
+    if (comment) names.remove_prefix(1);
+    if (std::ranges::count(names, ',') < static_cast<std::ptrdiff_t>(kWide)) return std::nullopt;
+    TextLayout layout;
+    layout.separator = ',';
+    layout.firstByte = heading.next;
+    layout.firstLine = 2;
+    layout.names = namesIn(names, layout);
+    layout.columns = layout.names.size();
+    const std::vector<bool> counted = countedColumns(layout.names);
+    if (std::ranges::none_of(counted, [](bool one) { return one; }) || heading.next >= text.size()) return std::nullopt;
+    const auto cells = cellsIn(textLineAt(text, heading.next).text, layout);
+    if (cells.size() != layout.columns) return std::nullopt;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (counted[i] && !isNumber(cells[i]) && !isMissingMark(cells[i])) return std::nullopt;
+        layout.mayBeWords.push_back(!counted[i]);
+    }
+    return layout;
+}
+
 /// "3,48,-0,30,0,0" below "x,y,z": a comma is both, and twice as many cells as names.
 bool hasCommasForBoth(std::string_view header, std::span<const std::string_view> cells, const TextLayout& layout) {
     const auto whole = [](std::string_view cell) { return isNumber(cell) && cell.find_first_of(".eE") == std::string_view::npos; };
@@ -277,12 +325,14 @@ Result<TextLayout> textLayoutOf(const Source& source) {
     const bool labels = !head.found;
     if (labels) head = readHead(text, true);
     if (auto layout = head.found ? std::nullopt : layoutAmongWords(text)) return std::move(*layout);
+    if (auto messages = head.found && !labels ? std::nullopt : layoutOfMessages(text)) return std::move(*messages);
     if (!head.found) return textWithoutNumbers(source);
     TextLayout layout;
     layout.firstByte = head.firstByte;
     layout.firstLine = head.firstLine;
     layout.promisedRows = head.promisedRows;
     layout.description = std::move(head.description);
+    layout.unitMm = head.unitMm;
     layout.labels = labels;
     std::vector<std::string_view> rows;
     std::vector<std::string_view> numbers;  // the rows without their labels

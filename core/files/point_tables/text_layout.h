@@ -31,6 +31,7 @@ struct TextLayout {
     std::vector<bool> mayBeWords;   ///< by column: its text is not needed; empty: all are numbers
     std::optional<std::size_t> promisedRows; ///< a line with one whole number before the rows (.pts)
     std::string description;                 ///< JSON of our own "# edgescan " comment lines
+    std::optional<double> unitMm;            ///< millimetres per number by a line of comment before the rows
 };
 
 /// Length of the line that starts at `from`, without its end; and where the next one starts. CR, LF and CRLF end a line.

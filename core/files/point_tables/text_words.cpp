@@ -1,7 +1,8 @@
 // Words, cells and the head of a text of numbers.
 #include "core/files/point_tables/text_words.h"
-#include "core/base/number_text.h"
 
+#include "core/base/number_text.h"
+#include "core/files/point_tables/axis_words.h"
 #include "core/files/point_tables/point_table.h"
 
 #include <algorithm>
@@ -172,7 +173,10 @@ TextHead readHead(std::string_view text, bool labels) {
         const auto comment = commentIn(line.text);
         if (!comment) ++headLines;
         if (comment) {
-            if (!addToDescription(*comment, head.description)) head.header = *comment;
+            if (!addToDescription(*comment, head.description)) {
+                head.header = *comment;
+                if (const auto unit = unitInComment(*comment)) head.unitMm = unit;
+            }
         } else if (isRowOfNumbers(line.text) || (labels && isLabelledRow(line.text))) {
             const std::string_view next = line.next < text.size() ? textLineAt(text, line.next).text : std::string_view();
             const auto count = wordsIn(next).size() > 1 ? countIn(line.text) : std::nullopt;

@@ -40,6 +40,7 @@ struct TextHead {
     std::string_view header; ///< last line that is neither blank nor numbers, comment sign removed
     std::optional<std::size_t> promisedRows;
     std::string description;
+    std::optional<double> unitMm; ///< millimetres per number by a line of comment
     bool found = false;
 };
 /// `labels`: a row may begin with a word, with a separator behind it.

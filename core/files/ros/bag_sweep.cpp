@@ -50,7 +50,8 @@ public:
         : bag_(bag), topic_(topic), source_(source), where_(source.path.string()) {}
 
     Result<Scan> assemble() {
-        auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_, [&] { return source_.goOn("reading", 1.0); });
+        auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_, source_.options->keepRepeated,
+                                [&] { return source_.goOn("reading", 1.0); });
         if (!lines) return lines.error();
         lines_ = std::move(*lines);
         std::vector<std::string> said;
@@ -79,14 +80,20 @@ private:
             warn("The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.");
         if (lines_.unreadable > 0)
             warn(std::to_string(lines_.unreadable) + " messages of the topic were left out: " + lines_.whyUnreadable + ".");
-        if (lines_.contradict > 0)
-            warn("GUESS: in " + std::to_string(lines_.contradict) +
-                 " messages the angle_increment leads from angle_min away from angle_max: angle_min and angle_increment were taken.");
         if (lines_.timesUnknown > 0)
             warn(std::to_string(lines_.timesUnknown) +
                  " messages have a time_increment that cannot be: the beams of a line count as measured at once.");
         if (lines_.disordered > 0)
             warn(std::to_string(lines_.disordered) + " lines came out of order and were put in the order of their stamps.");
+        if (lines_.repeated > 0)
+            warn(std::to_string(lines_.repeated) +
+                 " messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.");
+        if (lines_.contradicting > 0)
+            warn("In " + std::to_string(lines_.contradicting) +
+                 " messages angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the "
+                 "beams may be "
+                 "mirrored or turned.");
+        if (!lines_.noReturns.empty()) warn(lines_.noReturns);
         if (!motion_) return;
         if (motion_->damagedMessages > 0)
             warn(std::to_string(motion_->damagedMessages) + " messages of joints are damaged and were left out.");

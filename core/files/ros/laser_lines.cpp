@@ -2,12 +2,15 @@
 #include "core/files/ros/laser_lines.h"
 
 #include "core/base/angles.h"
+#include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/files/point_tables/repeated_values.h"
 #include "core/files/ros/frames.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace edgescan::files {
@@ -140,6 +143,50 @@ void count(LaserLines& all) {
     }
 }
 
+/// Messages that a bag holds twice, as where two recorders or a relay wrote them. Lines are in order of their stamps.
+void leaveOutRepeated(LaserLines& all) {
+    std::vector<LaserLine> once;
+    once.reserve(all.lines.size());
+    for (LaserLine& line : all.lines) {
+        bool again = false;
+        constexpr std::size_t kLookedBack = 8; // others may have the same stamp
+        for (std::size_t n = once.size(), looked = 0; n > 0 && looked < kLookedBack && once[n - 1].stampNs == line.stampNs && !again;
+             --n, ++looked)
+            again = once[n - 1].line.ranges.rangeMm == line.line.ranges.rangeMm;
+        if (!again) once.push_back(std::move(line));
+    }
+    all.repeated = all.lines.size() - once.size();
+    all.lines = std::move(once);
+}
+
+/// A range that means "no return" in all lines, as range_max does.
+void markNoReturns(LaserLines& all) {
+    std::vector<double> ranges;
+    std::vector<double> beamDeg;
+    double mostM = all.lines.front().mostM;
+    for (const LaserLine& line : all.lines) {
+        mostM = line.mostM == mostM ? mostM : 0;
+        const auto& mm = line.line.ranges.rangeMm;
+        ranges.insert(ranges.end(), mm.begin(), mm.end());
+        for (std::size_t j = 0; j < mm.size(); ++j)
+            beamDeg.push_back(line.line.beams.startDeg + line.line.beams.stepDeg * static_cast<double>(j));
+    }
+    RangesToJudge given{ranges};
+    given.direction = [&](std::size_t n) { return Eigen::Vector3d(std::cos(radians(beamDeg[n])), std::sin(radians(beamDeg[n])), 0); };
+    if (mostM > 0) given.stated = static_cast<double>(millimetresOf(mostM));
+    const auto found = repeatedRange(given);
+    if (!found) return;
+    for (LaserLine& line : all.lines) {
+        auto& [mm, state] = line.line.ranges;
+        for (std::size_t j = 0; j < mm.size(); ++j) {
+            if (static_cast<double>(mm[j]) < found->least) continue;
+            mm[j] = 0;
+            state[j] = CellState::NoReturn;
+        }
+    }
+    all.noReturns = repeatedSentence(found->count, "ranges of the topic are " + significantText(found->least / kMmPerM, 6) + " m");
+}
+
 } // namespace
 
 Result<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
@@ -160,13 +207,15 @@ Result<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
     if (!std::isfinite(step) || step == 0) return refused("its angle_increment does not give the step between beams");
     if (!physical::kBeamDeg.hold(scanner::snappedDeg(from)) || !physical::kBeamDeg.hold(scanner::snappedDeg(last)))
         return refused("its angle_min or angle_increment puts beams outside of one turn");
-    found.contradicts = (most - from) * step < 0 && std::abs(most - from) > std::abs(step);
+    constexpr double kStepsOff = 2; // drivers count the beams or the steps between them
+    found.contradicts = most != 0 && std::abs(most - last) > kStepsOff * std::abs(step);
     line.beams = {scanner::snappedDeg(from), scanner::snappedDeg(step), count};
     found.beamS = message.number("time_increment").value_or(0);
     found.timeUnknown = !(std::abs(found.beamS) * count <= kLongestLineS);
     if (found.timeUnknown) found.beamS = 0;
-    const double farthest = number("range_max", std::numeric_limits<double>::max());
-    takeRanges(line, rangesM, number("range_min", 0), farthest > 0 ? farthest : std::numeric_limits<double>::max());
+    const double farthestM = number("range_max", 0);
+    found.mostM = farthestM > 0 ? farthestM : std::numeric_limits<double>::max();
+    takeRanges(line, rangesM, number("range_min", 0), found.mostM);
     const std::vector<double> strengths = echoesOf(message, "intensities", echo);
     if (strengths.size() == rangesM.size()) line.intensity.assign(strengths.begin(), strengths.end());
     found.reversed = step < 0;
@@ -203,7 +252,7 @@ scanner::SweepSettings sweepOfLaser(scanner::SweepSettings asked, const LaserLin
 }
 
 Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where,
-                              const std::function<bool()>& goOn) {
+                              bool keepRepeated, const std::function<bool()>& goOn) {
     const containers::RosTopic& of = bag.topics[topic];
     const auto definition = containers::rosDefinition(of.type, of.definition, where);
     if (!definition) return definition.error();
@@ -224,9 +273,9 @@ Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic
             unreadable(line.error().what);
             continue;
         }
-        all.contradict += line->contradicts ? 1 : 0;
         all.timesUnknown += line->timeUnknown ? 1 : 0;
         if (all.frame.empty()) all.frame = frameNameOf(message->text("header.frame_id"));
+        all.contradicting += line->contradicts ? 1 : 0;
         if (!all.lines.empty() && line->stampNs < all.lines.back().stampNs) ++all.disordered;
         all.lines.push_back(std::move(*line));
     }
@@ -234,6 +283,8 @@ Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic
         return Error{"no message of the topic " + of.name + " is a line of ranges" + (all.unreadable > 0 ? ": " + all.whyUnreadable : ""),
                      where, "choose another topic"};
     std::ranges::stable_sort(all.lines, {}, &LaserLine::stampNs);
+    leaveOutRepeated(all);
+    if (!keepRepeated) markNoReturns(all);
     all.periodS = usualPeriodS(all.lines);
     count(all);
     return all;

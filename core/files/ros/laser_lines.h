@@ -17,8 +17,9 @@ struct LaserLine {
     std::int64_t stampNs = 0; ///< of its first beam in time
     double beamS = 0;         ///< from beam to the next in the line, negative where they were reversed; 0: the message does not say
     bool reversed = false;    ///< the beams run clockwise; they were put into ascending order
-    bool contradicts = false; ///< the beams run from angle_min away from angle_max
+    bool contradicts = false; ///< angle_max is not where angle_min and angle_increment put the last beam
     bool timeUnknown = false; ///< time_increment is not a number, or far too long: the beams count as measured at once
+    double mostM = 0;         ///< range_max of the message
     scanner::SweepLine line;
 };
 
@@ -26,11 +27,14 @@ struct LaserLine {
 struct LaserLines {
     std::string frame; ///< of the fan, as frameNameOf()
     std::vector<LaserLine> lines;
-    double periodS = 0.04;      ///< from line to line, the median
-    std::size_t disordered = 0; ///< messages that came before one with an earlier stamp
-    std::size_t unreadable = 0; ///< messages that do not fit their definition, or hold no beams
+    double periodS = 0.04;         ///< from line to line, the median
+    std::size_t disordered = 0;    ///< messages that came before one with an earlier stamp
+    std::size_t contradicting = 0; ///< messages whose angle_max contradicts their other angles
+    std::size_t repeated = 0;      ///< messages with the stamp and the ranges of one before, which were left out
+    std::size_t unreadable = 0;    ///< messages that do not fit their definition, or hold no beams
     std::string whyUnreadable;
-    std::size_t contradict = 0, timesUnknown = 0; ///< lines, as LaserLine says
+    std::size_t timesUnknown = 0; ///< lines, as LaserLine says
+    std::string noReturns;        ///< a sentence where one range stood for "no return"; empty otherwise
 };
 
 /// The line in a message; its counters are set by others. Error, of which only `what` is set: no beams, no stamp, or angles that no laser
@@ -44,8 +48,8 @@ void placeBeams(LaserLine& line, double shiftDeg);
 [[nodiscard]] scanner::SweepSettings sweepOfLaser(scanner::SweepSettings asked, const LaserLine& line);
 
 /// Angles become degrees, metres millimetres: whole ones where the message's number is the nearest to one. inf, NaN, 0 and what is outside
-/// range_min..range_max is a missing return. The counters of a line count the periods since the line before, so that a gap is lost lines.
+/// range_min..range_max is a missing return, and so is a range that means one (repeated_values.h) unless `keepRepeated`. A message
+/// that is there twice counts once. The counters of a line count the periods since the line before, so that a gap is lost lines.
 Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where,
-                              const std::function<bool()>& goOn);
-
+                              bool keepRepeated, const std::function<bool()>& goOn);
 } // namespace edgescan::files

@@ -69,8 +69,9 @@ const std::vector<ReadingOption>& table() {
         {"line-start", kBoth, Kind::Number, "Angle of the first line [degrees]", {}, EDGESCAN_OPTION(lineStartDeg), &physical::kLineDeg},
         {"line-step", kBoth, Kind::Number, "Angle from line to line [degrees]", {}, EDGESCAN_OPTION(lineStepDeg), &physical::kStepDeg},
         {"unit", ReadingOption::kFlag, Kind::Word, "Unit of the numbers in the file, where it does not say", {"mm", "cm", "m"},
-         [](const Options& o) -> std::string { return !o.unitMm ? "" : *o.unitMm == 1000.0 ? "m" : *o.unitMm == 10.0 ? "cm" : "mm"; },
-         [](Options& o, const std::string& text) { o.unitMm = text == "m" ? 1000.0 : text == "cm" ? 10.0 : 1.0; }},
+         [](const Options& o) -> std::string { return o.unitMm == 1000.0 ? "m" : o.unitMm == 10.0 ? "cm" : o.unitMm == 1.0 ? "mm" : textOf(o.unitMm); },
+         [](Options& o, const std::string& text) { o.unitMm = text == "m" ? 1000.0 : text == "cm" ? 10.0 : text == "mm" ? 1.0 : numbersOf(text).at(0); },
+         &physical::kUnitMm},
         {"unit-mm", ReadingOption::kRecord, Kind::Number, "Millimetres per number in the file", {}, EDGESCAN_OPTION(unitMm), &physical::kUnitMm},
         {"grid-step", kBoth, Kind::Number, "Cells of a cloud that is projected [degrees]; else from the spacing of its points", {},
          EDGESCAN_OPTION(gridStepDeg), &physical::kGridStepDeg},
@@ -91,6 +92,9 @@ const std::vector<ReadingOption>& table() {
         {"scan", kBoth, Kind::Whole, "Which scan of a file that holds several, from 0", {}, EDGESCAN_OPTION(scanIndex), &kScanIndex},
         {"topic", kBoth, Kind::Name, "Topic of a ROS bag that is the scan; otherwise a laser that is turned", {}, EDGESCAN_OPTION(topic)},
         {"joint", kBoth, Kind::Name, "Joint of a ROS bag that turns the laser; otherwise from the transforms", {}, EDGESCAN_OPTION(joint)},
+        {"columns", kBoth, Kind::Name, "Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3", {}, EDGESCAN_OPTION(columns)},
+        {"keep-repeated", kBoth, Kind::Switch,
+         "Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return", {}, EDGESCAN_OPTION(keepRepeated)},
         {"pose", ReadingOption::kFlag, Kind::Path, "Pose file of the scan; a recording may hold its own", {}, EDGESCAN_OPTION(pose)},
         {"calibration", ReadingOption::kFlag, Kind::Path, "Calibration file of the robot; a recording may hold its own", {}, EDGESCAN_OPTION(calibration)},
     };
@@ -146,9 +150,12 @@ Result<Done> checked(const ReadingOption& option, const std::string& text) {
     if (option.kind == Kind::Word && std::ranges::find(option.words, text) == option.words.end()) {
         std::string words;
         for (const std::string& word : option.words) words += (words.empty() ? "" : &word == &option.words.back() ? " or " : ", ") + word;
+        const std::vector<double> number = option.limit == nullptr ? std::vector<double>() : numbersOf(text); // a word or a number
+        if (number.size() == 1 && option.limit->hold(number.front())) return Done{};
+        if (option.limit != nullptr) words += std::string(", or a number of ") + option.limit->unit;
         return Error{"\"" + text + "\" is not one of its values", flag, "use " + words};
     }
-    if (option.limit == nullptr) return Done{};
+    if (option.limit == nullptr || option.kind == Kind::Word) return Done{};
     const std::vector<double> numbers = numbersOf(text);
     const NumberLimits& limits = option.limit->limits;
     const std::string unit = *option.limit->unit == '\0' ? std::string() : std::string(" ") + option.limit->unit;

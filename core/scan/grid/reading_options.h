@@ -42,6 +42,8 @@ struct ReadingOptions {
     std::string joint;       ///< of a ROS bag: the joint that turns the laser
     /// index, from 0, of the scan in a file that holds several; empty: the first, or of sweeps and clouds of a bag the largest
     std::optional<std::size_t> scanIndex;
+    std::string columns;       ///< of a list of points as text: the columns of x, y and z, by number from 1 or by name: "2,1,3"
+    bool keepRepeated = false; ///< a value or point that repeats far apart from the rest is measured and not "no return"
 
     /// Called by the opening thread with the stage and the share of it that is done (0..1). If it returns false, opening ends with the
     /// Error "cancelled".

@@ -134,6 +134,12 @@ std::optional<std::vector<SpinningColumn>> decodeOs(ByteView datagram, const OsS
     return columns;
 }
 
+std::int64_t osClockNs(ByteView datagram, const OsSensor& sensor) {
+    const auto profile = profileOf(datagram, sensor);
+    if (!profile) return 0;
+    return static_cast<std::int64_t>(littleEndian(datagram.subspan(kLayouts[static_cast<std::size_t>(*profile)].packetHead, 8)));
+}
+
 SpinningBeams osBeams(const OsSensor& sensor) {
     SpinningBeams beams;
     beams.vendor = "Ouster";

@@ -29,6 +29,9 @@ Result<OsSensor> osSensor(std::string_view json, const std::string& where);
 /// The columns in a datagram that are valid, with `timeNs` as the time of the first. Empty: its length is not one of this sensor's packets.
 [[nodiscard]] std::optional<std::vector<SpinningColumn>> decodeOs(ByteView datagram, const OsSensor& sensor, std::int64_t timeNs);
 
+/// The sensor's clock at the first column of a datagram that decodeOs() reads, nanoseconds.
+[[nodiscard]] std::int64_t osClockNs(ByteView datagram, const OsSensor& sensor);
+
 [[nodiscard]] SpinningBeams osBeams(const OsSensor& sensor);
 
 /// Whether the length of a datagram is that of a lidar packet of an OS with 16, 32, 64 or 128 beams.

@@ -96,6 +96,7 @@ void ReadingDialog::addField(const ReadingOption& option, QFormLayout& form) {
 void ReadingDialog::accept() {
     ReadingOptions typed;
     typed.straighten = options_.straighten;
+    typed.keepRepeated = options_.keepRepeated;
     for (const Field& field : fields_) {
         const std::string text = field.text().toStdString();
         if (text.empty()) continue;

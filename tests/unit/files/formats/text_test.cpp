@@ -189,7 +189,8 @@ TEST(PointText, SentencesNameTheLine) {
     refused("1 2 3\n4 5 6\n7 abc 9\n", "line 3: \"abc\" is not a number");
     std::string rows;
     for (int k = 0; k < 30000; ++k) rows += "1 2 3\n";
-    refused(rows + std::string(512, '\0'), "line 30001: holds bytes of zero, as a file does that was not written to its end");
+    refused(rows + std::string(512, '\0') + "\n1 2 3\n", "line 30001: holds bytes of zero, as a file does that was not written to its end");
+    refused(rows + std::string(512, '\0'), "512 bytes of zero (NUL) follow the last row");
     refused("1 2 3\n4 5 6\n7 8\n", "line 3: holds 2 numbers");
     refused("5\n1 2 3\n4 5 6\n", "promises 5 points and holds 2");
     refused("1 2\n3 4\n", "line 1: holds 2 numbers where a point needs three");

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -64,6 +65,46 @@ protected:
             const Eigen::Vector3d found = pointOfCell(scan, scan.rangeMm.index(point.line, j));
             ASSERT_LT((found - point.atM).norm(), 2e-4) << name << ' ' << point.line << ' ' << j;
         }
+    }
+    static constexpr std::size_t kHead = 24, kRecordHead = 16, kEthernet = 14, kIp = 20;
+    /// The records of a capture of VLP-16 packets, each with its head.
+    [[nodiscard]] std::vector<std::string> recordsOf(const std::string& name) const {
+        const std::string all = bytesOf(name);
+        constexpr std::size_t kRecord = kRecordHead + kEthernet + kIp + 8 + 1206;
+        std::vector<std::string> records;
+        for (std::size_t from = kHead; from + kRecord <= all.size(); from += kRecord) records.push_back(all.substr(from, kRecord));
+        return records;
+    }
+    [[nodiscard]] Result<Scan> written(const std::vector<std::string>& records) const {
+        std::string all = bytesOf("vlp16.pcap").substr(0, kHead);
+        for (const std::string& record : records) all += record;
+        std::ofstream(at("other.pcap"), std::ios::binary) << all;
+        return files::openScan(at("other.pcap"), {});
+    }
+    /// A piece of the IP packet in a record, from `offset` on, as a record of its own.
+    static std::string pieceOf(const std::string& record, unsigned id, std::size_t offset, std::size_t bytes, bool more) {
+        constexpr std::size_t kHeads = kRecordHead + kEthernet + kIp;
+        std::string piece = record.substr(0, kHeads) + record.substr(kHeads + offset, bytes);
+        const auto big = [&](std::size_t place, std::size_t value) {
+            piece[kRecordHead + kEthernet + place] = static_cast<char>(value >> 8U);
+            piece[kRecordHead + kEthernet + place + 1] = static_cast<char>(value);
+        };
+        big(2, piece.size() - kRecordHead - kEthernet);
+        big(4, id);
+        big(6, (more ? 0x2000U : 0U) | offset / 8);
+        const auto length = static_cast<std::uint32_t>(piece.size() - kRecordHead);
+        for (const std::size_t place : {8U, 12U}) std::memcpy(piece.data() + place, &length, sizeof length);
+        return piece;
+    }
+    static void setSeconds(std::string& record, int later) {
+        std::uint32_t seconds = 0;
+        std::memcpy(&seconds, record.data(), sizeof seconds);
+        seconds += static_cast<std::uint32_t>(later);
+        std::memcpy(record.data(), &seconds, sizeof seconds);
+    }
+    [[nodiscard]] std::string bytesOf(const std::string& name) const {
+        std::ifstream in(at(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
     }
     [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_ / name; }
     TemporaryFolder folder_;
@@ -122,6 +163,43 @@ TEST_F(SpinningCapture, PacketsThatAreMissingAreLostLines) {
     EXPECT_TRUE(warns(*scan, "lines of the turn are missing"));
     EXPECT_EQ(scan->state.at(5 * 24 + 3, 0), CellState::Lost);
     EXPECT_EQ(countCells(*scan)[static_cast<std::size_t>(CellState::Lost)] % 16, 0U);
+}
+
+TEST_F(SpinningCapture, RepeatedAndLatePacketsAreTheSameScan) {
+    const std::vector<std::string> records = recordsOf("vlp16.pcap");
+    const auto expected = files::openScan(at("vlp16.pcap"), {});
+    ASSERT_TRUE(expected);
+    std::vector<std::string> twice, late = records;
+    for (const std::string& record : records) twice.insert(twice.end(), 2, record);
+    for (std::size_t n = 3; n + 2 < late.size(); n += 9) std::swap(late[n], late[n + 2]);
+    for (const auto& [all, words] : {std::pair(twice, "packets are in the capture twice"), {late, "came out of order"}}) {
+        const auto scan = written(all);
+        ASSERT_TRUE(scan) << scan.error().sentence();
+        EXPECT_EQ(scan->rangeMm, expected->rangeMm);
+        EXPECT_EQ(scan->state, expected->state);
+        EXPECT_TRUE(warns(*scan, words));
+    }
+}
+
+TEST_F(SpinningCapture, PiecesOfAnOlderPacketWithTheSameNumberAreNotUsed) {
+    const std::vector<std::string> records = recordsOf("vlp16.pcap");
+    const auto expected = files::openScan(at("vlp16.pcap"), {});
+    ASSERT_TRUE(expected);
+    for (const int secondsBefore : {88, 0}) {
+        std::vector<std::string> all;
+        std::string stale = pieceOf(records[40], 7, 0, 800, true);
+        setSeconds(stale, -secondsBefore);
+        all.push_back(stale);
+        for (std::size_t n = 0; n < records.size(); ++n) {
+            const auto id = static_cast<unsigned>(n == 20 ? 7 : 1000 + n);
+            all.push_back(pieceOf(records[n], id, 0, 800, true));
+            all.push_back(pieceOf(records[n], id, 800, std::string::npos, false));
+        }
+        const auto scan = written(all);
+        ASSERT_TRUE(scan) << scan.error().sentence();
+        EXPECT_EQ(scan->rangeMm, expected->rangeMm) << secondsBefore;
+        EXPECT_TRUE(warns(*scan, "1 packets are missing in part"));
+    }
 }
 
 TEST(SpinningPackets, WhatIsNoPacketIsNoPacket) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace edgescan {
 namespace {
 
@@ -21,6 +23,8 @@ ReadingOptions everything() {
     options.scanIndex = 4;
     options.topic = "/arm/scan";
     options.joint = "tilt joint";
+    options.columns = "2,1,3";
+    options.keepRepeated = true;
     options.pose = "it's here.json";
     options.calibration = "robot.json";
     return options;
@@ -31,7 +35,7 @@ TEST(ReadingOptions, ARecordIsWrittenAsItAlwaysWas) {
     EXPECT_EQ(readingOptionsText(everything()),
               "{\"beam-start\":-5.5,\"beam-step\":0.1,\"line-start\":-90.0,\"line-step\":1e-07,\"unit-mm\":10.0,\"grid-step\":0.25,"
               "\"axis\":\"sweep\",\"sensor\":[1.0,2.5,-3.0],\"project\":\"never\",\"straighten\":true,\"scan\":4,"
-              "\"topic\":\"/arm/scan\",\"joint\":\"tilt joint\"}");
+              "\"topic\":\"/arm/scan\",\"joint\":\"tilt joint\",\"columns\":\"2,1,3\",\"keep-repeated\":true}");
     const auto again = parseReadingOptions(readingOptionsText(everything()), "test");
     ASSERT_TRUE(again) << again.error().sentence();
     EXPECT_EQ(readingOptionsText(*again), readingOptionsText(everything()));
@@ -47,10 +51,12 @@ TEST(ReadingOptions, DamagedRecordsAreRefused) {
 
 TEST(ReadingOptions, FlagsGiveBackWhatWasSaid) {
     EXPECT_EQ(readingFlags({}), "");
-    EXPECT_EQ(readingFlags(everything()),
-              "--beam-start -5.5 --beam-step 0.1 --line-start -90 --line-step 1e-07 --unit cm --grid-step 0.25 "
-              "--axis sweep --sensor 1,2.5,-3 --project never --straighten --scan 4 --topic '/arm/scan' --joint 'tilt joint' "
-              "--pose 'it'\\''s here.json' --calibration 'robot.json'");
+    EXPECT_EQ(
+        readingFlags(everything()),
+        "--beam-start -5.5 --beam-step 0.1 --line-start -90 --line-step 1e-07 --unit cm --grid-step 0.25 "
+        "--axis sweep --sensor 1,2.5,-3 --project never --straighten --scan 4 --topic '/arm/scan' --joint 'tilt joint' --columns '2,1,3' "
+        "--keep-repeated "
+        "--pose 'it'\\''s here.json' --calibration 'robot.json'");
     ReadingOptions again;
     for (const ReadingOption& option : readingOptionTable()) {
         const std::string text = option.get(everything());
@@ -61,6 +67,19 @@ TEST(ReadingOptions, FlagsGiveBackWhatWasSaid) {
         EXPECT_EQ(option.get({}), "") << option.key;
     }
     EXPECT_EQ(readingFlags(again), readingFlags(everything()));
+}
+
+TEST(ReadingOptions, AUnitIsAWordOrANumber) {
+    const auto unit =
+        std::ranges::find(readingOptionTable(), std::string_view("unit"), [](const ReadingOption& o) { return std::string_view(o.key); });
+    ReadingOptions options;
+    for (const auto& [text, mm] : {std::pair{"m", 1000.0}, {"mm", 1.0}, {"0.2", 0.2}, {"304.8", 304.8}}) {
+        ASSERT_TRUE(checked(*unit, text)) << text;
+        unit->set(options, text);
+        EXPECT_EQ(options.unitMm, mm);
+        EXPECT_EQ(unit->get(options), text);
+    }
+    for (const char* text : {"0", "-1", "1e9", "ft", "1,2"}) EXPECT_FALSE(checked(*unit, text)) << text;
 }
 
 TEST(ReadingOptions, WhatDoesNotFitIsRefused) {

@@ -1,0 +1,31 @@
+// The units of a LAS file's coordinates, as its coordinate system states them: well-known text or GeoTIFF keys.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace edgescan::files::las {
+
+struct StatedUnits {
+    bool degrees = false;           ///< x and y are degrees of longitude and latitude
+    std::optional<double> mm;       ///< millimetres per unit of x and y; empty: not stated
+    std::optional<double> heightMm; ///< likewise of z, where the file states it on its own
+    std::string name;               ///< of the unit, or of the system without a known unit; for sentences
+};
+
+/// Of the text of a coordinate system (OGC 01-009 and ISO 19162).
+[[nodiscard]] StatedUnits unitsOfWkt(std::string_view text);
+
+/// Where the records of a file are: `records` of them behind the header, from `recordsAt` to `recordsEnd`, and `extended` behind the
+/// points.
+struct RecordPlaces {
+    std::uint64_t recordsAt = 0, records = 0, recordsEnd = 0, extendedAt = 0, extended = 0;
+};
+/// Of all records of the user LASF_Projection; the text goes before the keys. Damaged records are not read.
+[[nodiscard]] StatedUnits statedUnits(std::span<const std::byte> file, const RecordPlaces& places);
+
+} // namespace edgescan::files::las
