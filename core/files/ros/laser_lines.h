@@ -52,4 +52,5 @@ void placeBeams(LaserLine& line, double shiftDeg);
 /// that is there twice counts once. The counters of a line count the periods since the line before, so that a gap is lost lines.
 Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where,
                               bool keepRepeated, const std::function<bool()>& goOn);
+
 } // namespace edgescan::files
