@@ -152,7 +152,8 @@ Result<PtxScan> findScan(const Source& source) {
     const std::string_view text = source.text();
     std::size_t wanted = source.options->scanIndex.value_or(0);
     PtxScan found;
-    std::optional<PtxScan> first; // with points
+    PtxScan first; // with points, where there is one
+    bool some = false;
     std::size_t at = 0;
     std::size_t lineNumber = 1;
     while (at < text.size()) {
@@ -180,7 +181,8 @@ Result<PtxScan> findScan(const Source& source) {
         const auto end = lies ? std::nullopt : afterLines(text, header->firstByte, header->points());
         if (!end && found.inFile <= wanted) return cutOff(*header, found.inFile, source);
         const bool noReturn = end && !holdsReturn(text.substr(header->firstByte, *end - header->firstByte));
-        if (!first && !isEmpty && end) first = PtxScan{*header, *end, found.inFile};
+        if (!some && !isEmpty && end) first = {*header, *end, found.inFile, 0, false};
+        some = some || (!isEmpty && end);
         if (noReturn && !source.options->scanIndex && found.inFile == wanted) ++wanted; // the first that has points
         if (found.inFile == wanted) {
             found.header = *header;
@@ -196,10 +198,10 @@ Result<PtxScan> findScan(const Source& source) {
         found.index = wanted;
         return found;
     }
-    if (!source.options->scanIndex && first) { // no scan has a return: the first one says so
-        found.header = first->header;
-        found.endByte = first->endByte;
-        found.index = first->index;
+    if (!source.options->scanIndex && some) { // no scan has a return: the first one says so
+        found.header = first.header;
+        found.endByte = first.endByte;
+        found.index = first.index;
         return found;
     }
     if (!source.options->scanIndex && found.inFile > 0)
