@@ -237,8 +237,8 @@ TEST(Exits, EverySwitchTakesTrueOrFalse) {
                     EXPECT_EQ(run.err.find("is not true or false") == std::string::npos, answers) << run.err;
                 }
                 if (values.size() == 1 || flag == "--help" || flag == "--version" || program == "edgescan") continue;
-                for (const char* value : {"true", "false"}) { // the other arguments of the command are missing
-                    const auto run = runProgram(program, command + " " + flag + "=" + value);
+                for (const char* value : {"true", "false"}) { // the other flag is refused, so nothing runs
+                    const auto run = runProgram(program, command + " " + flag + "=" + value + " --no-such-flag");
                     EXPECT_EQ(run.err.find("is not true or false"), std::string::npos) << run.err;
                 }
             }

@@ -2,6 +2,7 @@
 // move, zoom and open menus.
 #include "core/edges/explain/cell_values.h"
 #include "tests/support/scans.h"
+#include "tests/support/simulated_bell.h"
 #include "tests/ui/sized_window.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/language/languages.h"
@@ -733,8 +734,11 @@ private slots:
     }
 
     void theOutlineGoesToTheNextTarget() {
+        const auto bell = test::simulatedBell(250, 286, 4711); // the boxes are hardly rocks
+        const std::string file = (folder_ / "bell.json").string();
+        QVERIFY(bell && files::saveScan(*bell, file));
         WindowFixture on;
-        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.showWith(file));
         on.viewer.rocks.setShown(true);
         QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
         const auto& rocks = on.viewer.rocks.picture()->study.rocks;

@@ -137,6 +137,24 @@ std::vector<Entry> mergedEntries(const std::vector<Entry>& base, const std::vect
     return merged;
 }
 
+bool samePlace(const PinnedTarget& one, const PinnedTarget& other) { return one.cell == other.cell && one.pinnedUtc == other.pinnedUtc; }
+bool samePlace(const StoredMeasure& one, const StoredMeasure& other) { return one.kind == other.kind && one.cells == other.cells; }
+
+template <class Entry>
+void addOthers(std::vector<Entry>& value, const std::vector<Entry>& now, const std::vector<const std::vector<Entry>*>& known) {
+    int most = 0;
+    for (const Entry& entry : value) most = std::max(most, entry.number);
+    for (const Entry& entry : now) most = std::max(most, entry.number);
+    for (const Entry& entry : now) {
+        const auto isIt = [&](const Entry& other) { return samePlace(entry, other); };
+        if (std::ranges::any_of(known, [&](const std::vector<Entry>* entries) { return std::ranges::any_of(*entries, isIt); })) continue;
+        for (Entry& own : value) {
+            if (own.number == entry.number) own.number = ++most;
+        }
+        value.push_back(entry);
+    }
+}
+
 /// Checks that the notebook was made on this scan.
 Result<Done> checkScan(JsonFields fields, const NotebookScan& scan, const std::string& where) {
     const NotebookScan of{fields.text("sha256"), fields.text("name"), static_cast<int>(fields.wholeNumber("lines", 1, INT32_MAX)),
@@ -160,6 +178,19 @@ Notebook mergedNotebook(const Notebook& base, const Notebook& mine, const Notebo
                     mergedEntries(base.measures, mine.measures, theirs.measures)};
     std::ranges::sort(merged.measures, {}, &StoredMeasure::number);
     return merged;
+}
+
+Notebook withOthers(Notebook value, const Notebook& now, std::initializer_list<const Notebook*> known) {
+    std::vector<const std::vector<PinnedTarget>*> targets;
+    std::vector<const std::vector<StoredMeasure>*> measures;
+    for (const Notebook* one : known) {
+        targets.push_back(&one->targets);
+        measures.push_back(&one->measures);
+    }
+    addOthers(value.targets, now.targets, targets);
+    addOthers(value.measures, now.measures, measures);
+    std::ranges::sort(value.measures, {}, &StoredMeasure::number);
+    return value;
 }
 
 int nextNumber(const Notebook& notebook) {

@@ -5,6 +5,7 @@
 #include "core/inspect/measure/lengths.h"
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -69,6 +70,10 @@ struct Notebook {
 /// entry, that of `mine` stays; what one removed and the other changed stays. Where both added one of the same number, that of `mine` gets
 /// the next free number. @param base what both began with
 [[nodiscard]] Notebook mergedNotebook(const Notebook& base, const Notebook& mine, const Notebook& theirs);
+
+/// `value`, which was or will be undone, and the entries of `now` that another window added: those of other places than all in `known`. An
+/// entry of `value` with the number of such a one gets the next free number.
+[[nodiscard]] Notebook withOthers(Notebook value, const Notebook& now, std::initializer_list<const Notebook*> known);
 
 /// The scan that a notebook belongs to: in another scan its cells would be other places.
 struct NotebookScan {

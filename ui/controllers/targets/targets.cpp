@@ -286,8 +286,8 @@ void Targets::setPart(const inspect::TargetsPart& part) {
 void Targets::change(const QString& what, const inspect::Notebook& after) {
     undo_.push(new UndoStep<inspect::Notebook>(
         what, notebook_, after,
-        [this, before = notebook_, after](const inspect::Notebook& value) { // what another window changed meanwhile stays
-            use(inspect::mergedNotebook(value == after ? before : after, value, notebook_));
+        [this, before = notebook_, after](const inspect::Notebook& value) {
+            use(inspect::withOthers(value, notebook_, {&before, &after}));
             return true;
         },
         [this, key = key_] { return key_ == key; }));

@@ -77,6 +77,17 @@ TEST(Notebook, WhatTwoWindowsDidIsMerged) {
     }
 }
 
+TEST(Notebook, AnUndoneStepLeavesWhatAnotherWindowAdded) {
+    const Notebook before = notebookOf({{1, 5}}), after = notebookOf({{1, 5}, {2, 6}});
+    const auto undone = [&](const Notebook& value, const Notebook& now) { return withOthers(value, now, {&before, &after}).targets; };
+    EXPECT_EQ(undone(before, after), before.targets);
+    EXPECT_EQ(undone(before, notebookOf({{1, 5}, {3, 6}, {2, 7}})), notebookOf({{1, 5}, {2, 7}}).targets);
+    EXPECT_EQ(undone(after, notebookOf({{1, 5}, {2, 7}})), notebookOf({{1, 5}, {3, 6}, {2, 7}}).targets);
+    Notebook known = after; // the rows of the card came after the pin
+    known.targets.back().asPinned = {{"Distance", "5 m"}};
+    EXPECT_EQ(undone(before, known), before.targets);
+}
+
 TEST(Notebook, OfAnotherScanIsRefused) {
     const std::string text = notebookText(someNotebook(), kThis);
     for (const NotebookScan& other : {NotebookScan{std::string(64, 'b'), "bell", 20, 30}, NotebookScan{kThis.sha256, "sweep 2", 20, 30},
