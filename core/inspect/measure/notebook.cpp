@@ -108,9 +108,12 @@ StoredMeasure measureFrom(JsonFields& fields, const NotebookScan& scan) {
     return measure;
 }
 
+bool samePlace(const PinnedTarget& one, const PinnedTarget& other) { return one.cell == other.cell && one.pinnedUtc == other.pinnedUtc; }
+bool samePlace(const StoredMeasure& one, const StoredMeasure& other) { return one.kind == other.kind && one.cells == other.cells; }
+
 template <class Entry>
-const Entry* numbered(const std::vector<Entry>& entries, int number) {
-    const auto found = std::ranges::find(entries, number, &Entry::number);
+const Entry* entryAt(const std::vector<Entry>& entries, const Entry& place) {
+    const auto found = std::ranges::find_if(entries, [&](const Entry& entry) { return samePlace(entry, place); });
     return found == entries.end() ? nullptr : &*found;
 }
 
@@ -122,23 +125,24 @@ std::vector<Entry> mergedEntries(const std::vector<Entry>& base, const std::vect
         for (const Entry& entry : *side) most = std::max(most, entry.number);
     }
     for (const Entry& entry : mine) {
-        const Entry* before = numbered(base, entry.number);
-        const Entry* there = numbered(theirs, entry.number);
+        const Entry* before = entryAt(base, entry);
+        const Entry* there = entryAt(theirs, entry);
         const bool same = before != nullptr && entry == *before;
         if (same && there == nullptr) continue; // removed there
         merged.push_back(same ? *there : entry);
-        if (before == nullptr && there != nullptr && *there != entry) merged.back().number = ++most;
+        const bool isTaken = std::ranges::any_of(
+            theirs, [&](const Entry& other) { return other.number == merged.back().number && !samePlace(other, entry); });
+        if (there != nullptr)
+            merged.back().number = there->number;
+        else if (isTaken)
+            merged.back().number = ++most;
     }
     for (const Entry& entry : theirs) {
-        const Entry* before = numbered(base, entry.number);
-        const Entry* here = numbered(mine, entry.number);
-        if (here != nullptr ? before == nullptr && *here != entry : before == nullptr || entry != *before) merged.push_back(entry);
+        const Entry* before = entryAt(base, entry);
+        if (entryAt(mine, entry) == nullptr && (before == nullptr || entry != *before)) merged.push_back(entry);
     }
     return merged;
 }
-
-bool samePlace(const PinnedTarget& one, const PinnedTarget& other) { return one.cell == other.cell && one.pinnedUtc == other.pinnedUtc; }
-bool samePlace(const StoredMeasure& one, const StoredMeasure& other) { return one.kind == other.kind && one.cells == other.cells; }
 
 template <class Entry>
 void addOthers(std::vector<Entry>& value, const std::vector<Entry>& now, const std::vector<const std::vector<Entry>*>& known) {

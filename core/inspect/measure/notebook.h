@@ -66,7 +66,7 @@ struct Notebook {
 /// "M2": how it is named in lists, views and reports.
 [[nodiscard]] std::string measureName(const StoredMeasure& measure);
 
-/// What two windows made of one notebook, by the numbers of its entries: what one of them added, changed or removed. Where both changed an
+/// What two windows made of one notebook, by the places of its entries: what one of them added, changed or removed. Where both changed an
 /// entry, that of `mine` stays; what one removed and the other changed stays. Where both added one of the same number, that of `mine` gets
 /// the next free number. @param base what both began with
 [[nodiscard]] Notebook mergedNotebook(const Notebook& base, const Notebook& mine, const Notebook& theirs);

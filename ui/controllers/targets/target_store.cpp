@@ -102,8 +102,10 @@ void TargetStore::wrote(const Notebooks& notebooks, const Written& written) {
     for (const auto& [path, waiting] : notebooks) {
         if (const auto waits = waiting_.find(path); waits != waiting_.end() && waits->second.notebook == waiting.notebook)
             waiting_.erase(waits);
-        if (const auto merged = written.merged.find(path); merged != written.merged.end())
+        if (const auto merged = written.merged.find(path); merged != written.merged.end()) {
+            disk_->read(path, merged->second); // what the next notebook begins with
             emit this->merged(exactText(path), waiting.notebook, merged->second);
+        }
     }
     if (!written.trouble.empty()) emit failed(exactText(written.trouble));
 }

@@ -115,8 +115,8 @@ TEST(StoneScans, TheSameForAnyNumberOfThreadsAndOfTheSameHeapFromEachView) {
         ASSERT_EQ(scan.simulation.truth->rocks.size(), 2U);
         const auto& cube = scan.simulation.truth->rocks[0];
         EXPECT_EQ(cube.object, 2);
-        EXPECT_NEAR(cube.spansM[0], 0.6 * std::sqrt(3.0), 1e-6); // the diagonal
-        EXPECT_NEAR(cube.spansM[1], 0.6 * std::sqrt(2.0), 1e-6);
+        EXPECT_NEAR(cube.spansM[0], 0.6 * std::sqrt(3.0), 1e-6);             // the diagonal
+        EXPECT_NEAR(cube.spansM[1], 0.6 * 2.0 * std::sqrt(2.0 / 3.0), 1e-6); // across it, the hexagon of the corners
         EXPECT_NEAR(cube.volumeM3, 0.216, 1e-6);
         EXPECT_NEAR(cube.centreM.norm(), Eigen::Vector3d(0, -1.2, -2.1).norm(), scan.simulation.scan.name.ends_with("0") ? 1e-5 : 1.0);
     }
