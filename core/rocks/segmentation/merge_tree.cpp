@@ -88,7 +88,7 @@ private:
         return bodies_[group];
     }
 
-    // Whether the prices of all its borders are taken anew. A wall gains a piece some hundred times; one piece hardly changes it.
+    // Whether the prices of all its borders are taken again. A wall gains a piece some hundred times; one piece hardly changes it.
     bool hasGrown(std::uint32_t group) {
         constexpr double kGrowth = 1.1;
         if (bodies_.empty()) return true;

@@ -31,7 +31,7 @@ struct SegmentPair {
     bool joined = false;        ///< true: one rock; false: separate at every level
 };
 
-/// Repeatedly merges the two groups with the lowest price and takes the prices of all their neighbours anew; ties are broken by smaller
+/// Repeatedly merges the two groups with the lowest price and takes the prices of all their neighbours again; ties are broken by smaller
 /// segment numbers.
 [[nodiscard]] MergeTree mergeTree(const Segmentation& segments);
 /// The same with the mean z of the border as the price.
