@@ -43,7 +43,7 @@ Result<std::filesystem::path> finalTarget(const std::filesystem::path& path);
 /// do not belong together: a record contains the SHA-256 of its file.
 Result<Done> writeWholeFiles(const std::vector<FileContent>& files);
 
-/// From the text of a file, or nothing where there is no such file, to its new text; without a text the file is removed.
+/// Gets the text of a file, or nullopt if the file does not exist, and returns its new text; nullopt removes the file.
 using FileChange = std::function<Result<std::optional<std::string>>(const std::optional<std::string>& text)>;
 
 /// Reads a file and writes what `change` makes of it. Two programs that do this wait for each other, so none loses the other's changes.

@@ -162,7 +162,6 @@ TEST(CliWrites, OnlyTheseFilesOfTheProgramTouchTheDisk) {
         "core/containers/ros/database_log.cpp",    // removes its own folder of copies
         "core/containers/mcap/growing_file.cpp",   // a recording: a new name, or an error
         "ui/base/language/catalogue.cpp",          // reads a file of Qt's translations
-        "ui/controllers/rocks/rock_sidecar.cpp",   // removes its file when no edit is left
         "ui/controllers/sessions/autosaves.cpp",   // removes old sessions of its own folder
         "ui/engine/worker_bridge/preferences.cpp", // viewer.ini: QSettings locks, merges and replaces it
         "ui/engine/worker_bridge/preferences.h",

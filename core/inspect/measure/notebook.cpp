@@ -112,9 +112,19 @@ bool samePlace(const PinnedTarget& one, const PinnedTarget& other) { return one.
 bool samePlace(const StoredMeasure& one, const StoredMeasure& other) { return one.kind == other.kind && one.cells == other.cells; }
 
 template <class Entry>
-const Entry* entryAt(const std::vector<Entry>& entries, const Entry& place) {
-    const auto found = std::ranges::find_if(entries, [&](const Entry& entry) { return samePlace(entry, place); });
-    return found == entries.end() ? nullptr : &*found;
+bool isOneEntry(const Entry& one, const Entry& other) {
+    return samePlace(one, other) && one.number == other.number;
+}
+
+/// What `entry`, one of `own`, is in `others`: it may have another number there. Of several alike each has one partner.
+template <class Entry>
+const Entry* partnerOf(const Entry& entry, const std::vector<Entry>& own, const std::vector<Entry>& others) {
+    const auto same = std::ranges::find_if(others, [&](const Entry& other) { return isOneEntry(entry, other); });
+    if (same != others.end()) return &*same;
+    const auto renumbered = std::ranges::find_if(others, [&](const Entry& other) {
+        return samePlace(entry, other) && std::ranges::none_of(own, [&](const Entry& one) { return isOneEntry(one, other); });
+    });
+    return renumbered == others.end() ? nullptr : &*renumbered;
 }
 
 template <class Entry>
@@ -125,38 +135,29 @@ std::vector<Entry> mergedEntries(const std::vector<Entry>& base, const std::vect
         for (const Entry& entry : *side) most = std::max(most, entry.number);
     }
     for (const Entry& entry : mine) {
-        const Entry* before = entryAt(base, entry);
-        const Entry* there = entryAt(theirs, entry);
+        const Entry* before = partnerOf(entry, mine, base);
+        const Entry* there = partnerOf(entry, mine, theirs);
         const bool same = before != nullptr && entry == *before;
         if (same && there == nullptr) continue; // removed there
         merged.push_back(same ? *there : entry);
-        const bool isTaken = std::ranges::any_of(
-            theirs, [&](const Entry& other) { return other.number == merged.back().number && !samePlace(other, entry); });
         if (there != nullptr)
             merged.back().number = there->number;
-        else if (isTaken)
+        else if (std::ranges::find(theirs, entry.number, &Entry::number) != theirs.end())
             merged.back().number = ++most;
     }
     for (const Entry& entry : theirs) {
-        const Entry* before = entryAt(base, entry);
-        if (entryAt(mine, entry) == nullptr && (before == nullptr || entry != *before)) merged.push_back(entry);
+        const Entry* before = partnerOf(entry, theirs, base);
+        if (partnerOf(entry, theirs, mine) == nullptr && (before == nullptr || entry != *before)) merged.push_back(entry);
     }
     return merged;
 }
 
 template <class Entry>
-void addOthers(std::vector<Entry>& value, const std::vector<Entry>& now, const std::vector<const std::vector<Entry>*>& known) {
-    int most = 0;
-    for (const Entry& entry : value) most = std::max(most, entry.number);
-    for (const Entry& entry : now) most = std::max(most, entry.number);
-    for (const Entry& entry : now) {
-        const auto isIt = [&](const Entry& other) { return samePlace(entry, other); };
-        if (std::ranges::any_of(known, [&](const std::vector<Entry>* entries) { return std::ranges::any_of(*entries, isIt); })) continue;
-        for (Entry& own : value) {
-            if (own.number == entry.number) own.number = ++most;
-        }
-        value.push_back(entry);
-    }
+void keepPlaces(std::vector<Entry>& entries, const std::vector<Entry>& some, const std::vector<Entry>& more) {
+    std::erase_if(entries, [&](const Entry& entry) {
+        const auto isThere = [&](const Entry& one) { return samePlace(entry, one); };
+        return std::ranges::none_of(some, isThere) && std::ranges::none_of(more, isThere);
+    });
 }
 
 /// Checks that the notebook was made on this scan.
@@ -184,17 +185,11 @@ Notebook mergedNotebook(const Notebook& base, const Notebook& mine, const Notebo
     return merged;
 }
 
-Notebook withOthers(Notebook value, const Notebook& now, std::initializer_list<const Notebook*> known) {
-    std::vector<const std::vector<PinnedTarget>*> targets;
-    std::vector<const std::vector<StoredMeasure>*> measures;
-    for (const Notebook* one : known) {
-        targets.push_back(&one->targets);
-        measures.push_back(&one->measures);
-    }
-    addOthers(value.targets, now.targets, targets);
-    addOthers(value.measures, now.measures, measures);
-    std::ranges::sort(value.measures, {}, &StoredMeasure::number);
-    return value;
+Notebook withOthers(const Notebook& value, const Notebook& opposite, const Notebook& now) {
+    Notebook own = now;
+    keepPlaces(own.targets, value.targets, opposite.targets);
+    keepPlaces(own.measures, value.measures, opposite.measures);
+    return mergedNotebook(own, value, now);
 }
 
 int nextNumber(const Notebook& notebook) {

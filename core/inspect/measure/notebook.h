@@ -5,7 +5,6 @@
 #include "core/inspect/measure/lengths.h"
 
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -71,9 +70,9 @@ struct Notebook {
 /// the next free number. @param base what both began with
 [[nodiscard]] Notebook mergedNotebook(const Notebook& base, const Notebook& mine, const Notebook& theirs);
 
-/// `value`, which was or will be undone, and the entries of `now` that another window added: those of other places than all in `known`. An
-/// entry of `value` with the number of such a one gets the next free number.
-[[nodiscard]] Notebook withOthers(Notebook value, const Notebook& now, std::initializer_list<const Notebook*> known);
+/// The notebook `value` of one end of a step that is undone or redone, whose other end is `opposite`, and what another window added to
+/// `now`: entries at places of neither end.
+[[nodiscard]] Notebook withOthers(const Notebook& value, const Notebook& opposite, const Notebook& now);
 
 /// The scan that a notebook belongs to: in another scan its cells would be other places.
 struct NotebookScan {

@@ -81,9 +81,12 @@ void Rocks::exportTo(const QString& path, bool all) {
         exports::ExportOptions options;
         if (file->file->coordinates != exports::ExportFile::Coordinates::None)
             options.frame = files::usualFrame(*picture_->detection->scan);
-        auto study = std::make_shared<rocks::Study>(picture_->study);
-        if (!all) study->listed = table_.listed();
-        options.rocks = std::move(study);
+        options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
+        if (auto listed = all ? std::nullopt : table_.listed()) {
+            auto study = std::make_shared<rocks::Study>(picture_->study);
+            study->listed = std::move(listed);
+            options.rocks = std::move(study);
+        }
         if (!pinnedTargets_.empty()) options.targets = std::make_shared<const std::vector<inspect::PinnedTarget>>(pinnedTargets_);
         engine_.save(file->kind->content, path, options);
     });

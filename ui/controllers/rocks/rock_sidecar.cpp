@@ -1,12 +1,11 @@
 // Reads and writes the sidecar SCAN.rocks.json.
 #include "ui/controllers/rocks/rock_sidecar.h"
 
-#include "core/base/whole_file.h"
+#include "core/base/merged_files.h"
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/in_background.h"
 
 #include <filesystem>
-#include <map>
 #include <mutex>
 #include <system_error>
 
@@ -22,35 +21,24 @@ public:
     /// What is in the file now: what another window changed in it is merged.
     Result<rocks::Preset> write(const Writing& writing) {
         const std::lock_guard lock(mutex_);
-        rocks::Preset merged = writing.preset;
-        if (writing.number < last_) return merged;
+        if (writing.number < last_) return writing.preset;
         last_ = writing.number;
-        rocks::Preset& before = read_[writing.path];
         const Scan& scan = *writing.scan;
-        const auto change = [&](const std::optional<std::string>& text) -> Result<std::optional<std::string>> {
-            if (text) {
-                auto theirs = rocks::rockPresetFromText(*text, scan.lines(), scan.beams(), scan.sha256, writing.path);
-                if (!theirs) return theirs.error();
-                merged = rocks::mergedPreset(before, writing.preset, *theirs);
-            }
-            if (merged.edits.empty() && merged.settings->region.empty()) return std::optional<std::string>();
-            return std::optional(rocks::rockPresetText(merged, scan.lines(), scan.beams()));
+        const auto read = [&](const std::string& text) {
+            return rocks::rockPresetFromText(text, scan.lines(), scan.beams(), scan.sha256, writing.path);
         };
-        if (const auto written = changeWholeFile(writing.path, rocks::kMostPresetBytes, change); !written) return written.error();
-        before = writing.preset;
-        return merged;
+        const auto text = [&](const rocks::Preset& preset) {
+            const bool none = preset.edits.empty() && preset.settings->region.empty();
+            return none ? std::nullopt : std::optional(rocks::rockPresetText(preset, scan.lines(), scan.beams()));
+        };
+        return files.write(writing.path, writing.preset, {rocks::kMostPresetBytes, read, text, rocks::mergedPreset});
     }
 
-    /// The file was read.
-    void read(const std::string& path, const rocks::Preset& preset) {
-        const std::lock_guard lock(mutex_);
-        read_[path] = preset;
-    }
+    MergedFiles<rocks::Preset> files;
 
 private:
     std::mutex mutex_;
     std::uint64_t last_ = 0;
-    std::map<std::string, rocks::Preset> read_; ///< the files as this window read or wrote them last
 };
 
 RockSidecar::RockSidecar(QObject* parent) : QObject(parent), disk_(std::make_shared<Disk>()) {
@@ -78,7 +66,7 @@ void RockSidecar::follow(std::shared_ptr<const Scan> scan) {
             const bool isFile = std::filesystem::is_regular_file(about->path, none);
             const bool isThere = isFile && std::filesystem::exists(path, none);
             auto preset = isThere ? rocks::readRockPreset(path, *about) : Result<rocks::Preset>(rocks::Preset{});
-            if (preset) disk->read(path.string(), *preset);
+            if (preset) disk->files.begin(path.string(), *preset);
             return [this, number, isFile, isThere, path = path.string(), preset = std::move(preset)] {
                 if (number != number_) return; // another scan is on the screen
                 reading_ = false;
@@ -126,9 +114,11 @@ void RockSidecar::writeInBackground() {
         this,
         [this, disk = disk_, writing = *std::exchange(waiting_, std::nullopt)]() -> std::function<void()> {
             auto written = disk->write(writing);
-            return [this, writing, written = std::move(written)] {
+            return [this, disk, writing, written = std::move(written)] {
                 if (!written) return emit failed(tr("Edits of rocks are not stored: %1").arg(exactText(written.error().sentence())));
-                if (writing.scan == scan_ && *written != writing.preset) emit merged(writing.preset, *written);
+                if (writing.scan != scan_ || *written == writing.preset) return;
+                disk->files.begin(writing.path, *written); // what the next edits begin with
+                emit merged(writing.preset, *written);
             };
         },
         [this](const QString& what) { emit failed(tr("Edits of rocks are not stored: %1").arg(what)); }, [this] { writing_ = false; });

@@ -5,8 +5,6 @@
 #include "ui/base/shown_text.h"
 
 #include <filesystem>
-#include <mutex>
-#include <optional>
 #include <system_error>
 
 namespace edgescan::ui {
@@ -16,54 +14,33 @@ constexpr std::uint64_t kMostNotebookBytes = std::uint64_t{1} << 20U;
 
 } // namespace
 
-class TargetStore::Disk {
-public:
-    void read(const std::string& path, const inspect::Notebook& notebook) {
-        const std::lock_guard lock(mutex_);
-        last_[path] = notebook;
+TargetStore::Written TargetStore::write(NotebookFiles& files, const Notebooks& notebooks) {
+    Written written;
+    for (const auto& [path, waiting] : notebooks) {
+        std::error_code failed;
+        std::filesystem::create_directories(std::filesystem::path(path).parent_path(), failed);
+        auto merged = files.write(
+            path, waiting.notebook,
+            {kMostNotebookBytes, [&](const std::string& text) { return inspect::notebookFromText(text, waiting.scan, path); },
+             [&](const inspect::Notebook& notebook) { return inspect::notebookText(notebook, waiting.scan); }, inspect::mergedNotebook});
+        if (!merged)
+            written.trouble = merged.error().sentence();
+        else if (*merged != waiting.notebook)
+            written.merged[path] = std::move(*merged);
     }
-
-    Written write(const Notebooks& notebooks) {
-        const std::lock_guard lock(mutex_);
-        Written written;
-        for (const auto& [path, waiting] : notebooks) {
-            std::error_code failed;
-            std::filesystem::create_directories(std::filesystem::path(path).parent_path(), failed);
-            inspect::Notebook merged = waiting.notebook;
-            const auto done = changeWholeFile(path, kMostNotebookBytes,
-                                              [&](const std::optional<std::string>& text) -> Result<std::optional<std::string>> {
-                                                  if (text) {
-                                                      const auto theirs = inspect::notebookFromText(*text, waiting.scan, path);
-                                                      if (!theirs) return theirs.error();
-                                                      merged = inspect::mergedNotebook(last_[path], waiting.notebook, *theirs);
-                                                  }
-                                                  return std::optional(inspect::notebookText(merged, waiting.scan));
-                                              });
-            if (!done) {
-                written.trouble = done.error().sentence();
-                continue;
-            }
-            last_[path] = waiting.notebook;
-            if (merged != waiting.notebook) written.merged[path] = std::move(merged);
-        }
-        return written;
-    }
-
-private:
-    std::mutex mutex_;
-    std::map<std::string, inspect::Notebook> last_; // as this window read or wrote it
-};
+    return written;
+}
 
 TargetStore::TargetStore(const QString& folder)
-    : folder_(folder), disk_(std::make_shared<Disk>()),
+    : folder_(folder), files_(std::make_shared<NotebookFiles>()),
       written_(
-          Urgency::Soon, [disk = disk_](const Notebooks& notebooks) { return disk->write(notebooks); },
+          Urgency::Soon, [files = files_](const Notebooks& notebooks) { return write(*files, notebooks); },
           [this](const Notebooks& notebooks, const std::shared_ptr<const Written>& written) { wrote(notebooks, *written); },
           [this](const QString& what) { emit failed(tr("The targets could not be stored (%1).").arg(what)); }, Older::Delivered) {}
 
 TargetStore::~TargetStore() {
     written_.end(); // older targets must not be written after the last ones
-    if (!waiting_.empty()) (void)disk_->write(waiting_);
+    if (!waiting_.empty()) (void)write(*files_, waiting_);
 }
 
 QString TargetStore::pathOf(const inspect::NotebookScan& scan) const {
@@ -77,7 +54,7 @@ Result<inspect::Notebook> TargetStore::load(const inspect::NotebookScan& scan) {
     if (const auto waits = waiting_.find(path); waits != waiting_.end()) return waits->second.notebook;
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) {
-        disk_->read(path, {});
+        files_->begin(path, {});
         return inspect::Notebook{};
     }
     const auto bytes = readWholeFile(path, kMostNotebookBytes);
@@ -87,7 +64,7 @@ Result<inspect::Notebook> TargetStore::load(const inspect::NotebookScan& scan) {
         return notebook;
     }
     refused_.erase(path);
-    disk_->read(path, *notebook);
+    files_->begin(path, *notebook);
     return notebook;
 }
 
@@ -103,7 +80,7 @@ void TargetStore::wrote(const Notebooks& notebooks, const Written& written) {
         if (const auto waits = waiting_.find(path); waits != waiting_.end() && waits->second.notebook == waiting.notebook)
             waiting_.erase(waits);
         if (const auto merged = written.merged.find(path); merged != written.merged.end()) {
-            disk_->read(path, merged->second); // what the next notebook begins with
+            files_->begin(path, merged->second); // what the next notebook begins with
             emit this->merged(exactText(path), waiting.notebook, merged->second);
         }
     }

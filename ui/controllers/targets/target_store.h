@@ -2,6 +2,7 @@
 // not at all. What another window wrote meanwhile is merged.
 #pragma once
 
+#include "core/base/merged_files.h"
 #include "core/inspect/measure/notebook.h"
 #include "ui/engine/worker_bridge/derived.h"
 
@@ -47,13 +48,14 @@ private:
         std::string trouble; // empty, or why not
         std::map<std::string, inspect::Notebook> merged;
     };
-    class Disk; // knows what this window read or wrote last
+    using NotebookFiles = MergedFiles<inspect::Notebook>;
+    [[nodiscard]] static Written write(NotebookFiles& files, const Notebooks& notebooks);
     void wrote(const Notebooks& notebooks, const Written& written);
 
     QString folder_;
     std::set<std::string> refused_; // paths
     Notebooks waiting_;             // not written yet
-    std::shared_ptr<Disk> disk_;
+    std::shared_ptr<NotebookFiles> files_;
     Derived<Notebooks, Written> written_; // last
 };
 

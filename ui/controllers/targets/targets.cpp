@@ -287,7 +287,7 @@ void Targets::change(const QString& what, const inspect::Notebook& after) {
     undo_.push(new UndoStep<inspect::Notebook>(
         what, notebook_, after,
         [this, before = notebook_, after](const inspect::Notebook& value) {
-            use(inspect::withOthers(value, notebook_, {&before, &after}));
+            use(inspect::withOthers(value, value == after ? before : after, notebook_));
             return true;
         },
         [this, key = key_] { return key_ == key; }));
