@@ -1648,7 +1648,7 @@ private slots:
         for (const char* ending : {"csv", "json", "png", "dxf", "ply", "obj"}) {
             QSignalSpy saved(&on.viewer.engine, &Engine::saved);
             const std::string path = place("window.") + ending;
-            on.viewer.rocks.exportTo(QString::fromStdString(path));
+            on.viewer.rocks.exportTo(QString::fromStdString(path), true); // the order of the table is not that of the command line
             QVERIFY2(saved.wait(kPatienceMs), qPrintable(on.viewer.notice.text()));
             QVERIFY2(on.viewer.notice.text().contains(QString::fromStdString(path)), qPrintable(on.viewer.notice.text()));
             QCOMPARE(test::runCli("verify '" + path + "'").code, 0);
@@ -1696,7 +1696,10 @@ private slots:
         QVERIFY(command.hasMatch());
         std::filesystem::rename(page, folder_ / "before.html");
         QVERIFY(eventually([&] { return std::filesystem::exists(rocks::rockPresetPath(bell_)); }));
+        const QString started = QDir::currentPath(); // the command has names without folders
+        QVERIFY(QDir::setCurrent(QString::fromStdString(folder_.path().string())));
         const auto run = test::runCli(command.captured(1).replace("&#39;", "'").toStdString());
+        QVERIFY(QDir::setCurrent(started));
         QVERIFY2(run.code == 0, (run.err + command.captured(1).toStdString()).c_str());
         const QRegularExpression made("<dt>Made</dt><dd>[^<]*</dd>");
         const auto plain = [&](QString html) { return html.remove(made).replace("&#39;default&#39;", "default"); };

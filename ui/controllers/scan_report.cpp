@@ -99,11 +99,11 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
     }
     if (const auto& compared = comparing_.comparison(); compared && compared->isOfTwoScans()) {
         const std::string& before = compared->asked.before->detection->scan->path;
-        if (!before.empty()) command += " --before " + shellQuoted(exactBytes(absolutePath(exactText(before))));
+        if (!before.empty()) command += " --before " + shellQuoted(fileName(before));
     }
     if (!rocks_.shown() || !words.rocks) return command + missing;
     command += " --rocks";
-    if (!rocks_.editsFile().empty()) return command + " --edits " + shellQuoted(rocks_.editsFile()) + missing;
+    if (!rocks_.editsFile().empty()) return command + " --edits " + shellQuoted(fileName(rocks_.editsFile())) + missing;
     const std::string flags = rocks::rockSettingsFlags(rocks_.settings());
     return (flags.empty() ? command : command + " " + flags) + missing;
 }
