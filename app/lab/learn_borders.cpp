@@ -97,9 +97,7 @@ Result<Done> learn(const LearnBorders& asked) {
         printResult("round " + std::to_string(round) + ": " + std::to_string(samples.count()) + " samples, " +
                     fixedText(100 * lab::rightShare(network, samples), 1) + " % right\n");
     }
-    const std::string command = madeBy("learn-borders", asked.scans,
-                                       " --rounds " + std::to_string(asked.rounds) + " --draw " + asked.stones.draw + " --scenes " +
-                                           std::to_string(asked.stones.scenes) + " --views " + std::to_string(asked.stones.views));
+    const std::string command = madeBy("learn-borders", asked.scans, " --rounds " + std::to_string(asked.rounds) + drawFlags(asked.stones));
     return writeWholeFile(asked.output, lab::borderWeightsText(network, command));
 }
 

@@ -1,13 +1,12 @@
-// edgescan-lab learn-confidence: makes the weights of the confidence of rocks from simulated scans.
+// edgescan-lab learn-confidence: makes the weights of the confidence of rocks from simulated scans and real stones.
 #include "core/lab/learning/learn_confidence.h"
 #include "app/lab/commands.h"
 #include "app/lab/lesson_flags.h"
 #include "app/lab/lesson_scenes.h"
 #include "app/shared/options.h"
 #include "app/shared/usage.h"
-#include "core/base/number_text.h"
 #include "core/base/whole_file.h"
-#include "core/sim/scene.h"
+#include "core/sim/simulate.h"
 #include "core/sim/wall_kinds.h"
 
 #include <algorithm>
@@ -76,9 +75,8 @@ std::vector<sim::SimulationSettings> lessonScans(const LessonFlags& asked) {
 Result<Done> learn(const LearnConfidence& asked) {
     std::vector<lab::ConfidenceLesson> samples;
     std::vector<lab::RegionSample> regions;
-    const auto add = [&](const std::shared_ptr<const Scan>& scan, const Grid<std::uint16_t>& object) {
-        const bool hasRocks = std::ranges::any_of(object.cells, [](std::uint16_t body) { return body >= sim::kFirstRock; });
-        const lab::RockLesson lesson = lab::rockLesson(scan, object);
+    const auto add = [&](const lab::RockLesson& lesson) {
+        const bool hasRocks = std::ranges::any_of(lesson.rock.cells, [](std::uint32_t rock) { return rock != 0; });
         const rocks::MergeTree tree = rocks::mergeTree(lesson.segments);
         lab::addConfidenceSamples(lesson, tree, hasRocks ? 1.0 : kConfidenceWeight, samples);
         lab::addRegionSamples(lesson, tree, hasRocks ? 1.0 : kScoreWeight, regions);
@@ -86,23 +84,19 @@ Result<Done> learn(const LearnConfidence& asked) {
     for (const sim::SimulationSettings& settings : lessonScans(asked.scans)) {
         const auto simulation = sim::simulate(settings);
         if (!simulation) return simulation.error();
-        add(std::make_shared<const Scan>(simulation->scan), simulation->truth->object);
+        add(lab::rockLesson(std::make_shared<const Scan>(simulation->scan), simulation->truth->object));
     }
     const Result<std::vector<LessonScene>> scenes = lessonScenes(asked.stones);
     if (!scenes) return scenes.error();
-    std::vector<lab::MadeScene> stones(scenes->size());
-    if (const auto made = makeLessonScenes(asked.stones, *scenes, [&](std::size_t n, const lab::MadeScene& scene) { stones[n] = scene; });
-        !made)
-        return made.error();
-    for (const lab::MadeScene& scene : stones) {
-        if (scene.truth) add(scene.scan, scene.truth->object);
+    const Result<std::vector<lab::RockLesson>> stones = rockLessons(asked.stones, *scenes);
+    if (!stones) return stones.error();
+    for (const lab::RockLesson& lesson : *stones) {
+        if (lesson.rock.size() > 0) add(lesson);
     }
     if (samples.empty()) return Error{"nothing is called a rock in these scans", "--lines --beams", "give finer scans"};
-    std::string weights = std::to_string(samples.size()) + " rocks; " + std::to_string(regions.size()) + " regions, weights of R:";
-    for (const double weight : lab::fittedScore(regions)) weights += " " + fixedText(weight, 3);
-    printResult(weights);
-    return writeWholeFile(asked.output,
-                          lab::confidenceWeightsText(lab::fittedConfidence(samples), madeBy("learn-confidence", asked.scans)));
+    printResult(std::to_string(samples.size()) + " rocks; " + std::to_string(regions.size()) + " regions, " + scoreText(regions));
+    return writeWholeFile(asked.output, lab::confidenceWeightsText(lab::fittedConfidence(samples),
+                                                                   madeBy("learn-confidence", asked.scans, drawFlags(asked.stones))));
 }
 
 } // namespace

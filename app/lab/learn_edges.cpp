@@ -56,9 +56,8 @@ Result<Done> learn(const LearnEdges& asked) {
     const lab::LearntTrees trees = lab::learntTrees(all, asked.choices, threads);
     printResult(std::to_string(all.count()) + " edges of " + std::to_string(scenes->size()) +
                 " scenes; on themselves: " + qualityText(lab::qualityOf(all, trees)));
-    return writeWholeFile(asked.output,
-                          lab::treesText(trees, "edgescan-lab learn-edges --draw " + asked.scenes.draw + " --scenes " +
-                                                    std::to_string(asked.scenes.scenes) + " --each " + std::to_string(asked.each)));
+    return writeWholeFile(asked.output, lab::treesText(trees, "edgescan-lab learn-edges" + drawFlags(asked.scenes) + " --each " +
+                                                                  std::to_string(asked.each)));
 }
 
 } // namespace

@@ -76,12 +76,9 @@ Result<Done> learn(const LearnRocks& asked) {
     const Result<std::vector<LessonScene>> scenes = lessonScenes(asked.scenes);
     if (!scenes) return scenes.error();
     catchInterrupt();
-    std::vector<lab::RockLesson> lessons(scenes->size());
-    const auto made = makeLessonScenes(asked.scenes, *scenes, [&](std::size_t n, const lab::MadeScene& scene) {
-        if (scene.truth) lessons[n] = lab::rockLesson(scene.scan, scene.truth->object);
-    });
-    if (!made) return made.error();
-    const Lesson lesson(asked, *scenes, lessons);
+    const Result<std::vector<lab::RockLesson>> lessons = rockLessons(asked.scenes, *scenes);
+    if (!lessons) return lessons.error();
+    const Lesson lesson(asked, *scenes, *lessons);
     const std::vector<std::string> kinds = kindsOf(*scenes);
     std::vector<lab::RegionSample> regions;
     for (const std::string& kind : kinds) {
@@ -89,15 +86,9 @@ Result<Done> learn(const LearnRocks& asked) {
         printResult(kind + " left out:");
         lesson.printScores(kind, lesson.without(kind), regions);
     }
-    if (!regions.empty()) {
-        std::string weights = "weights of R:";
-        for (const double weight : lab::fittedScore(regions)) weights += " " + fixedText(weight, 3);
-        printResult(weights);
-    }
+    if (!regions.empty()) printResult(scoreText(regions));
     const lab::LearntTrees trees = lesson.without("");
-    return writeWholeFile(asked.output, lab::treesText(trees, "edgescan-lab learn-rocks --draw " + asked.scenes.draw + " --scenes " +
-                                                                  std::to_string(asked.scenes.scenes) + " --views " +
-                                                                  std::to_string(asked.scenes.views)));
+    return writeWholeFile(asked.output, lab::treesText(trees, "edgescan-lab learn-rocks" + drawFlags(asked.scenes)));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "app/shared/interrupt.h"
 #include "app/shared/options.h"
 #include "app/shared/usage.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <array>
@@ -93,6 +94,25 @@ Result<Done> makeLessonScenes(const LessonSceneFlags& asked, const std::vector<L
     workers.clear();
     if (failure) return *failure;
     return Done{};
+}
+
+Result<std::vector<lab::RockLesson>> rockLessons(const LessonSceneFlags& asked, const std::vector<LessonScene>& scenes) {
+    std::vector<lab::RockLesson> lessons(scenes.size());
+    const auto made = makeLessonScenes(asked, scenes, [&](std::size_t n, const lab::MadeScene& scene) {
+        if (scene.truth) lessons[n] = lab::rockLesson(scene.scan, scene.truth->object);
+    });
+    if (!made) return made.error();
+    return lessons;
+}
+
+std::string scoreText(const std::vector<lab::RegionSample>& regions) {
+    std::string text = "weights of R:";
+    for (const double weight : lab::fittedScore(regions)) text += " " + fixedText(weight, 3);
+    return text;
+}
+
+std::string drawFlags(const LessonSceneFlags& asked) {
+    return " --draw " + asked.draw + " --scenes " + std::to_string(asked.scenes) + " --views " + std::to_string(asked.views);
 }
 
 std::vector<std::string> kindsOf(const std::vector<LessonScene>& scenes) {

@@ -1,7 +1,8 @@
-// Fresh scenes of families, made on several threads, from which `learn-edges` and `learn-rocks` learn.
+// Fresh scenes of families, made on several threads, from which the commands `learn-...` learn.
 #pragma once
 
 #include "core/lab/families/families.h"
+#include "core/lab/learning/learn_rocks.h"
 
 #include <CLI/CLI.hpp>
 
@@ -34,8 +35,17 @@ Result<std::vector<LessonScene>> lessonScenes(const LessonSceneFlags& asked);
 Result<Done> makeLessonScenes(const LessonSceneFlags& asked, const std::vector<LessonScene>& scenes,
                               const std::function<void(std::size_t, const lab::MadeScene&)>& use);
 
+/// makeLessonScenes() as lessons of rocks, in the order of `scenes`; one without truth is empty.
+Result<std::vector<lab::RockLesson>> rockLessons(const LessonSceneFlags& asked, const std::vector<LessonScene>& scenes);
+
+/// "weights of R: 1.000 2.000 ...".
+[[nodiscard]] std::string scoreText(const std::vector<lab::RegionSample>& regions);
+
 /// The kinds in the order of their scenes.
 [[nodiscard]] std::vector<std::string> kindsOf(const std::vector<LessonScene>& scenes);
+
+/// The flags that draw the same scenes again: " --draw learn-edges --scenes 6 --views 1".
+[[nodiscard]] std::string drawFlags(const LessonSceneFlags& asked);
 
 /// asked.threads, or one per core.
 [[nodiscard]] int threadsOf(const LessonSceneFlags& asked);

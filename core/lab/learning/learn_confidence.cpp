@@ -3,10 +3,6 @@
 
 #include "core/base/number_text.h"
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-
 namespace edgescan::lab {
 
 void addConfidenceSamples(const RockLesson& lesson, const rocks::MergeTree& tree, double weight, std::vector<ConfidenceLesson>& samples) {
@@ -23,26 +19,7 @@ void addConfidenceSamples(const RockLesson& lesson, const rocks::MergeTree& tree
 }
 
 rocks::ConfidenceWeights fittedConfidence(const std::vector<ConfidenceLesson>& samples) {
-    constexpr int kSteps = 30;
-    constexpr double kRidge = 1e-3;
-    constexpr Eigen::Index kSize = 1 + rocks::kConfidenceInputs;
-    using Vector = Eigen::Matrix<double, kSize, 1>;
-    using Matrix = Eigen::Matrix<double, kSize, kSize>;
-    rocks::ConfidenceWeights weights{};
-    for (int step = 0; step < kSteps; ++step) {
-        Eigen::Map<Vector> now(weights.data());
-        Vector slope = -kRidge * now;
-        Matrix curvature = kRidge * Matrix::Identity();
-        for (const ConfidenceLesson& sample : samples) {
-            Vector x;
-            x << 1.0, Eigen::Map<const Eigen::Matrix<double, kSize - 1, 1>>(sample.inputs.data());
-            const double said = rocks::confidenceOf(sample.inputs, weights);
-            slope += sample.weight * ((sample.right ? 1.0 : 0.0) - said) * x;
-            curvature += sample.weight * std::max(said * (1.0 - said), 1e-6) * x * x.transpose();
-        }
-        now += curvature.ldlt().solve(slope);
-    }
-    return weights;
+    return fittedLogistic(samples, {.steps = 30, .ridge = 1e-3, .leastVariance = 1e-6});
 }
 
 std::string confidenceWeightsText(const rocks::ConfidenceWeights& weights, const std::string& madeBy) {

@@ -9,11 +9,8 @@
 
 namespace edgescan::lab {
 
-struct ConfidenceLesson {
-    rocks::ConfidenceInputs inputs{};
-    bool right = false; ///< the region is a rock to an IoU above one half
-    double weight = 1.0;
-};
+/// right: the region is a rock to an IoU above one half.
+using ConfidenceLesson = LogisticSample<rocks::kConfidenceInputs>;
 
 /// Adds every region that looks like a rock and is either found or false, each with `weight`.
 void addConfidenceSamples(const RockLesson& lesson, const rocks::MergeTree& tree, double weight, std::vector<ConfidenceLesson>& samples);

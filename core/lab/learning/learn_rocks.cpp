@@ -4,10 +4,7 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/sim/scene.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace edgescan::lab {
@@ -112,28 +109,7 @@ void addRegionSamples(const RockLesson& lesson, const rocks::MergeTree& tree, do
 }
 
 std::array<double, 1 + rocks::kScoreInputs> fittedScore(const std::vector<RegionSample>& samples) {
-    constexpr int kSteps = 60;
-    constexpr double kRidge = 0.01;
-    constexpr Eigen::Index kSize = 1 + rocks::kScoreInputs;
-    using Vector = Eigen::Matrix<double, kSize, 1>;
-    using Matrix = Eigen::Matrix<double, kSize, kSize>;
-    Vector now = Vector::Zero();
-    for (int step = 0; step < kSteps; ++step) {
-        Vector slope = -kRidge * now;
-        Matrix curvature = kRidge * Matrix::Identity();
-        for (const RegionSample& sample : samples) {
-            Vector x;
-            x << 1.0, Eigen::Map<const Eigen::Matrix<double, kSize - 1, 1>>(sample.inputs.data());
-            const double odds = std::clamp(now.dot(x), -30.0, 30.0);
-            const double said = 1.0 / (1.0 + std::exp(-odds));
-            slope += sample.weight * ((sample.rock ? 1.0 : 0.0) - said) * x;
-            curvature += sample.weight * std::max(said * (1.0 - said), 1e-4) * x * x.transpose();
-        }
-        now += curvature.ldlt().solve(slope);
-    }
-    std::array<double, 1 + rocks::kScoreInputs> weights{};
-    for (Eigen::Index n = 0; n < kSize; ++n) weights[static_cast<std::size_t>(n)] = now(n);
-    return weights;
+    return fittedLogistic(samples, {.steps = 60, .ridge = 0.01, .leastVariance = 1e-4});
 }
 
 RockCounts scoreByTruth(const RockLesson& lesson, const rocks::MergeTree& tree, double level) {

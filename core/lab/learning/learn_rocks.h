@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/lab/learning/boosting.h"
+#include "core/lab/learning/logistic.h"
 #include "core/lab/score/rock_score.h"
 #include "core/rocks/segmentation/merge_tree.h"
 #include "core/rocks/selection/rock_map.h"
@@ -34,12 +35,8 @@ struct RockLesson {
 /// Adds every n-th of the pairs that are met while segments are merged by the price of `trees`, `share` of them.
 void addPairSamples(const RockLesson& lesson, const LearntTrees* trees, double share, TreeSamples& samples);
 
-/// The numbers of a region on which R depends, and whether it is a rock.
-struct RegionSample {
-    std::array<double, rocks::kScoreInputs> inputs{};
-    bool rock = false;
-    double weight = 1.0;
-};
+/// The numbers of a region on which R depends. right: it is a rock.
+using RegionSample = LogisticSample<rocks::kScoreInputs>;
 /// Regions of 100 cells and more at level 0 that are mostly one rock, or mostly background, each with `weight`.
 void addRegionSamples(const RockLesson& lesson, const rocks::MergeTree& tree, double weight, std::vector<RegionSample>& samples);
 /// The constant, then one weight per input.
