@@ -74,8 +74,8 @@ private:
         return sqlite3_errcode(database_) == SQLITE_CORRUPT || sqlite3_errcode(database_) == SQLITE_NOTADB;
     }
 
-    /// Columns of a table whose rows the file itself holds. Null: there is no such table. Error: a view, a table of a module, or computed
-    /// columns: what they give is made by SQL in the file.
+    /// Columns of a plain table: its rows are in the file. Null: the table is missing. Error: a view, a table of a module, or computed
+    /// columns. SQL in the file makes the rows of these.
     Result<Statement> rowsOf(const std::string& table, const std::string& columns) {
         const std::string named = "SELECT count(*) FROM sqlite_master WHERE name = '" + table + "'";
         if (numberOf(named) == 0) return Statement();

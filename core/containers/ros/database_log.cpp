@@ -123,7 +123,7 @@ Result<WholeDatabase> withLogs(ByteView database, const std::vector<DatabaseLog>
         const fs::path copy = folder.path() / "database";
         const std::string ending = log.name.ends_with(kWal) ? kWal : "-journal";
         if (folder.path().empty())
-            return Error{"the log " + log.name + " cannot be read: there is no folder for temporary files", where,
+            return Error{"the log " + log.name + " cannot be read: the folder for temporary files is missing", where,
                          "set TMPDIR to a folder"};
         for (const auto& [path, bytes] : {std::pair(copy, now), std::pair(fs::path(copy.string() + ending), log.bytes)}) {
             if (auto written = writeWholeFile(path, std::as_bytes(bytes)); !written) return written.error();

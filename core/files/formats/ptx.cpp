@@ -176,9 +176,9 @@ Result<PtxScan> findScan(const Source& source) {
         const std::uint64_t left = text.size() - header->firstByte;
         // A point takes four numbers with a blank or line end behind each.
         const bool isEmpty = header->columns == 0 && header->rows == 0;
-        const bool lies = (header->points() == 0 && !isEmpty) || header->columns > kMostAlongOneSide || header->rows > kMostAlongOneSide ||
-                          header->points() > left / 6 + 1;
-        const auto end = lies ? std::nullopt : afterLines(text, header->firstByte, header->points());
+        const bool isWrong = (header->points() == 0 && !isEmpty) || header->columns > kMostAlongOneSide ||
+                             header->rows > kMostAlongOneSide || header->points() > left / 6 + 1;
+        const auto end = isWrong ? std::nullopt : afterLines(text, header->firstByte, header->points());
         if (!end && found.inFile <= wanted) return cutOff(*header, found.inFile, source);
         const bool noReturn = end && !holdsReturn(text.substr(header->firstByte, *end - header->firstByte));
         if (!some && !isEmpty && end) first = {*header, *end, found.inFile, 0, false};

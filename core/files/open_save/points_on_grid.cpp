@@ -264,7 +264,7 @@ std::vector<LaterReturn> removeLaterReturns(PointTable& table) {
     return later;
 }
 
-/// Puts them back, where there is no grid to attach them to.
+/// Adds later returns to the points again if there is no grid to attach them to.
 void putBack(PointTable& table, const std::vector<LaterReturn>& later) {
     for (const LaterReturn& one : later) {
         table.points.push_back(one.point);
