@@ -10,9 +10,7 @@ namespace edgescan::cli {
 void addInfo(CLI::App& app, int& code);
 void addDetect(CLI::App& app, int& code);
 void addConvert(CLI::App& app, int& code);
-void addSimulate(CLI::App& app, int& code);
 void addVerify(CLI::App& app, int& code);
-void addEmulate(CLI::App& app, int& code);
 void addRecord(CLI::App& app, int& code);
 void addReplay(CLI::App& app, int& code);
 void addWhy(CLI::App& app, int& code);

@@ -6,7 +6,11 @@
 #include "app/shared/usage.h"
 #include "core/base/inputs.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <iostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,12 +26,12 @@ struct Command {
     cli::CommandText text;
 };
 
-// In the order of the help. After the example of `simulate` all others work in this order in one folder.
+// In the order of the help. After the example of `edgescan-lab simulate` all others work in this order in one folder.
 const std::vector<Command>& commands() {
     using cli::kDiffers, cli::kPartly;
     const auto code = [](int number, const char* meaning) { return cli::Term{std::to_string(number), meaning}; };
     const char *const look = "Look at a scan", *const find = "Find edges and rocks", *const archive = "Archives", *const two = "Two scans",
-                      *const trust = "Records", *const live = "Scanner", *const test = "Testing";
+                      *const trust = "Records", *const live = "Scanner";
     static const std::vector<Command> all{
         {cli::addInfo, {"info", look, {"edgescan-cli info BELL.json"}, {code(kPartly, kSomeRefused)}}},
         {cli::addWhy, {"why", look, {"edgescan-cli why BELL.json --cell 120,200"}, {}}},
@@ -50,7 +54,7 @@ const std::vector<Command>& commands() {
         {cli::addCompare,
          {"compare",
           two,
-          {"edgescan-cli simulate -o AFTER.json --after-blast --seed 7 --lines 300 --beams 381",
+          {"edgescan-lab simulate -o AFTER.json --after-blast --seed 7 --lines 300 --beams 381",
            "edgescan-cli compare BELL.json AFTER.json --picture CHANGE.png"},
           {}}},
         {cli::addVerify,
@@ -68,11 +72,9 @@ const std::vector<Command>& commands() {
         {cli::addCalibrate,
          {"calibrate",
           live,
-          {"edgescan-cli simulate -o TURN.json --axis spin --turn 220 --lines 330 --beams 191 --mount-t1 30",
+          {"edgescan-lab simulate -o TURN.json --axis spin --turn 220 --lines 330 --beams 191 --mount-t1 30",
            "edgescan-cli calibrate TURN.json -o CALIBRATION.json"},
           {}}},
-        {cli::addSimulate, {"simulate", test, {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381"}, {}}},
-        {cli::addEmulate, {"emulate", test, {"edgescan-cli emulate BELL.json --port 2112 --rate 25"}, {}}},
     };
     return all;
 }
@@ -88,9 +90,19 @@ std::vector<Command> commandsFor(int argc, char** argv) {
     return another ? all : std::vector<Command>{*named(argv[1])};
 }
 
+/// The commands that went to edgescan-lab answer with those of the program in the same folder, and say so.
+void runInLab(int argc, char** argv) {
+    if (argc < 2 || (std::string_view(argv[1]) != "simulate" && std::string_view(argv[1]) != "emulate")) return;
+    std::error_code failed;
+    const std::string lab = (std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / "edgescan-lab").string();
+    std::cerr << "edgescan-cli: " << argv[1] << " is a command of edgescan-lab now: type edgescan-lab " << argv[1] << ".\n";
+    execv(lab.c_str(), argv); // where it is missing, the command is unknown
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+    runInLab(argc, argv);
     CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};
     app.set_version_flag("--version", cli::versionText());
     app.require_subcommand(1);
@@ -104,7 +116,7 @@ int main(int argc, char** argv) {
     }
     cli::addPages(app, {"edgescan-cli",
                         "edges of rocks in laser range scans",
-                        {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
+                        {"edgescan-lab simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
                          "edgescan-cli detect BELL.json", "edgescan-cli detect BELL.json -o RESULTS --jump 40",
                          "edgescan-cli convert BELL.json BELL.pcd", "edgescan-cli verify RESULTS/BELL_edges.png --scans ."},
                         {{"EXPORT.provenance.json", "record next to an export: what verify rebuilds it from"},

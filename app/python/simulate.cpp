@@ -1,10 +1,10 @@
 // The simulator in Python.
 #include "app/python/module.h"
 
+#include "app/lab/sim/truth/truth_files.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/scan/grid/cartesian.h"
-#include "core/sim/truth/truth_files.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,13 +1,13 @@
 // The core's tables for Python: parameters, reading options, numbers of the simulation. Keywords and their help come from here.
 #include "app/python/module.h"
 
+#include "app/lab/sim/simulate.h"
 #include "core/base/number_text.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "core/files/formats/formats.h"
 #include "core/files/point_tables/writing_choices.h"
 #include "core/scan/grid/reading_options.h"
-#include "core/sim/simulate.h"
 
 namespace edgescan::python {
 namespace {

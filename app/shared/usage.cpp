@@ -42,7 +42,9 @@ struct Renamed {
 };
 constexpr std::array kRenamed = std::to_array<Renamed>({
     {"", "change", "compare"},
-    {"", "serve", "emulate"},
+    {"", "serve", "edgescan-lab emulate"},
+    {"", "simulate", "edgescan-lab simulate"},
+    {"", "emulate", "edgescan-lab emulate"},
     {"", "evaluate", "edgescan-lab evaluate"},
     {"", "--standing", "--stop-and-go"},
     {"why", "--line", "--cell LINE,BEAM"},

@@ -3,7 +3,7 @@ import os
 import struct
 import zlib
 
-# Heights of the steps, by the objects on both sides (core/sim/simulate.h, kStaircaseMm).
+# Heights of the steps, by the objects on both sides (app/lab/sim/simulate.h, kStaircaseMm).
 STEPS_MM = {(2, 3): 20, (3, 4): 50, (4, 5): 120, (5, 6): 300, (2, 7): 30, (7, 8): 80, (8, 9): 200, (9, 10): 500}
 LEAST_MM = 50  # smaller steps are not scored
 

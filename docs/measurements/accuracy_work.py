@@ -35,8 +35,8 @@ def key(*parts):
 
 
 def simulator():
-    sources = [os.path.join(ROOT, "app/cli/simulate.cpp")]
-    for folder in ("core/sim", "core/sim/truth"):
+    sources = [os.path.join(ROOT, "app/lab/commands/simulate.cpp")]
+    for folder in ("app/lab/sim", "app/lab/sim/truth"):
         folder = os.path.join(ROOT, folder)
         sources += [os.path.join(folder, name) for name in os.listdir(folder) if name.endswith((".cpp", ".h"))]
     return hash_of(*sorted(sources))
@@ -65,7 +65,7 @@ SIMULATOR = simulator()
 
 
 def run(arguments):
-    measures = arguments[0] in ("benchmark", "evaluate", "stones")
+    measures = arguments[0] in ("benchmark", "evaluate", "simulate", "stones")
     done = subprocess.run([os.path.join(os.path.dirname(PROGRAM), "edgescan-lab") if measures else PROGRAM] + arguments, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(done.stderr.strip())
@@ -111,7 +111,7 @@ STONES = os.path.join(os.path.dirname(ROOT), "shared/data/real_stones/stones")
 
 def heap(kind, seed, view=0, flags=()):
     """A scan of a heap of real stones of the set that no weights learn from. The heaps that came to rest are stored."""
-    sources = sorted(os.path.join(ROOT, "core/lab/stones", name) for name in os.listdir(os.path.join(ROOT, "core/lab/stones")))
+    sources = sorted(os.path.join(ROOT, "app/lab/stones", name) for name in os.listdir(os.path.join(ROOT, "app/lab/stones")))
     folder = os.path.join(CACHE, "stones-%s-%d-%d-%s" % (kind, seed, view, key(flags, SIMULATOR, hash_of(*sources))))
 
     def make(new):

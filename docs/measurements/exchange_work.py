@@ -71,7 +71,8 @@ class Scan:
         return os.path.join(self.folder, frame, f"bell.{kind}")
 
     def ours(self, *command):
-        said = exchange_programs.said_by([self.cli, *command])
+        program = os.path.join(os.path.dirname(self.cli), "edgescan-lab") if command[0] == "simulate" else self.cli
+        said = exchange_programs.said_by([program, *command])
         if said.returncode != 0:
             raise RuntimeError(re.sub(r"^edgescan-cli: (/\S+: )?", "", said.stdout.strip().split("\n")[-1]).split(":")[0])
         return said.stdout

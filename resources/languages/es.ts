@@ -863,7 +863,6 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>finding the grid</source><translation>búsqueda de la cuadrícula</translation></message>
 <message><source>finding the axis</source><translation>búsqueda del eje</translation></message>
 <message><source>projecting the points</source><translation>proyección de los puntos</translation></message>
-<message><source>casting beams</source><translation>lanzamiento de los haces</translation></message>
 <message><source>placing the points</source><translation>colocación de los puntos</translation></message>
 <message><source>finding edges</source><translation>búsqueda de aristas</translation></message>
 <message><source>drawing</source><translation>dibujo</translation></message>

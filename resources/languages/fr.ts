@@ -863,7 +863,6 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>finding the grid</source><translation>recherche de la grille</translation></message>
 <message><source>finding the axis</source><translation>recherche de l'axe</translation></message>
 <message><source>projecting the points</source><translation>projection des points</translation></message>
-<message><source>casting beams</source><translation>lancer des faisceaux</translation></message>
 <message><source>placing the points</source><translation>placement des points</translation></message>
 <message><source>finding edges</source><translation>recherche des arêtes</translation></message>
 <message><source>drawing</source><translation>dessin</translation></message>

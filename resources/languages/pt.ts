@@ -863,7 +863,6 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>finding the grid</source><translation>busca da grade</translation></message>
 <message><source>finding the axis</source><translation>busca do eixo</translation></message>
 <message><source>projecting the points</source><translation>projeção dos pontos</translation></message>
-<message><source>casting beams</source><translation>lançamento dos feixes</translation></message>
 <message><source>placing the points</source><translation>colocação dos pontos</translation></message>
 <message><source>finding edges</source><translation>busca de arestas</translation></message>
 <message><source>drawing</source><translation>desenho</translation></message>

@@ -3,6 +3,8 @@
 // [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers]
 // edgescan-bench --write MILLIONS SCAN.json: only writes the scan of this size.
 // --short: a million cells, processor time only; exits with 1 if a ratio is more than a third worse than the one on record.
+#include "app/lab/peers/comparison.h"
+#include "app/lab/sim/simulate.h"
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/gray/smooth.h"
@@ -13,10 +15,8 @@
 #include "core/edges/settings/slider_scale.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/lab/peers/comparison.h"
 #include "core/scan/grid/cartesian.h"
 #include "core/scan/grid/opencv_view.h"
-#include "core/sim/simulate.h"
 #include "tests/bench/goals.h"
 #include "tests/bench/naive_thesis.h"
 #include "tests/bench/programs.h"

@@ -3,6 +3,7 @@
 // so must every instruction set (EDGESCAN_LOOPS). build/release/bin/edgescan_edge_hashes [--quick] [--set N] [SCAN...] > new; the same with
 // an older build > old; diff old new. --quick: smaller sweeps. --set N: everything on the default settings of version N, so that a build
 // whose defaults are others prints the same.
+#include "app/lab/sim/simulate.h"
 #include "core/base/instruction_set.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/pipeline.h"
@@ -10,7 +11,6 @@
 #include "core/edges/settings/presets.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/rocks/attributes/study.h"
-#include "core/sim/simulate.h"
 
 #include <cstdint>
 #include <cstdio>

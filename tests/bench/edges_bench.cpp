@@ -1,5 +1,6 @@
 // The cost of EdgeScan+, and of the rocks from its edges, relative to the thesis's Canny: thread CPU time, stage by stage, all interleaved
 // in one run. build/release/bin/edgescan_edges_bench [SCAN [ROUNDS]]; without a scan, a simulated sweep of 1000 x 1141.
+#include "app/lab/sim/simulate.h"
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/gray/smooth.h"
@@ -7,7 +8,6 @@
 #include "core/edges/settings/presets.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/rocks/attributes/study.h"
-#include "core/sim/simulate.h"
 #include "tests/bench/timing.h"
 
 #include <opencv2/core/utility.hpp>

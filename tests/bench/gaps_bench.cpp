@@ -1,8 +1,8 @@
 // Compares filled gaps with the simulator's truth, and with nearest, bilinear and OpenCV's inpainting: tables for
 // docs/measurements/gaps.md. build/release/bin/edgescan_gaps_bench [SEED...]; half grids of both bells. edgescan_gaps_bench --many FIRST
 // COUNT: this many seeds of both, grids of 250 lines x 286 beams.
+#include "app/lab/score/evaluation.h"
 #include "core/edges/pipeline/pipeline.h"
-#include "core/lab/score/evaluation.h"
 #include "core/scan/gap_filling/gap_filling.h"
 #include "tests/support/scored_scene.h"
 

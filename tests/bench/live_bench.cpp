@@ -1,9 +1,9 @@
 // The cost of a line without drawing: thread CPU time per line, stage by stage. build/release/bin/edgescan_live_bench [LINES]
+#include "app/lab/emulator/telegram.h"
+#include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"
-#include "core/scanner/emulator/telegram.h"
-#include "core/sim/simulate.h"
 
 #include <algorithm>
 #include <cstdio>

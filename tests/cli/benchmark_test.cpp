@@ -105,7 +105,7 @@ TEST_F(LabBenchmark, OnlySomeMethodsAreComparedWhicheverTheyAre) {
 
 TEST_F(LabBenchmark, InterlacedBeamsAreShownBeforeAndAfterTheirCorrection) {
     const std::string bell = (folder / "bell.json").string();
-    ASSERT_EQ(runCli("simulate -o " + bell + " --lines 260 --beams 300 --interlace 0.35 --seed 3").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + bell + " --lines 260 --beams 300 --interlace 0.35 --seed 3").code, 0);
     const auto run = runLab("benchmark " + bell + " --no-peers --repeats 1 --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     std::map<std::string, std::size_t> edges;
@@ -123,7 +123,7 @@ TEST_F(LabBenchmark, InterlacedBeamsAreShownBeforeAndAfterTheirCorrection) {
 TEST_F(LabBenchmark, WithTruthEveryMethodHasAScore) {
     const std::string bell = (folder / "bell.json").string();
     const std::string truth = (folder / "truth").string();
-    ASSERT_EQ(runCli("simulate -o " + bell + " --lines 90 --beams 110 --seed 4 --truth " + truth).code, 0);
+    ASSERT_EQ(runLab("simulate -o " + bell + " --lines 90 --beams 110 --seed 4 --truth " + truth).code, 0);
     const auto run = runLab("benchmark " + bell + " --truth " + truth + " --no-peers --best --repeats 1 --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     const json report = json::parse(run.out);

@@ -12,11 +12,12 @@ namespace {
 
 using test::fileText;
 using test::runCli;
+using test::runLab;
 
 TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
     const test::TemporaryFolder folder;
     const auto path = [&](const std::string& name) { return (folder / name).string(); };
-    ASSERT_EQ(runCli("simulate -o " + path("a.json") +
+    ASSERT_EQ(runLab("simulate -o " + path("a.json") +
                      " --axis spin --turn 200 --lines 300 --beams 286 --seed 31 --mount-t1 12 --mount-t2 -8" +
                      " --mount-tilt 0.4 --mount-index -0.3 --turn-error 0.2")
                   .code,
@@ -51,7 +52,7 @@ TEST(CliCalibrate, BacklashIsToldOfTwoPassesAndGoesIntoNoFile) {
     for (const int repeat : {0, 1}) {
         const std::string pass = path(repeat == 0 ? "there.json" : "said.json");
         ASSERT_EQ(
-            runCli("simulate -o " + pass + " --axis spin --lines 180 --beams 190 --seed 7 --sweep-number " + std::to_string(repeat)).code,
+            runLab("simulate -o " + pass + " --axis spin --lines 180 --beams 190 --seed 7 --sweep-number " + std::to_string(repeat)).code,
             0);
     }
     // Angles that are 0.2 degrees too small: the stepper is 0.2 degrees ahead of them.
@@ -70,13 +71,13 @@ TEST(CliCalibrate, BacklashIsToldOfTwoPassesAndGoesIntoNoFile) {
 TEST(CliCalibrate, RefusesHalfATurnAndLeavesNoFile) {
     const test::TemporaryFolder folder;
     const auto path = [&](const std::string& name) { return (folder / name).string(); };
-    ASSERT_EQ(runCli("simulate -o " + path("a.json") + " --axis spin --lines 60 --beams 60").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + path("a.json") + " --axis spin --lines 60 --beams 60").code, 0);
     const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json"));
     EXPECT_EQ(run.code, 1);
     EXPECT_NE(run.err.find("turn 200 degrees"), std::string::npos) << run.err;
     EXPECT_NE(run.err.find("a.json"), std::string::npos) << run.err;
     EXPECT_FALSE(std::filesystem::exists(path("robot.json")));
-    EXPECT_EQ(runCli("simulate -o " + path("b.json") + " --truth " + path("t") + " --mount-t1 3").code, 2) << "the truth is of one point";
+    EXPECT_EQ(runLab("simulate -o " + path("b.json") + " --truth " + path("t") + " --mount-t1 3").code, 2) << "the truth is of one point";
 }
 
 } // namespace

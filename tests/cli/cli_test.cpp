@@ -21,6 +21,7 @@ namespace {
 
 using nlohmann::json;
 using test::runCli;
+using test::runLab;
 
 struct Cli : public ::testing::Test {
     test::TemporaryFolder folder;
@@ -172,7 +173,7 @@ TEST_F(Cli, ConvertKeepsTheGridInEveryFormat) {
 TEST_F(Cli, SimulateRefusesFlagsThatChangeNothingInItsScene) {
     const std::string out = (folder / "x.json").string();
     const std::string simulate = "simulate -o " + out + " --lines 20 --beams 30 ";
-    const auto refused = runCli(simulate + "--scene pile --hole-shape round");
+    const auto refused = runLab(simulate + "--scene pile --hole-shape round");
     EXPECT_EQ(refused.code, 2);
     EXPECT_EQ(refused.err,
               "edgescan-cli: --hole-shape: the scene pile takes no notice of this flag; leave it out, or choose --scene wall.\n");
@@ -181,7 +182,7 @@ TEST_F(Cli, SimulateRefusesFlagsThatChangeNothingInItsScene) {
           "--scene empty --rock-count 5", "--scene staircase --wall-roughness 5", "--scene rescan --hole-count 2",
           "--scene wall --hole-shape none --hole-count 2", "--scene wall --rock-rounding 0.1", "--scene wall --wall-kind rough",
           "--wall-kind granite", "--wall-kind tunnel"}) {
-        const auto run = runCli(simulate + flags);
+        const auto run = runLab(simulate + flags);
         EXPECT_EQ(run.code, 2) << flags;
         EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
         EXPECT_FALSE(std::filesystem::exists(out));
@@ -189,30 +190,30 @@ TEST_F(Cli, SimulateRefusesFlagsThatChangeNothingInItsScene) {
     for (const char* flags :
          {"--rock-count 5", "--scene wall --hole-count 3", "--scene wall --hole-shape square --hole-size 1 --wall-roughness 10",
           "--scene staircase --distance 2 --range-step 2", "--scene empty --wall-kind tunnel"})
-        EXPECT_EQ(runCli(simulate + flags).code, 0) << flags;
+        EXPECT_EQ(runLab(simulate + flags).code, 0) << flags;
 }
 
 TEST_F(Cli, SimulateNamesEveryFormatThatItWrites) {
-    const auto help = runCli("simulate --help");
-    const auto refused = runCli("simulate --lines 20 --beams 30 -o " + (folder / "x.doc").string());
+    const auto help = runLab("simulate --help");
+    const auto refused = runLab("simulate --lines 20 --beams 30 -o " + (folder / "x.doc").string());
     EXPECT_EQ(refused.code, 2);
     for (const char* extension : {".json", ".mcap", ".pcd", ".ply", ".csv", ".xyz", ".las", ".dxf", ".ptx", ".obj", ".foxglove.mcap"}) {
         EXPECT_NE(help.out.find(extension), std::string::npos) << extension;
         EXPECT_NE(refused.err.find(extension), std::string::npos) << extension;
         const std::string out = (folder / ("x" + std::string(extension))).string();
-        EXPECT_EQ(runCli("simulate --lines 20 --beams 30 -o " + out).code, 0) << extension;
+        EXPECT_EQ(runLab("simulate --lines 20 --beams 30 -o " + out).code, 0) << extension;
         EXPECT_TRUE(std::filesystem::exists(out));
     }
 }
 
 TEST_F(Cli, SimulateGivesTheSameBytesForTheSameSeed) {
     const std::string flags = " --lines 60 --beams 80 --seed 9";
-    ASSERT_EQ(runCli("simulate -o " + (folder / "one.json").string() + flags + " --threads 1").code, 0);
-    ASSERT_EQ(runCli("simulate -o " + (folder / "two.json").string() + flags + " --threads 2").code, 0);
-    ASSERT_EQ(runCli("simulate -o " + (folder / "three.json").string() + " --lines 60 --beams 80 --seed 10").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + (folder / "one.json").string() + flags + " --threads 1").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + (folder / "two.json").string() + flags + " --threads 2").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + (folder / "three.json").string() + " --lines 60 --beams 80 --seed 10").code, 0);
     EXPECT_EQ(test::fileText(folder / "one.u16"), test::fileText(folder / "two.u16"));
     EXPECT_NE(test::fileText(folder / "one.u16"), test::fileText(folder / "three.u16"));
-    EXPECT_EQ(runCli("simulate -o " + (folder / "x.json").string() + " --scene nonsense").code, 2);
+    EXPECT_EQ(runLab("simulate -o " + (folder / "x.json").string() + " --scene nonsense").code, 2);
 }
 
 TEST_F(Cli, TheCopiedCommandComputesTheSameMask) {

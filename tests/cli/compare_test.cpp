@@ -11,14 +11,15 @@ namespace edgescan {
 namespace {
 
 using test::runCli;
+using test::runLab;
 
 TEST(CliChange, TellsWhatABlastDid) {
     const test::TemporaryFolder folder;
     const auto path = [&](const std::string& name) { return (folder / name).string(); };
     const std::string size = " --lines 150 --beams 190";
-    ASSERT_EQ(runCli("simulate -o " + path("a.json") + size).code, 0);
-    ASSERT_EQ(runCli("simulate -o " + path("b.json") + size + " --after-blast").code, 0);
-    ASSERT_EQ(runCli("simulate -o " + path("again.json") + size + " --sweep-number 1").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + path("a.json") + size).code, 0);
+    ASSERT_EQ(runLab("simulate -o " + path("b.json") + size + " --after-blast").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + path("again.json") + size + " --sweep-number 1").code, 0);
     const auto run = runCli("compare " + path("a.json") + " " + path("b.json") + " --json - --picture " + path("c.png"));
     ASSERT_EQ(run.code, 0) << run.err;
     const auto report = nlohmann::json::parse(run.out);
@@ -49,12 +50,12 @@ TEST(CliChange, TellsWhatABlastDid) {
 TEST(CliChange, RefusesWhatItCannotCompare) {
     const test::TemporaryFolder folder;
     const auto path = [&](const std::string& name) { return (folder / name).string(); };
-    ASSERT_EQ(runCli("simulate -o " + path("a.json") + " --lines 40 --beams 50").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + path("a.json") + " --lines 40 --beams 50").code, 0);
     EXPECT_EQ(runCli("compare " + path("a.json")).code, 2);
     EXPECT_EQ(runCli("compare " + path("a.json") + " /nowhere.json").code, 1);
     const auto onto = runCli("compare " + path("a.json") + " " + path("a.json") + " --picture " + path("a.json"));
     EXPECT_EQ(onto.code, 1) << "an input is never written over";
-    EXPECT_EQ(runCli("simulate -o " + path("b.json") + " --scene wall --after-blast").code, 2);
+    EXPECT_EQ(runLab("simulate -o " + path("b.json") + " --scene wall --after-blast").code, 2);
 }
 
 } // namespace

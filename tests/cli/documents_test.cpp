@@ -164,7 +164,7 @@ TEST(Documents, EveryGroupHasAReadme) {
         EXPECT_TRUE(fs::is_regular_file(kRoot / folder / "README.md")) << folder;
 }
 
-// `core/edges/gray/canny.h` or `core/sim/seam` in a document; NAME is a placeholder for a new file.
+// `core/edges/gray/canny.h` or `app/lab/sim/seam` in a document; NAME is a placeholder for a new file.
 TEST(Documents, PathsNamedInDocumentsAreThere) {
     int paths = 0;
     for (const fs::path& file : filesThatCite()) {

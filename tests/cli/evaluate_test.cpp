@@ -24,7 +24,7 @@ struct LabEvaluate : public ::testing::Test {
     std::string truth = (folder / "truth").string();
 
     void SetUp() override {
-        const auto run = runCli("simulate -o " + scan + " --truth " + truth + " --lines 100 --beams 120 --seed 5");
+        const auto run = runLab("simulate -o " + scan + " --truth " + truth + " --lines 100 --beams 120 --seed 5");
         ASSERT_EQ(run.code, 0) << run.err;
     }
 
@@ -91,7 +91,7 @@ TEST_F(LabEvaluate, TheUsualSweepIsNeverWorseThanTheSettings) {
 TEST_F(LabEvaluate, TheTruthOfAnotherSceneIsRefused) {
     const std::string other = (folder / "other.json").string();
     const auto make = [&](const std::string& flags) {
-        const auto run = runCli("simulate -o " + other + " --lines 100 --beams 120 " + flags);
+        const auto run = runLab("simulate -o " + other + " --lines 100 --beams 120 " + flags);
         ASSERT_EQ(run.code, 0) << run.err;
     };
     for (const char* flags :
@@ -171,7 +171,7 @@ TEST_F(LabEvaluate, RocksAreScoredAgainstTheTrueOnes) {
     EXPECT_NE(table.out.find("EdgeScan+ rocks"), std::string::npos);
 
     const std::string other = (folder / "other").string();
-    ASSERT_EQ(runCli("simulate -o " + (folder / "other.json").string() + " --truth " + other + " --lines 100 --beams 120 --seed 6").code,
+    ASSERT_EQ(runLab("simulate -o " + (folder / "other.json").string() + " --truth " + other + " --lines 100 --beams 120 --seed 6").code,
               0);
     EXPECT_EQ(runLab("evaluate --rocks " + scan + " --truth " + other).code, 1) << "the truth of another scene";
     for (const char* flags : {"--rocks --sweep", "--rocks --tolerance 3", "--rocks --method sobel", "--peers", "--level 2"}) {

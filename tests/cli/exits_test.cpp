@@ -250,7 +250,7 @@ TEST(Exits, EverySwitchTakesTrueOrFalse) {
 TEST(Exits, FalseSwitchesOff) {
     const TemporaryFolder folder;
     const std::string scan = (folder / "scan.json").string();
-    ASSERT_EQ(runCli("simulate -o " + scan + " --lines 20 --beams 30").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + scan + " --lines 20 --beams 30").code, 0);
     const auto pcd = [&](const std::string& flags) {
         const auto run = runCli("convert " + scan + " " + (folder / "out.pcd").string() + " " + flags);
         EXPECT_EQ(run.code, 0) << run.err;
@@ -295,7 +295,7 @@ void expectSafe(const test::ProgramRun& run, const std::string& command) {
 
 TEST(Exits, NamesReachNoTerminalAsTheyAre) {
     const TemporaryFolder folder;
-    ASSERT_EQ(runCli("simulate -o " + (folder / "scan.json").string() + " --lines 12 --beams 16").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + (folder / "scan.json").string() + " --lines 12 --beams 16").code, 0);
     for (const std::string& name : kNames) {
         const std::string missing = inQuotes(folder / (name + ".json"));
         const fs::path scan = folder / (name + ".pcd");
@@ -355,7 +355,7 @@ TEST(Exits, WhatHostileFilesHoldReachesNoTerminal) {
 TEST(Exits, PipesHangNothing) {
     const TemporaryFolder folder;
     const std::string scan = (folder / "scan.json").string();
-    ASSERT_EQ(runCli("simulate -o " + scan + " --lines 12 --beams 16").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + scan + " --lines 12 --beams 16").code, 0);
     // PIPE is a new named pipe without a process at its other end, SCAN is a scan. All commands run at once: a command that reads waits for
     // a writer until its time limit.
     const std::vector<std::string> commands{"info PIPE",
@@ -411,7 +411,7 @@ TEST(Exits, AFailedRecordingIsNotInTheWayOfTheNext) {
 TEST(Exits, NewFilesKeepTheUmaskAndNoLinkOfAnotherIsFollowed) {
     const TemporaryFolder folder;
     const fs::path scan = folder / "scan.json";
-    ASSERT_EQ(runCli("simulate -o " + scan.string() + " --lines 12 --beams 16").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + scan.string() + " --lines 12 --beams 16").code, 0);
     const unsigned before = ::umask(0077);
     for (const char* name : {"a.pcd", "a.las", "a.mcap", "a.csv", "a.json"}) {
         EXPECT_EQ(runCli("convert " + scan.string() + " " + (folder / name).string()).code, 0) << name;

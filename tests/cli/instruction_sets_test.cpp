@@ -117,7 +117,7 @@ protected:
     void SetUp() override {
         const auto simulate = [&](const std::string& name, const std::string& how) {
             const std::string path = (folder_ / name).string();
-            ASSERT_EQ(test::runCli("simulate -o " + path + " " + how).code, 0);
+            ASSERT_EQ(test::runLab("simulate -o " + path + " " + how).code, 0);
             scans_.push_back(path);
         };
         simulate("sweep.json", "--seed 3 --lines 150 --beams 201 --slips 0.03 --dropouts 0.02");

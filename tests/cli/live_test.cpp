@@ -1,12 +1,12 @@
 // serve, record and replay from outside: a scan that is served, recorded and played again has the edges of the file.
+#include "app/lab/emulator/sent_sweep.h"
+#include "app/lab/emulator/telegram.h"
+#include "app/lab/sim/simulate.h"
 #include "core/edges/gray/steady_window.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/report.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/scanner/emulator/sent_sweep.h"
-#include "core/scanner/emulator/telegram.h"
-#include "core/sim/simulate.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/run_program.h"
@@ -34,6 +34,7 @@ namespace {
 
 using nlohmann::json;
 using test::runCli;
+using test::runLab;
 
 using Served = test::ServedProgram;
 
@@ -41,7 +42,7 @@ struct Live : public ::testing::Test {
     test::TemporaryFolder folder;
     std::string scan = (folder / "bell.json").string();
 
-    void SetUp() override { ASSERT_EQ(runCli("simulate -o " + scan + " --lines 90 --beams 191 --axis spin").code, 0); }
+    void SetUp() override { ASSERT_EQ(runLab("simulate -o " + scan + " --lines 90 --beams 191 --axis spin").code, 0); }
 
     static std::string hashOf(const std::string& arguments) {
         const auto run = runCli("detect " + arguments + " --json -");
@@ -136,13 +137,13 @@ TEST_F(Live, CloudsOfABridgeThatAreRecordedHaveTheEdgesOfTheFile) {
     const auto replay = runCli("replay " + recording);
     ASSERT_EQ(replay.code, 0) << replay.err;
     EXPECT_EQ(json::parse(replay.out)["result"]["edge_mask_sha256"], expected);
-    EXPECT_EQ(runCli("emulate " + scan + " --cloud").code, 2) << "without --bridge";
+    EXPECT_EQ(runLab("emulate " + scan + " --cloud").code, 2) << "without --bridge";
 }
 
 TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
     const std::string bell = (folder / "draw-bell.json").string();
     const std::string recording = (folder / "draw-bell.mcap").string();
-    ASSERT_EQ(runCli("simulate -o " + bell + " --lines 400 --beams 381 --axis sweep").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + bell + " --lines 400 --beams 381 --axis sweep").code, 0);
     const Served served(bell + " --rate 0");
     const std::string flags = served.said()["record_flags"];
     EXPECT_EQ(flags, "--axis sweep --line-start -90 --line-step 0.45 --stop-and-go --expected-lines 400");
@@ -218,7 +219,7 @@ TEST_F(Live, WhereNothingComesItIsSaidOnceAndWhy) {
 // A scan's whole path through the viewer's core: socket, assembly, edges while the sweep grows, and the completed sweep.
 TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     const std::string bell = (folder / "draw-bell.json").string();
-    ASSERT_EQ(runCli("simulate -o " + bell + " --lines 1000 --axis sweep").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + bell + " --lines 1000 --axis sweep").code, 0);
     const Served served(bell + " --rate 500 --split-sends"); // so slow that the sweep can be observed while it grows
     ASSERT_GT(served.port(), 0);
     scanner::ConnectionSettings scanner;
@@ -367,7 +368,7 @@ TEST_F(Live, CountersBeamsAndClocksThatAreWrongAreToldWhileTheyAreRecorded) {
 
 TEST_F(Live, ARecordingOfASimulationOpensAsTheSameScan) {
     const std::string recording = (folder / "direct.mcap").string();
-    ASSERT_EQ(runCli("simulate -o " + recording + " --lines 90 --beams 191 --axis spin").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + recording + " --lines 90 --beams 191 --axis spin").code, 0);
     EXPECT_EQ(hashOf(recording), hashOf(scan));
     ASSERT_EQ(runCli("convert " + scan + " " + (folder / "converted.mcap").string()).code, 0);
     EXPECT_EQ(hashOf((folder / "converted.mcap").string()), hashOf(scan));
@@ -395,7 +396,7 @@ TEST_F(Live, ReplayAndDetectSayTheSameOfEveryRecording) {
         ASSERT_TRUE(files::saveScan(scanOfManyStates(seed), states));
         expectReplayAsDetect(states);
         const std::string bell = (folder / ("bell" + std::to_string(seed) + ".mcap")).string();
-        ASSERT_EQ(runCli("simulate -o " + bell + " --lines 50 --beams 120 --seed " + std::to_string(seed)).code, 0);
+        ASSERT_EQ(runLab("simulate -o " + bell + " --lines 50 --beams 120 --seed " + std::to_string(seed)).code, 0);
         expectReplayAsDetect(bell);
     }
     // Of two sweeps, the one with more received lines counts, not the one with more rows.

@@ -22,12 +22,13 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using test::fileText;
 using test::runCli;
+using test::runLab;
 
 class Promises : public testing::Test {
 protected:
     [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
     std::string simulated(const std::string& name, const std::string& how) const {
-        EXPECT_EQ(runCli("simulate -o " + path(name) + " " + how).code, 0) << how;
+        EXPECT_EQ(runLab("simulate -o " + path(name) + " " + how).code, 0) << how;
         return path(name);
     }
     [[nodiscard]] static json detected(const std::string& arguments) {

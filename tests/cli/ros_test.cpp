@@ -17,6 +17,7 @@ namespace {
 
 using nlohmann::json;
 using test::runCli;
+using test::runLab;
 
 void write(const std::filesystem::path& path, const Bytes& bytes) {
     std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -46,7 +47,7 @@ Scan turnedBack(const Scan& scan) {
 TEST(RosBags, SimulatedDrawBellsGiveTheSameMask) {
     const test::TemporaryFolder folder;
     for (const std::string axis : {"spin", "sweep"}) {
-        ASSERT_EQ(runCli("simulate -o " + (folder / "bell.json").string() + " --lines 100 --beams 191 --axis " + axis).code, 0);
+        ASSERT_EQ(runLab("simulate -o " + (folder / "bell.json").string() + " --lines 100 --beams 191 --axis " + axis).code, 0);
         const auto bell = files::openScan(folder / "bell.json");
         ASSERT_TRUE(bell) << bell.error().sentence();
         for (const bool down : {false, true}) {
@@ -75,7 +76,7 @@ TEST(RosBags, SimulatedDrawBellsGiveTheSameMask) {
 
 TEST(RosBags, TheCommandsOfThePageRun) {
     const test::TemporaryFolder folder;
-    ASSERT_EQ(runCli("simulate -o " + (folder / "bell.json").string() + " --lines 60 --beams 191").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + (folder / "bell.json").string() + " --lines 60 --beams 191").code, 0);
     const auto bell = files::openScan(folder / "bell.json");
     ASSERT_TRUE(bell);
     test::RosMessages messages = test::rosMessagesOf(*bell);

@@ -200,7 +200,7 @@ TEST(CliStop, EndsEveryLiveSource) {
         }
     }
     const std::string scan = (folder / "scan.json").string();
-    ASSERT_EQ(test::runCli("simulate --lines 40 --beams 60 -o " + scan).code, 0);
+    ASSERT_EQ(test::runLab("simulate --lines 40 --beams 60 -o " + scan).code, 0);
     for (const char* kind : {"", " --bridge", " --bridge --cloud"}) {
         const test::ServedProgram served(scan + kind + " --loop --rate 100");
         const fs::path recording = folder / (std::to_string(number++) + ".mcap");

@@ -24,7 +24,7 @@ test::ProgramRun runShell(const std::string& line) {
 TEST(Streams, AScanFromStandardInputIsTheScanOfTheFile) {
     const TemporaryFolder folder;
     const std::string scan = (folder / "scan.pcd").string();
-    ASSERT_EQ(test::runCli("simulate --lines 40 --beams 60 -o " + scan).code, 0);
+    ASSERT_EQ(test::runLab("simulate --lines 40 --beams 60 -o " + scan).code, 0);
     const auto file = test::runCli("detect " + scan + " --json -");
     ASSERT_EQ(file.code, 0) << file.err;
     const json expected = json::parse(file.out);
@@ -59,7 +59,7 @@ TEST(Streams, WhatIsNoScanIsRefusedWithASentence) {
 TEST(Streams, TwoScansOfOneNameAreRefusedBeforeAnythingIsWritten) {
     const TemporaryFolder folder;
     const std::string scan = (folder / "scan.pcd").string();
-    ASSERT_EQ(test::runCli("simulate --lines 40 --beams 60 -o " + scan).code, 0);
+    ASSERT_EQ(test::runLab("simulate --lines 40 --beams 60 -o " + scan).code, 0);
     ASSERT_EQ(runShell("gzip -k " + scan).code, 0);
     EXPECT_EQ(test::runCli("detect " + scan + " " + scan + ".gz -o " + (folder / "out").string()).code, 2);
 }

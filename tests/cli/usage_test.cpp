@@ -48,7 +48,7 @@ TEST(Usage, AnUnknownNameIsAnsweredWithTheNearest) {
 
 TEST(Usage, ANameOfVersion01IsAnsweredWithTheNewOne) {
     expectAnswers({{"edgescan-cli", "change a.pcd b.pcd", "use compare"},
-                   {"edgescan-cli", "serve a.pcd", "use emulate"},
+                   {"edgescan-cli", "serve a.pcd", "use edgescan-lab emulate"},
                    {"edgescan-cli", "evaluate a.png --truth t", "use edgescan-lab evaluate"},
                    {"edgescan-cli", "compare a.pcd", "edgescan-lab benchmark"},
                    {"edgescan-cli", "why a.pcd --line 3 --beam 4", "use --cell LINE,BEAM"},
@@ -59,12 +59,12 @@ TEST(Usage, ANameOfVersion01IsAnsweredWithTheNewOne) {
                    {"edgescan-lab", "repeatability a.pcd b.pcd --poses a.pose b.pose", "use --poses-3dtk"},
                    {"edgescan-lab", "evaluate a.png --truth t --ranges a.pcd", "use --scan-of-mask"},
                    {"edgescan-cli", "batch folder -o r --strict", "it is 4 where a scan was refused"},
-                   {"edgescan-cli", "emulate a.pcd --split", "use --split-sends"},
-                   {"edgescan-cli", "emulate a.pcd --merge", "use --merge-sends"},
-                   {"edgescan-cli", "simulate -o a.pcd --repeat 1", "use --sweep-number"},
-                   {"edgescan-cli", "simulate -o a.pcd --rocks 5", "use --rock-count"},
-                   {"edgescan-cli", "simulate -o a.pcd --hole round", "use --hole-shape"},
-                   {"edgescan-cli", "simulate -o a.pcd --holes 2", "use --hole-count"}});
+                   {"edgescan-lab", "emulate a.pcd --split", "use --split-sends"},
+                   {"edgescan-lab", "emulate a.pcd --merge", "use --merge-sends"},
+                   {"edgescan-lab", "simulate -o a.pcd --repeat 1", "use --sweep-number"},
+                   {"edgescan-lab", "simulate -o a.pcd --rocks 5", "use --rock-count"},
+                   {"edgescan-lab", "simulate -o a.pcd --hole round", "use --hole-shape"},
+                   {"edgescan-lab", "simulate -o a.pcd --holes 2", "use --hole-count"}});
 }
 
 TEST(Usage, TooFewValuesOfOneFlagAreCounted) {
@@ -83,7 +83,7 @@ TEST(Usage, AFolderFlagRefusesTheNameOfAFile) {
 TEST(Usage, ARefusedConversionSaysOnlyWhy) {
     const test::TemporaryFolder folder;
     const std::string scan = (folder / "a.json").string();
-    ASSERT_EQ(test::runCli("simulate -o " + scan + " --lines 20 --beams 30").code, 0);
+    ASSERT_EQ(test::runLab("simulate -o " + scan + " --lines 20 --beams 30").code, 0);
     const ProgramRun done = test::runCli("convert " + scan + " " + (folder / "a.xyz").string());
     EXPECT_NE(done.err.find("provenance"), std::string::npos) << done.err;
     const ProgramRun refused = test::runCli("convert " + scan + " /nonexistent-folder/a.xyz");
@@ -161,9 +161,9 @@ TEST(Usage, TheExamplesOfTheHelpWork) {
         const ProgramRun done = runProgram("edgescan-cli", there);
         EXPECT_EQ(done.code, 0) << line << "\n" << done.err;
     };
-    for (const std::string& line : examplesIn(test::runCli("simulate --help").out)) run(line);
-    ASSERT_EQ(test::runCli("simulate -o " + path("SWEEP.mcap") + " --lines 60 --beams 80").code, 0);
-    ASSERT_EQ(test::runCli("simulate -o " + path("AGAIN.json") + " --seed 7 --lines 150 --beams 191").code, 0);
+    for (const std::string& line : examplesIn(test::runLab("simulate --help").out)) run(line);
+    ASSERT_EQ(test::runLab("simulate -o " + path("SWEEP.mcap") + " --lines 60 --beams 80").code, 0);
+    ASSERT_EQ(test::runLab("simulate -o " + path("AGAIN.json") + " --seed 7 --lines 150 --beams 191").code, 0);
     for (const char* pose : {"A.pose", "B.pose"}) std::ofstream(folder / pose) << "0 0 0\n0 0 0\n";
     std::size_t examples = 0;
     for (const std::string program : {"edgescan-cli", "edgescan-lab"}) {

@@ -1,9 +1,9 @@
 // The pictures of the pages that show an operator's tasks, from the real window driven by real events: edgescan_task_pictures FOLDER
 // [TASK]. docs/pictures/make-pictures runs it, on a screen of 1280 x 800.
+#include "app/lab/emulator/emulator.h"
+#include "app/lab/emulator/telegram.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/scanner/emulator/emulator.h"
-#include "core/scanner/emulator/telegram.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/controllers/files/calibrating.h"
 #include "ui/panels/dialogs/calibration_card.h"

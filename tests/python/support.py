@@ -15,16 +15,20 @@ FOLDER = tempfile.TemporaryDirectory(prefix="edgescan-python-")
 HERE = pathlib.Path(FOLDER.name)
 
 
-def cli(*arguments, code=0):
-    run = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, check=False)
+def cli(*arguments, code=0, program=CLI):
+    run = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, check=False)
     assert run.returncode == code, (arguments, run.returncode, run.stderr)
     return run
+
+
+def lab(*arguments):
+    return cli(*arguments, program=LAB)
 
 
 def bell_file(name="bell.json", seed=7, lines=150, beams=191):
     path = HERE / name
     if not path.exists():
-        cli("simulate", "-o", path, "--truth", HERE / (path.stem + "-truth"), "--seed", seed, "--lines", lines, "--beams", beams)
+        lab("simulate", "-o", path, "--truth", HERE / (path.stem + "-truth"), "--seed", seed, "--lines", lines, "--beams", beams)
     return path
 
 
@@ -39,7 +43,7 @@ def recording_file():
 @contextlib.contextmanager
 def served(path, *arguments):
     """HOST:PORT of an emulated scanner that sends this scan."""
-    process = subprocess.Popen([CLI, "emulate", str(path), "--port", "0", *map(str, arguments)], stdout=subprocess.PIPE, text=True)
+    process = subprocess.Popen([LAB, "emulate", str(path), "--port", "0", *map(str, arguments)], stdout=subprocess.PIPE, text=True)
     try:
         said = json.loads(process.stdout.readline())
         yield f"{said['host']}:{said['port']}"

@@ -147,7 +147,7 @@ class FromArrays(unittest.TestCase):
     def test_a_place(self):
         pose, calibration = place_files()
         spun = HERE / "spun.json"
-        cli("simulate", "-o", spun, "--axis", "spin", "--lines", 90, "--beams", 120)
+        lab("simulate", "-o", spun, "--axis", "spin", "--lines", 90, "--beams", 120)
         scan = edgescan.open(spun, pose=pose, calibration=calibration)
         made = again(scan, pose=pose, calibration=calibration)
         np.testing.assert_array_equal(made.origin, scan.origin)
@@ -183,7 +183,7 @@ class Pickled(unittest.TestCase):
             np.savetxt(cloud, points, fmt="%.4f")
         pose, calibration = place_files()
         spun = HERE / "spun-too.json"
-        cli("simulate", "-o", spun, "--axis", "spin", "--lines", 60, "--beams", 80)
+        lab("simulate", "-o", spun, "--axis", "spin", "--lines", 60, "--beams", 80)
         intensity = np.full((5, 7), 0.5)
         intensity[1, 1] = np.nan
         yield edgescan.open(bell_file())

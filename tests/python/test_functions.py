@@ -31,7 +31,7 @@ class SameAsThePrograms(unittest.TestCase):
 
     def test_compare(self):
         before, now = bell_file(), HERE / "after.json"
-        cli("simulate", "-o", now, "--after-blast", "--seed", 7, "--lines", 150, "--beams", 191)
+        lab("simulate", "-o", now, "--after-blast", "--seed", 7, "--lines", 150, "--beams", 191)
         cli("compare", before, now, "--by-surfaces", "--json", HERE / "change.json", "--picture", HERE / "cli-change.png")
         change = edgescan.compare(edgescan.detect(edgescan.open(before)), edgescan.detect(edgescan.open(now)), by_surfaces=True,
                                   picture=HERE / "change.png")

@@ -138,7 +138,7 @@ class Arrays(unittest.TestCase):
         calibration.write_text(next(b for b in blocks if "edgescan-calibration/1" in b))
         pose.write_text(next(b for b in blocks if "edgescan-pose/1" in b))
         spun = HERE / "spun.json"
-        cli("simulate", "-o", spun, "--axis", "spin", "--lines", 90, "--beams", 120)
+        lab("simulate", "-o", spun, "--axis", "spin", "--lines", 90, "--beams", 120)
         scan = edgescan.open(spun, pose=pose, calibration=calibration)
         self.assertEqual(scan.origin.shape, (3,))
         np.testing.assert_allclose(scan.xyz("local") + scan.origin, scan.xyz("mine"), rtol=0, atol=1e-6)

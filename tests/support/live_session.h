@@ -1,8 +1,8 @@
 // A scanner session and a record of its events, for tests; an emulated scanner with few beams.
 #pragma once
 
-#include "core/scanner/emulator/emulator.h"
-#include "core/scanner/emulator/telegram.h"
+#include "app/lab/emulator/emulator.h"
+#include "app/lab/emulator/telegram.h"
 #include "core/scanner/sick_lms/scanner_connection.h"
 #include "core/scanner/sick_lms/telegram_line.h"
 #include "core/scanner/sweep_assembly/counters.h"

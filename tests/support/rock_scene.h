@@ -1,10 +1,10 @@
 // Small scenes of rocks with their truth, and the stages up to the segments in one call.
 #pragma once
 
+#include "app/lab/sim/simulate.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/rocks/selection/rock_map.h"
-#include "core/sim/simulate.h"
 
 #include <gtest/gtest.h>
 

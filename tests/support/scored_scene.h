@@ -1,7 +1,7 @@
 // A simulated scan with its ground truth.
 #pragma once
 
-#include "core/sim/simulate.h"
+#include "app/lab/sim/simulate.h"
 
 namespace edgescan::test {
 

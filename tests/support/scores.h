@@ -1,7 +1,7 @@
 // The score in one call, for tests that need only the score.
 #pragma once
 
-#include "core/lab/score/score.h"
+#include "app/lab/score/score.h"
 
 namespace edgescan::test {
 

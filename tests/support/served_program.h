@@ -1,4 +1,4 @@
-// edgescan-cli emulate as a process that ends with this object.
+// edgescan-lab emulate as a process that ends with this object.
 #pragma once
 
 #include "tests/support/folders.h"
@@ -19,7 +19,7 @@ public:
     /// `arguments` as typed behind "emulate"; any free port.
     explicit ServedProgram(const std::string& arguments) {
         const std::string command =
-            "exec " + programFolder() + "/edgescan-cli emulate " + arguments + " --port 0 >" + (folder_ / "out").string() + " 2>&1";
+            "exec " + programFolder() + "/edgescan-lab emulate " + arguments + " --port 0 >" + (folder_ / "out").string() + " 2>&1";
         process_ = fork();
         if (process_ == 0) {
             prctl(PR_SET_PDEATHSIG, SIGTERM); // also where the test crashes

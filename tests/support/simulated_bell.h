@@ -1,7 +1,7 @@
 // A small sweep of the simulated draw-bell.
 #pragma once
 
-#include "core/sim/simulate.h"
+#include "app/lab/sim/simulate.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,10 +1,10 @@
 // Two stations of one bell with known truth: simulated scans, the second one placed with an error.
 #pragma once
 
+#include "app/lab/sim/simulate.h"
 #include "core/base/angles.h"
 #include "core/inspect/registration/placed_scan.h"
 #include "core/scan/georef/rotations.h"
-#include "core/sim/simulate.h"
 
 #include <Eigen/Geometry>
 

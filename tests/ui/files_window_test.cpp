@@ -1,6 +1,6 @@
 // Files in the real window: opening, refusals, straightening, series, and exports that equal those of the command line.
+#include "app/lab/sim/simulate.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/sim/simulate.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"

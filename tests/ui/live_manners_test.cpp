@@ -1,7 +1,7 @@
 // The window while a scanner is connected: an outdated picture is never marked live, and a stray key loses no data.
+#include "app/lab/emulator/emulator.h"
+#include "app/lab/emulator/telegram.h"
 #include "core/files/recording/writer.h"
-#include "core/scanner/emulator/emulator.h"
-#include "core/scanner/emulator/telegram.h"
 #include "tests/support/simulated_bell.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/elided_label.h"

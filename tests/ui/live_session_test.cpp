@@ -1,8 +1,8 @@
 // A session of a sweep during recording: its targets are restored after the program was killed in the middle of the sweep.
+#include "app/lab/emulator/emulator.h"
+#include "app/lab/emulator/telegram.h"
 #include "core/base/whole_file.h"
 #include "core/inspect/session_file/session_file.h"
-#include "core/scanner/emulator/emulator.h"
-#include "core/scanner/emulator/telegram.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/sessions/sessions.h"

@@ -1,10 +1,10 @@
 // The real window with a live scanner and with recordings: the picture grows, keeps its place, is marked when stale, is recorded and played
 // again.
+#include "app/lab/emulator/bridge.h"
+#include "app/lab/emulator/emulator.h"
+#include "app/lab/emulator/telegram.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/report.h"
-#include "core/scanner/emulator/bridge.h"
-#include "core/scanner/emulator/emulator.h"
-#include "core/scanner/emulator/telegram.h"
 #include "tests/support/own_sockets.h"
 #include "tests/support/served_program.h"
 #include "tests/support/simulated_bell.h"

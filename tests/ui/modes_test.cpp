@@ -1,8 +1,8 @@
 // The window in its modes x sizes x languages x states of a scanner, on the desk and in a cab: no widget is cut off, squeezed or covered,
 // nothing is larger than the screen, and the cloud has its share. Every pair of two of them is tested; with EDGESCAN_EVERY_STATE=1 the
 // whole product. With EDGESCAN_LOOK=FOLDER the pictures are saved for inspection.
-#include "core/scanner/emulator/emulator.h"
-#include "core/scanner/emulator/telegram.h"
+#include "app/lab/emulator/emulator.h"
+#include "app/lab/emulator/telegram.h"
 #include "tests/support/folders.h"
 #include "tests/support/placements.h"
 #include "tests/ui/sized_window.h"

@@ -1,8 +1,8 @@
 // Random events in the real window: every action, button, menu, table, slider, list, key and view, in random order, with a file and with a
 // scanner. The program must not crash, hang or leak. EDGESCAN_WALK: number of events (10000 for a long walk), EDGESCAN_WALK_SEED: another
 // walk.
-#include "core/scanner/emulator/emulator.h"
-#include "core/scanner/emulator/telegram.h"
+#include "app/lab/emulator/emulator.h"
+#include "app/lab/emulator/telegram.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/window/cab_mode.h"

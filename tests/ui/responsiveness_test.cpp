@@ -1,8 +1,8 @@
 // How long the GUI thread is blocked while a slider moves over a full sweep, from a file and from a scanner. Prints times; asserts none.
+#include "app/lab/sim/simulate.h"
 #include "core/edges/settings/presets.h"
 #include "core/edges/settings/slider_scale.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/sim/simulate.h"
 #include "tests/support/served_program.h"
 #include "tests/ui/window_fixture.h"
 
@@ -121,7 +121,7 @@ private slots:
 
     void aFullSweepFromAScanner() {
         const std::string full = (folder_ / "full.json").string();
-        QCOMPARE(test::runCli("simulate -o " + full + " --scene staircase --lines 1000").code, 0);
+        QCOMPARE(test::runLab("simulate -o " + full + " --scene staircase --lines 1000").code, 0);
         const test::ServedProgram served(full + " --rate 200 --loop");
         WindowFixture on;
         MainWindow& window = on.window;

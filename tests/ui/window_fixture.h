@@ -1,8 +1,8 @@
 // A window with its own settings memory, and functions that wait for its content.
 #pragma once
 
+#include "app/lab/sim/simulate.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
 #include "tests/support/shared_folder.h"
 #include "tests/ui/patience.h"

@@ -51,7 +51,7 @@ def table_in(self, frame: Literal["scanner", "local", "mine"]) -> List[Rock]:
 
 @method(Simulation)
 def save_truth(self, folder: Path) -> None:
-    """Writes the ground truth as `edgescan-cli simulate --truth FOLDER` does."""
+    """Writes the ground truth as `edgescan-lab simulate --truth FOLDER` does."""
     _edgescan.save_truth(self, folder)
 
 

@@ -1,4 +1,5 @@
 // Borders of rocks in exports: their field in clouds, only them in exports, and verify.
+#include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/rock_borders/rock_borders.h"
 #include "core/exports/provenance.h"
@@ -6,7 +7,6 @@
 #include "core/exports/verify.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/sim/simulate.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>

@@ -22,7 +22,6 @@ namespace {
     QT_TRANSLATE_NOOP("QObject", "finding the grid"),
     QT_TRANSLATE_NOOP("QObject", "finding the axis"),
     QT_TRANSLATE_NOOP("QObject", "projecting the points"),
-    QT_TRANSLATE_NOOP("QObject", "casting beams"),
     QT_TRANSLATE_NOOP("QObject", "placing the points"),
     QT_TRANSLATE_NOOP("QObject", "finding edges"),
     QT_TRANSLATE_NOOP("QObject", "drawing"),

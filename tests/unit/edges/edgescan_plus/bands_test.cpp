@@ -1,6 +1,6 @@
 // The lines of a sweep divided among threads: the same to the last bit, wherever the seams are.
+#include "app/lab/sim/simulate.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
-#include "core/sim/simulate.h"
 
 #include <gtest/gtest.h>
 

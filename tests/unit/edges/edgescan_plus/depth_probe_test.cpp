@@ -1,11 +1,11 @@
 // The values reported for a cell are those that the detection of the whole scan used.
 #include "core/edges/edgescan_plus/cell_probe.h"
 
+#include "app/lab/sim/simulate.h"
 #include "core/edges/explain/why.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/why_report.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/sim/simulate.h"
 #include "tests/support/depth_edges.h"
 #include "tests/support/scans.h"
 #include "tests/support/shared_folder.h"

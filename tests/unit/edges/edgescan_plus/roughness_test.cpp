@@ -1,11 +1,11 @@
 // Rough scans: the shares of folding cells, counted slowly, and what they change.
 #include "core/edges/edgescan_plus/roughness.h"
 
+#include "app/lab/sim/simulate.h"
 #include "core/edges/explain/why.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "core/rocks/segmentation/barrier.h"
-#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

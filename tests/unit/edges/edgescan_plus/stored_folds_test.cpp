@@ -1,10 +1,10 @@
 // Folds from stored numbers: at every crease angle the same bits as measured folds.
 #include "core/edges/edgescan_plus/stored_folds.h"
 
+#include "app/lab/sim/simulate.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
-#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

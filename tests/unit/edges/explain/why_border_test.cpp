@@ -1,8 +1,8 @@
 // How likely an edge is the border of a rock, and why an edge is left out.
+#include "app/lab/sim/simulate.h"
 #include "core/edges/explain/why.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/why_report.h"
-#include "core/sim/simulate.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

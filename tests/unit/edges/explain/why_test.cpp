@@ -1,4 +1,5 @@
 // Why a cell is an edge: the explanation must agree with the method.
+#include "app/lab/sim/simulate.h"
 #include "core/edges/explain/why.h"
 #include "core/edges/gray/canny.h"
 #include "core/edges/pipeline/edge_count_curve.h"
@@ -8,7 +9,6 @@
 #include "core/edges/settings/presets.h"
 #include "core/edges/settings/slider_scale.h"
 #include "core/exports/why_report.h"
-#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // The probability of a rock border: its features against slow versions, where it is unknown, and the view that follows from it.
 #include "core/edges/rock_borders/rock_borders.h"
 
+#include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
-#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 #include "tests/support/simulated_bell.h"
 

@@ -1,7 +1,7 @@
 // Proposals: each one gives, with the method itself, the result that it announces.
+#include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/tuning/marked_edges.h"
-#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Clouds without a grid are put onto one as seen from their sensor, and every point is accounted for.
+#include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "core/files/grid_recovery/regrid.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/sim/simulate.h"
 #include "tests/support/point_files.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/shared_folder.h"

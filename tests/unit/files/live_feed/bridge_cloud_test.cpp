@@ -1,9 +1,9 @@
 // A robot's scanner that sends whole clouds over a bridge, live: each message is a scan, the same as a bag's.
+#include "app/lab/emulator/bridge.h"
 #include "core/files/live_feed/bridge_topics.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/live_feed/live_health.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/scanner/emulator/bridge.h"
 #include "tests/support/live_session.h"
 #include "tests/support/ros_clouds.h"
 #include "tests/support/run_program.h"

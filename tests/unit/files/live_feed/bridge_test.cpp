@@ -1,8 +1,8 @@
 // A robot's bridge, live: the scan grows like a scanner's, nothing but subscriptions is sent, faults are sentences.
+#include "app/lab/emulator/bridge.h"
 #include "core/files/live_feed/bridge_topics.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/scanner/emulator/bridge.h"
 #include "tests/support/folders.h"
 #include "tests/support/live_session.h"
 #include "tests/support/python_peer.h"

@@ -1,8 +1,8 @@
 // Actions on opening a scan that happen only on request.
+#include "app/lab/sim/simulate.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/angle_correction/straighten_scan.h"
-#include "core/sim/simulate.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>

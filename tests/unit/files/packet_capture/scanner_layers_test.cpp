@@ -1,9 +1,9 @@
 // A scanner of several layers (MRS1000) sends a telegram per layer: those of a tilted fan are not lines of the motor. They are left out and
 // reported, in whatever way the telegrams arrive.
+#include "app/lab/emulator/emulator.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/recording/replay.h"
-#include "core/scanner/emulator/emulator.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/wait_until.h"
 

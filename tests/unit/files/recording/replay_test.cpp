@@ -1,10 +1,10 @@
 // Recordings opened, played and saved: every way gives the same scan.
+#include "app/lab/sim/simulate.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/recording/replay.h"
 #include "core/files/recording/save_recording.h"
 #include "core/scan/grid/assumed_mounting.h"
-#include "core/sim/simulate.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/ros_sweeps.h"

@@ -1,7 +1,7 @@
 // Backlash from two passes, compared with the shift of the stepper's zero in the simulator.
 #include "core/inspect/calibration/backlash.h"
 
-#include "core/sim/simulate.h"
+#include "app/lab/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

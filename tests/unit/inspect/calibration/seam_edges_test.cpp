@@ -1,10 +1,10 @@
 // Edges of the early view transformed to the late one, compared with a search through all rays of docs/reference/coordinates.md, "Step 1".
 #include "core/inspect/calibration/seam_edges.h"
 
+#include "app/lab/sim/simulate.h"
 #include "core/base/angles.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/scan/georef/rotations.h"
-#include "core/sim/simulate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The assembly estimated from one turn, compared with the errors simulated for every ray.
+#include "app/lab/sim/simulate.h"
 #include "core/inspect/calibration/calibration_file.h"
 #include "core/inspect/calibration/self_calibration.h"
 #include "core/inspect/calibration/views_picture.h"
 #include "core/scan/georef/rotations.h"
-#include "core/sim/simulate.h"
 
 #include <gtest/gtest.h>
 

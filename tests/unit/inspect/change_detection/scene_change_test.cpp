@@ -1,8 +1,8 @@
 // Changes between scans: compared with slow versions, and on the simulator's bell before and after a blast.
+#include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "core/scan/georef/rotations.h"
-#include "core/sim/simulate.h"
 #include "tests/support/placements.h"
 
 #include <gtest/gtest.h>

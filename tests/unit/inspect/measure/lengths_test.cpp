@@ -1,7 +1,7 @@
 // Lengths and angles: values compared with plain geometry, errors compared with random trials, and no number below the resolution.
+#include "app/lab/sim/simulate.h"
 #include "core/inspect/measure/lengths.h"
 #include "core/scan/grid/missing_cells.h"
-#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

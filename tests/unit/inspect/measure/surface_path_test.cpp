@@ -1,10 +1,10 @@
 // The path along the surface and the throat: compared with plain geometry, with a slow version, and with random trials.
+#include "app/lab/sim/random.h"
 #include "core/base/number_text.h"
 #include "core/inspect/measure/lengths.h"
 #include "core/inspect/measure/notebook.h"
 #include "core/inspect/measure/surface_path.h"
 #include "core/inspect/measure/throat.h"
-#include "core/sim/random.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

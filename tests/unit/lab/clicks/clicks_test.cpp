@@ -1,6 +1,6 @@
 // Random clicks near true edges: fewer lengths are off on the near side than at the clicked cells.
-#include "core/lab/clicks/clicks.h"
-#include "core/lab/clicks/throats.h"
+#include "app/lab/clicks/clicks.h"
+#include "app/lab/clicks/throats.h"
 #include "tests/support/scored_scene.h"
 
 #include <gtest/gtest.h>

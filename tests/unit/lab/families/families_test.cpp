@@ -1,8 +1,8 @@
 // The draw of scenes, and runs that are stopped and go on.
-#include "core/lab/families/family_report.h"
-#include "core/lab/families/scene_sources.h"
-#include "core/lab/families/stored_scene.h"
-#include "core/sim/scene.h"
+#include "app/lab/families/family_report.h"
+#include "app/lab/families/scene_sources.h"
+#include "app/lab/families/stored_scene.h"
+#include "app/lab/sim/scene.h"
 #include "tests/support/packed_files.h"
 #include "tests/support/run_program.h"
 #include "tests/support/shared_folder.h"

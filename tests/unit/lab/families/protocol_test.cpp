@@ -1,5 +1,5 @@
 // The verdict on a change.
-#include "core/lab/families/protocol.h"
+#include "app/lab/families/protocol.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Trees learn what is there to learn, the same with any number of threads, and survive being written.
-#include "core/lab/learning/boosting.h"
+#include "app/lab/learning/boosting.h"
 
 #include <gtest/gtest.h>
 

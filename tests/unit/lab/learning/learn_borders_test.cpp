@@ -1,5 +1,5 @@
 // Training of the network of borders.
-#include "core/lab/learning/learn_borders.h"
+#include "app/lab/learning/learn_borders.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The fit of the confidence of rocks.
-#include "core/lab/learning/learn_confidence.h"
+#include "app/lab/learning/learn_confidence.h"
 
 #include <gtest/gtest.h>
 

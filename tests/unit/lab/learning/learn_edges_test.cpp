@@ -1,8 +1,8 @@
 // True borders of a known scene, and what the shipped trees say of a bell that they have not seen.
-#include "core/lab/learning/learn_edges.h"
+#include "app/lab/learning/learn_edges.h"
 
+#include "app/lab/sim/scene.h"
 #include "core/edges/rock_borders/rock_borders.h"
-#include "core/sim/scene.h"
 #include "tests/support/scored_scene.h"
 
 #include <gtest/gtest.h>

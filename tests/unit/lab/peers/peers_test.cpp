@@ -1,5 +1,5 @@
 // The PCL methods find the edges of a box in front of a wall, each in the right cells.
-#include "core/lab/peers/peers.h"
+#include "app/lab/peers/peers.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

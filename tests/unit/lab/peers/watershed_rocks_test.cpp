@@ -1,7 +1,7 @@
 // Watershed of the distance to edges, and PCL's segments in their cells.
-#include "core/lab/peers/watershed_rocks.h"
+#include "app/lab/peers/watershed_rocks.h"
 
-#include "core/lab/peers/peers.h"
+#include "app/lab/peers/peers.h"
 #include "core/scan/grid/scan.h"
 
 #include <gtest/gtest.h>

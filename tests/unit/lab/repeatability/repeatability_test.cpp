@@ -1,7 +1,7 @@
 // Edges matched between two scans of one place: compared with an exhaustive search, with an object in front, and with approximate poses.
+#include "app/lab/repeatability/repeatability.h"
+#include "app/lab/sim/simulate.h"
 #include "core/inspect/registration/scan_alignment.h"
-#include "core/lab/repeatability/repeatability.h"
-#include "core/sim/simulate.h"
 #include "tests/support/point_lists.h"
 
 #include <Eigen/Geometry>

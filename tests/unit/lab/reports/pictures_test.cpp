@@ -1,5 +1,5 @@
 // Sheets of pictures: every marked cell is drawn at its place, in its colour and shape.
-#include "core/lab/reports/comparison_pictures.h"
+#include "app/lab/reports/comparison_pictures.h"
 #include "tests/support/scans.h"
 #include "tests/support/scores.h"
 

@@ -1,5 +1,5 @@
 // Figures of masks and threshold sweeps, and the truth as files.
-#include "core/lab/score/evaluation.h"
+#include "app/lab/score/evaluation.h"
 
 #include "core/containers/png/png.h"
 

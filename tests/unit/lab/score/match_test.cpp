@@ -1,6 +1,6 @@
 // Matching and thinning compared with exhaustive search.
-#include "core/lab/score/match.h"
-#include "core/sim/truth/thin.h"
+#include "app/lab/score/match.h"
+#include "app/lab/sim/truth/thin.h"
 
 #include <gtest/gtest.h>
 

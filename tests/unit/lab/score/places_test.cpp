@@ -1,5 +1,5 @@
 // Where detections are, as distances and as offsets across the edge.
-#include "core/lab/score/places.h"
+#include "app/lab/score/places.h"
 
 #include <gtest/gtest.h>
 

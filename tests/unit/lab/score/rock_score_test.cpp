@@ -1,7 +1,7 @@
 // Regions compared with true rocks: by hand-made examples, and by a slow second implementation of the rules (docs/method/edges.md, "Truth
 // and score").
-#include "core/lab/score/rock_evaluation.h"
-#include "core/sim/truth/truth_files.h"
+#include "app/lab/score/rock_evaluation.h"
+#include "app/lab/sim/truth/truth_files.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Scans of heaps of stones: files of stones and of heaps, the physics, one seed and one scan.
-#include "core/lab/stones/npz.h"
-#include "core/lab/stones/stone_scene.h"
+#include "app/lab/stones/npz.h"
+#include "app/lab/stones/stone_scene.h"
 #include "tests/support/cube_stones.h"
 #include "tests/support/run_program.h"
 #include "tests/support/shared_folder.h"

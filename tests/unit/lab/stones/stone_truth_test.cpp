@@ -1,6 +1,6 @@
 // The true edges of scanned meshes: where two surfaces meet or are apart is known here.
-#include "core/lab/stones/stone_truth.h"
-#include "core/sim/sweep.h"
+#include "app/lab/sim/sweep.h"
+#include "app/lab/stones/stone_truth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Segments compared with slow, simple versions, on scans of boxes and on random surfaces.
+#include "app/lab/sim/simulate.h"
 #include "core/rocks/segmentation/barrier.h"
 #include "core/rocks/segmentation/basins.h"
 #include "core/rocks/segmentation/borders.h"
 #include "core/rocks/segmentation/refinement.h"
-#include "core/sim/simulate.h"
 #include "tests/support/rock_scene.h"
 #include "tests/support/scans.h"
 

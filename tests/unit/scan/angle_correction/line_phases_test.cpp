@@ -1,9 +1,9 @@
 // Lines with different beam phases in a cycle: detected, merged, and never found where there are none.
 #include "core/scan/angle_correction/line_phases.h"
 
+#include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/scan/angle_correction/straighten_scan.h"
-#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

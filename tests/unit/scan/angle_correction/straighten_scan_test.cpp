@@ -1,7 +1,7 @@
 // Angles estimated from the surfaces of a sweep: interlaced beams and slipped lines return to the angles at which they were measured.
 #include "core/scan/angle_correction/straighten_scan.h"
 
-#include "core/sim/simulate.h"
+#include "app/lab/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/scan/gap_filling/gap_filling.h"
 
+#include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/provenance.h"
 #include "core/scan/gap_filling/plane_in_u.h"
-#include "core/sim/simulate.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/scans.h"

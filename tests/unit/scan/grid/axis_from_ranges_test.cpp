@@ -1,10 +1,10 @@
 // The axis from the ranges: of simulated bells in both mountings, and where ranges cannot show it. A growing sweep and a file use it.
 #include "core/scan/grid/axis_from_ranges.h"
 
+#include "app/lab/emulator/telegram.h"
+#include "app/lab/sim/simulate.h"
 #include "core/files/plausibility/opening_check.h"
 #include "core/scan/grid/assumed_mounting.h"
-#include "core/scanner/emulator/telegram.h"
-#include "core/sim/simulate.h"
 #include "tests/support/live_lines.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The noise of the flattest tiles: the true one on walls and bells, on all grids, and no leap with the size of a scan.
 #include "core/scan/grid/inverse_range.h"
 
-#include "core/sim/simulate.h"
+#include "app/lab/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
