@@ -51,8 +51,10 @@ Result<std::vector<LessonScene>> lessonScenes(const LessonSceneFlags& asked) {
         if (!orders) return orders.error();
         for (lab::SceneOrder order : *orders) {
             if (!order.file.empty()) continue;
-            for (order.view = 0; order.view < (lab::hasViews(family) ? asked.views : 1); ++order.view)
+            for (order.view = 0; order.view < (lab::hasViews(family) ? asked.views : 1); ++order.view) {
+                order.carved = lab::hasViews(family) && order.view % 3 != 0;
                 scenes.push_back({&family, row.kind, order});
+            }
         }
     }
     if (scenes.empty()) return Error{"no family of the lesson has these names", "--only", "use names of edgescan-lab families"};

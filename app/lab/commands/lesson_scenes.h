@@ -18,7 +18,7 @@ struct LessonSceneFlags {
     lab::FamilyPlaces places{.stoneSet = "free"}; ///< what is learnt from these stones may be shipped
     std::vector<std::string> only{};
     int scenes = 6, threads = 0;
-    int views = 1; ///< of each heap of stones
+    int views = 1; ///< of each heap of stones; two of three have stones with other surfaces, lab::carvedStone()
 };
 
 struct LessonScene {

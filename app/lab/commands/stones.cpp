@@ -83,6 +83,7 @@ void addStones(CLI::App& app, int& code) {
     addNumber(command, "--seed", scene.seed, {0, 999999999999999}, "Seed of everything random");
     addNumber(command, "--view", scene.view, {0, 1000}, "0, or the same heap from a moved scanner");
     addNumber(command, "--noise", scene.noise, {0, 100}, "Times the range noise of the device");
+    command.add_flag("--carved", scene.carved, "Facets, scoops and scars that the scanned stones did not have");
     command.add_flag("--full", scene.full, "800 lines x 1000 beams instead of 400 x 500");
     command.add_flag("--spin", scene.spin, "The scanner turns about its viewing direction");
     command.add_option("--settled", scene.settled, "Folder where the settled heap is read from, or else stored")->type_name("DIR");

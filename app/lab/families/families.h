@@ -36,6 +36,7 @@ struct SceneOrder {
     std::uint64_t seed = 0;       ///< of a fresh scene
     std::size_t variant = 0;      ///< of a fresh scene: index of Family::variants
     std::filesystem::path file{}; ///< of a stored scene; empty for a fresh one
+    bool carved = false;          ///< of a fresh heap of stones: each has a surface of its own
     int view = 0;                 ///< of a fresh heap of stones: 1, 2, ...: from a moved scanner
 };
 

@@ -45,6 +45,7 @@ Result<MadeScene> stonesScene(const Family& family, const SceneOrder& order, con
                      .seed = order.seed,
                      .view = order.view,
                      .full = family.full,
+                     .carved = order.carved,
                      .noise = family.noise,
                      .settled = places.settled};
     Result<StoneScan> made = stoneScan(scene, *stones, 1, [&goOn](double) { return !goOn || goOn(); });

@@ -3,6 +3,7 @@
 
 #include "app/lab/sim/convex_rock.h"
 #include "app/lab/sim/sweep.h"
+#include "app/lab/stones/carved_stone.h"
 #include "app/lab/stones/stone_truth.h"
 #include "core/scan/georef/rotations.h"
 
@@ -81,7 +82,8 @@ sim::RockTruth rockOf(const Stone& stone, const sim::MeshCopy& copy) {
 }
 
 /// Walls and resting stones in the frame of the site, seen from the view.
-Result<sim::Scene> sceneOf(const Site& site, const Heap& heap, const Stones& stones, const View& view) {
+Result<sim::Scene> sceneOf(const Site& site, const Heap& heap, const Stones& stones, const StoneScene& asked) {
+    const View view = viewOf(asked);
     constexpr double kRestMps = 0.5;
     sim::Scene scene;
     for (const SiteWall& wall : site.walls) {
@@ -97,9 +99,11 @@ Result<sim::Scene> sceneOf(const Site& site, const Heap& heap, const Stones& sto
             return Error{"the heap has the stone " + stone.stone + ", which is not there", "stones",
                          "read the folder that it was settled with"};
         if (!site.isScanned(view * stone.placeM) || stone.speedMps > kRestMps) continue;
-        scene.copies.push_back(copyOf(of->mesh, view, stone.turn.toRotationMatrix(), stone.placeM, stone.sizeM));
+        const std::uint64_t seed = sim::hashOf(asked.seed, Purpose::Shapes, static_cast<std::uint64_t>(asked.view) << 16U | object);
+        const Stone scanned = asked.carved ? carvedStone(*of, seed) : *of;
+        scene.copies.push_back(copyOf(scanned.mesh, view, stone.turn.toRotationMatrix(), stone.placeM, stone.sizeM));
         scene.copies.back().object = object++;
-        scene.rocks.push_back(rockOf(*of, scene.copies.back()));
+        scene.rocks.push_back(rockOf(scanned, scene.copies.back()));
     }
     return scene;
 }
@@ -160,7 +164,7 @@ Result<StoneScan> stoneScan(const StoneScene& scene, const Stones& stones, int t
     if (!site) return site.error();
     const Result<Heap> heap = heapOf(scene, *site, stones, part(0, kPhysics));
     if (!heap) return heap.error();
-    Result<sim::Scene> fromSite = sceneOf(*site, *heap, stones, viewOf(scene));
+    Result<sim::Scene> fromSite = sceneOf(*site, *heap, stones, scene);
     if (!fromSite) return fromSite.error();
     const sim::Scene seen = sim::rotated(std::move(*fromSite), mountOf(scene, *site).cast<float>());
     const PolarGeometry polar = geometryOf(scene, *site);

@@ -18,6 +18,7 @@ struct StoneScene {
     int view = 0;                       ///< 1, 2, ...: the same heap from a moved scanner
     bool full = false;                  ///< 800 lines x 1000 beams instead of 400 x 500, over the same angles
     bool spin = false;                  ///< the scanner turns about its viewing direction, by 180 degrees, instead of sweeping over 80
+    bool carved = false;                ///< carvedStone() of each stone, where the whole one rests
     double noise = 1.0;                 ///< factor on the range noise of the device
     std::filesystem::path settled = {}; ///< folder of settled heaps: read if the heap is there, else written. Empty: none
 };

@@ -1,4 +1,5 @@
 // Scans of heaps of stones: files of stones and of heaps, the physics, one seed and one scan.
+#include "app/lab/stones/carved_stone.h"
 #include "app/lab/stones/npz.h"
 #include "app/lab/stones/stone_scene.h"
 #include "tests/support/cube_stones.h"
@@ -49,6 +50,38 @@ TEST(StoneFiles, SetsHaveTheirStones) {
     EXPECT_EQ(cubes("lab").stones[0].name, "epflcube");
     EXPECT_FALSE(readStones("/nowhere", "free", 1));
     EXPECT_FALSE(readStones("/nowhere", "other", 1));
+}
+
+// A ball of 2,000 points, without triangles between most of them.
+Stone ball() {
+    Stone stone{"ball", 0.02, nullptr, {}};
+    std::vector<Eigen::Vector3f> points;
+    for (int n = 0; n < 2000; ++n) {
+        const double height = 1.0 - (2.0 * n + 1.0) / 2000, around = 2.4 * n, across = std::sqrt(1.0 - height * height);
+        points.emplace_back((0.5 * Eigen::Vector3d(across * std::cos(around), across * std::sin(around), height)).cast<float>());
+    }
+    stone.hull = points;
+    stone.mesh = std::make_shared<const sim::StoredMesh>(std::move(points), std::vector<sim::StoredMesh::Corners>{{0, 1, 2}});
+    return stone;
+}
+
+TEST(CarvedStones, LoseSomeOfTheirSurfaceAndKeepTheRest) {
+    const Stone whole = ball();
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const Stone carved = carvedStone(whole, seed), again = carvedStone(whole, seed);
+        ASSERT_EQ(carved.mesh->points().size(), whole.mesh->points().size());
+        EXPECT_EQ(carved.mesh->points(), again.mesh->points());
+        EXPECT_EQ(carved.mesh->triangles(), whole.mesh->triangles());
+        EXPECT_NE(carved.mesh->points(), carvedStone(whole, seed + 100).mesh->points());
+        int deep = 0;
+        for (const Eigen::Vector3f& point : carved.mesh->points()) {
+            EXPECT_GT(point.norm(), 0.02F); // a ray still meets a body
+            EXPECT_LT(point.norm(), 0.5F * 1.031F);
+            deep += point.norm() < 0.47F ? 1 : 0;
+        }
+        EXPECT_GT(deep, 100) << seed;
+        EXPECT_LT(deep, 1995) << seed;
+    }
 }
 
 TEST(StoneFiles, ASettledHeapIsReadBackWithTheSameBits) {
