@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -69,12 +70,6 @@ const std::vector<Command>& commands() {
           {code(kDiffers, "a line of the log was altered, dropped or moved")}}},
         {cli::addRecord, {"record", live, {"edgescan-cli record 192.168.0.1 -o SWEEP.mcap --lines 600 --axis sweep --line-step 0.3"}, {}}},
         {cli::addReplay, {"replay", live, {"edgescan-cli replay SWEEP.mcap --quiet"}, {}}},
-        {cli::addCalibrate,
-         {"calibrate",
-          live,
-          {"edgescan-lab simulate -o TURN.json --axis spin --turn 220 --lines 330 --beams 191 --mount-t1 30",
-           "edgescan-cli calibrate TURN.json -o CALIBRATION.json"},
-          {}}},
     };
     return all;
 }
@@ -92,7 +87,8 @@ std::vector<Command> commandsFor(int argc, char** argv) {
 
 /// The commands that went to edgescan-lab answer with those of the program in the same folder, and say so.
 void runInLab(int argc, char** argv) {
-    if (argc < 2 || (std::string_view(argv[1]) != "simulate" && std::string_view(argv[1]) != "emulate")) return;
+    constexpr std::array<std::string_view, 3> kLab{"simulate", "emulate", "calibrate"};
+    if (argc < 2 || std::ranges::find(kLab, argv[1]) == kLab.end()) return;
     std::error_code failed;
     const std::string lab = (std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / "edgescan-lab").string();
     std::cerr << "edgescan-cli: " << argv[1] << " is a command of edgescan-lab now: type edgescan-lab " << argv[1] << ".\n";

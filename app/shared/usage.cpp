@@ -45,6 +45,7 @@ constexpr std::array kRenamed = std::to_array<Renamed>({
     {"", "serve", "edgescan-lab emulate"},
     {"", "simulate", "edgescan-lab simulate"},
     {"", "emulate", "edgescan-lab emulate"},
+    {"", "calibrate", "edgescan-lab calibrate"},
     {"", "evaluate", "edgescan-lab evaluate"},
     {"", "--standing", "--stop-and-go"},
     {"why", "--line", "--cell LINE,BEAM"},

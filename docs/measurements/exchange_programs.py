@@ -200,7 +200,6 @@ def programs():
         Program("loaders.gl", npm("@loaders.gl/core"), node("loaders.gl"), ["csv", "ply", "pcd", "las", "obj"], refuses=["las"], four_bytes=True),
         Program("copc", npm("copc"), node("copc"), ["las"]),
         Program("@mcap/core", npm("@mcap/core"), node("mcap"), ["mcap"]),
-        Program("Foxglove's schemas", npm("@foxglove/schemas"), node("foxglove"), ["foxglove.mcap"], asks="the display frame: `mine` or `scanner`"),
     ]
 
 

@@ -81,49 +81,8 @@ async function mcap() {
   return null;
 }
 
-// As Foxglove and Lichtblick do: the indexed reader, the messages checked against their own schemas, the fields of the packed points.
-async function foxglove() {
-  const { McapIndexedReader } = await load('@mcap/core');
-  const schemas = await load('@foxglove/schemas/jsonschema');
-  const Ajv = (await load('ajv')).default;
-  const ajv = new Ajv({ strict: false, validateFormats: false });
-  const known = { 'foxglove.PointCloud': schemas.PointCloud, 'foxglove.FrameTransform': schemas.FrameTransform };
-  const reader = await McapIndexedReader.Initialize({
-    readable: { size: async () => BigInt(bytes.length), read: async (offset, size) => bytes.subarray(Number(offset), Number(offset) + Number(size)) },
-  });
-  const readers = { 1: ['getUint8', 1], 5: ['getUint32', 4], 7: ['getFloat32', 4], 8: ['getFloat64', 8] };
-  let cloud = null;
-  const moves = new Map(); // frame: its parent and the shift to it, where axes are parallel
-  for await (const message of reader.readMessages()) {
-    const channel = reader.channelsById.get(message.channelId);
-    const schema = reader.schemasById.get(channel.schemaId);
-    const content = JSON.parse(new TextDecoder().decode(message.data));
-    if (!ajv.validate(known[schema.name], content)) throw new Error(`${channel.topic}: ${ajv.errorsText()}`);
-    if (channel.topic === '/edgescan/cloud') cloud = content;
-    if (channel.topic === '/tf') moves.set(content.child_frame_id, [content.parent_frame_id, content.translation]);
-  }
-  const data = Buffer.from(cloud.data, 'base64');
-  const view = new DataView(data.buffer, data.byteOffset, data.length);
-  const column = (name) => {
-    const field = cloud.fields.find((one) => one.name === name);
-    const [method] = readers[field.type];
-    return (n) => view[method](n * cloud.point_stride + field.offset, true);
-  };
-  const [x, y, z, red, green, blue, classOf] = ['x', 'y', 'z', 'red', 'green', 'blue', 'class'].map(column);
-  const shift = cloud.frame_id === 'mine_origin' ? moves.get('mine_origin')?.[1] ?? { x: 0, y: 0, z: 0 } : { x: 0, y: 0, z: 0 };
-  const positions = [];
-  const colours = [];
-  const classes = [];
-  for (let n = 0; n < data.length / cloud.point_stride; ++n) {
-    positions.push(x(n) + shift.x, y(n) + shift.y, z(n) + shift.z);
-    colours.push(red(n), green(n), blue(n));
-    classes.push(classOf(n));
-  }
-  return cloudOf(positions, colours, 3, 255, classes);
-}
-
 try {
-  const read = await { foxglove, three, 'loaders.gl': loadersGl, copc, mcap }[library]();
+  const read = await { three, 'loaders.gl': loadersGl, copc, mcap }[library]();
   if (read) writeFileSync(out, Buffer.from(read.buffer));
 } catch (problem) {
   console.log(String(problem.message ?? problem));

@@ -32,7 +32,6 @@ EXPORTS = {
     "obj": Export(0.1, True),
     "ptx": Export(0.1),
     "dxf": Export(0.1, True, True),
-    "foxglove.mcap": Export(0.1, True, True, ["scanner", "mine"]),  # programs add the shift of /tf
     "mcap": Export(0, frames=["scanner"]),
 }
 

@@ -1,4 +1,4 @@
-// edgescan-cli calibrate: its output file, and its refusals.
+// edgescan-lab calibrate: its output file, and its refusals.
 #include "core/scan/georef/calibration.h"
 #include "tests/support/run_program.h"
 
@@ -22,7 +22,7 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
                      " --mount-tilt 0.4 --mount-index -0.3 --turn-error 0.2")
                   .code,
               0);
-    const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json") + " --picture " + path("views.png") + " --seam " +
+    const auto run = runLab("calibrate " + path("a.json") + " -o " + path("robot.json") + " --picture " + path("views.png") + " --seam " +
                             path("seam.png") + " --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     const auto report = nlohmann::json::parse(run.out);
@@ -40,10 +40,10 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
 
     // With the robot's present file as base; neither this file nor the scan is overwritten.
     const std::string robot = fileText(path("robot.json"));
-    EXPECT_NE(runCli("calibrate " + path("a.json") + " --base " + path("robot.json") + " -o " + path("robot.json")).code, 0);
+    EXPECT_NE(runLab("calibrate " + path("a.json") + " --base " + path("robot.json") + " -o " + path("robot.json")).code, 0);
     EXPECT_EQ(fileText(path("robot.json")), robot);
-    EXPECT_NE(runCli("calibrate " + path("a.json") + " -o " + path("a.json")).code, 0);
-    EXPECT_EQ(runCli("calibrate " + path("a.json") + " --base " + path("robot.json") + " -o " + path("new.json")).code, 0);
+    EXPECT_NE(runLab("calibrate " + path("a.json") + " -o " + path("a.json")).code, 0);
+    EXPECT_EQ(runLab("calibrate " + path("a.json") + " --base " + path("robot.json") + " -o " + path("new.json")).code, 0);
 }
 
 TEST(CliCalibrate, BacklashIsToldOfTwoPassesAndGoesIntoNoFile) {
@@ -57,14 +57,14 @@ TEST(CliCalibrate, BacklashIsToldOfTwoPassesAndGoesIntoNoFile) {
     }
     // Angles that are 0.2 degrees too small: the stepper is 0.2 degrees ahead of them.
     ASSERT_EQ(runCli("convert " + path("said.json") + " " + path("back.json") + " --line-start=-0.2").code, 0);
-    const auto run = runCli("calibrate " + path("there.json") + " " + path("back.json") + " --backlash --json -");
+    const auto run = runLab("calibrate " + path("there.json") + " " + path("back.json") + " --backlash --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     const auto report = nlohmann::json::parse(run.out);
     EXPECT_EQ(report["schema"], "edgescan-backlash/1");
     EXPECT_NEAR(report["backlash_deg"].get<double>(), 0.2, 3 * report["one_sd_deg"].get<double>());
-    EXPECT_NE(runCli("calibrate " + path("there.json") + " " + path("back.json") + " --backlash -o " + path("new.json")).code, 0);
-    EXPECT_NE(runCli("calibrate " + path("there.json") + " --backlash").code, 0);
-    EXPECT_NE(runCli("calibrate " + path("there.json")).code, 0);
+    EXPECT_NE(runLab("calibrate " + path("there.json") + " " + path("back.json") + " --backlash -o " + path("new.json")).code, 0);
+    EXPECT_NE(runLab("calibrate " + path("there.json") + " --backlash").code, 0);
+    EXPECT_NE(runLab("calibrate " + path("there.json")).code, 0);
     EXPECT_FALSE(std::filesystem::exists(path("new.json")));
 }
 
@@ -72,7 +72,7 @@ TEST(CliCalibrate, RefusesHalfATurnAndLeavesNoFile) {
     const test::TemporaryFolder folder;
     const auto path = [&](const std::string& name) { return (folder / name).string(); };
     ASSERT_EQ(runLab("simulate -o " + path("a.json") + " --axis spin --lines 60 --beams 60").code, 0);
-    const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json"));
+    const auto run = runLab("calibrate " + path("a.json") + " -o " + path("robot.json"));
     EXPECT_EQ(run.code, 1);
     EXPECT_NE(run.err.find("turn 200 degrees"), std::string::npos) << run.err;
     EXPECT_NE(run.err.find("a.json"), std::string::npos) << run.err;

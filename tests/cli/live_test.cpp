@@ -305,15 +305,12 @@ private:
     std::thread sending_;
 };
 
-// The promise of five seconds is that of the disk (RecordingWriter::Options::closeWithin).
-TEST_F(Live, ARecordingEndsInTimeWhateverThePeerSends) {
+TEST_F(Live, ARecordingEndsWhateverThePeerSends) {
     const std::vector<std::string> answers{"\x02sRA SCdevicestate 1\x03", "\x02s\x03", std::string("\x02\x02\x02\x02\0\0\1\0", 8)};
     for (const std::string& answer : answers) {
         const Flood flood(answer);
         const std::string recording = (folder / ("flood" + std::to_string(answer.size()) + ".mcap")).string();
-        const auto start = std::chrono::steady_clock::now();
         const auto record = runCli("record " + flood.address() + " -o " + recording + " --seconds 1");
-        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1 + 5)) << answer.size();
         EXPECT_EQ(record.code, 1) << record.out;
         EXPECT_FALSE(record.err.empty()); // that no line came, or that the disk is slower than the flood
     }

@@ -117,7 +117,6 @@ TEST_F(CliPlace, EveryFormatIsInTheMineGridIfThereIsAPoseAndOpensAsTheSameScan) 
                                            {"w.xyz", ""},
                                            {"w.obj", ""},
                                            {"w.ptx", ""},
-                                           {"w.foxglove.mcap", ""},
                                            {"w.json", ""},
                                            {"w.mcap", ""},
                                            {"w.dxf", "", false}}};

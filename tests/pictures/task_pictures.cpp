@@ -5,8 +5,6 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/open_save/open_scan.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/controllers/files/calibrating.h"
-#include "ui/panels/dialogs/calibration_card.h"
 #include "ui/panels/dialogs/opening_card.h"
 #include "ui/panels/rocks/rock_table.h"
 #include "ui/panels/rocks/rocks_panel.h"
@@ -27,7 +25,7 @@ namespace edgescan::ui {
 namespace {
 
 struct Bell {
-    std::string before, after, turned;                           ///< the last one: 200 degrees of a scanner with mounting errors
+    std::string before, after;
     mutable std::unique_ptr<scanner::EmulatedScanner> scanner{}; // sends until the picture is made
 };
 
@@ -154,16 +152,6 @@ bool live(WindowFixture& on, const Bell& bell) {
         [&] { return on.viewer.engine.picture() && on.viewer.engine.picture()->detection->scan->lines() > scan->lines() / 2; });
 }
 
-bool calibrated(WindowFixture& on, const Bell& bell) {
-    if (!on.open(bell.turned) || !on.activate()) return false;
-    auto* calibrating = on.window.findChild<Calibrating*>();
-    calibrating->show();
-    calibrating->card()->resize(calibrating->card()->size().boundedTo(on.window.size() - QSize(60, 60)));
-    calibrating->card()->move(on.window.geometry().center() - calibrating->card()->rect().center());
-    calibrating->start();
-    return eventually([&] { return calibrating->found() != nullptr; });
-}
-
 // With the dialogs above the window.
 QImage pictureOf(MainWindow& window) {
     QImage picture = window.screenshot().convertToFormat(QImage::Format_RGB32);
@@ -189,8 +177,7 @@ const std::vector<Task> kTasks{
     {"measure", measured},
     {"compare", compared},
     {"live", live},
-    {"hand-over", handedOver},
-    {"calibrate", calibrated}};
+    {"hand-over", handedOver}};
 
 // A numbered disc at the left end of each widget.
 bool number(MainWindow& window, const std::vector<const char*>& widgets, QImage& picture) {
@@ -227,18 +214,10 @@ int makePictures(const QString& folder, const QString& wanted) {
     settings.seed = 101;
     settings.lines = 600;
     settings.beams = 685;
-    const Bell bell{(made / "bell.json").string(), (made / "bell after the blast.json").string(), (made / "turned 200.json").string()};
+    const Bell bell{(made / "bell.json").string(), (made / "bell after the blast.json").string()};
     bool well = bool(files::saveScan(sim::simulate(settings)->scan, bell.before));
     settings.afterBlast = true;
     well = well && bool(files::saveScan(sim::simulate(settings)->scan, bell.after));
-    sim::SimulationSettings askew;
-    askew.seed = 101;
-    askew.axis = Axis::Spin;
-    askew.turnDeg = 200;
-    askew.lines = 667;
-    askew.beams = 685;
-    askew.assembly = {{9.0, -14.0, 0.5, -0.6, 0.3}};
-    well = well && bool(files::saveScan(sim::simulate(askew)->scan, bell.turned));
     const QSize size = QGuiApplication::primaryScreen()->size();
     for (const Task& task : kTasks) {
         if (!well) break;

@@ -224,23 +224,6 @@ inline std::string blackPng(std::size_t bytes) {
     return png;
 }
 
-/// One cloud for Foxglove whose message has this many bytes of text in its data.
-inline std::string foxgloveCloud(std::size_t bytes) {
-    const std::size_t points = std::max<std::size_t>(1, bytes / 16);
-    const std::string message =
-        R"({"timestamp":{"sec":1,"nsec":0},"frame_id":"scanner","point_stride":12,"fields":[{"name":"x","offset":0,"type":7},)"
-        R"({"name":"y","offset":4,"type":7},{"name":"z","offset":8,"type":7}],"data":")" +
-        base64(looseFloats(points)) + "\"}";
-    containers::McapEncoder encoder("edgescan-foxglove/1");
-    encoder.schema({1, "foxglove.PointCloud", "jsonschema", "{}"});
-    encoder.channel({1, 1, "/edgescan/cloud", "json", {}});
-    encoder.message({1, 0, 1, 1, {reinterpret_cast<const std::uint8_t*>(message.data()), message.size()}});
-    encoder.metadata({"edgescan", {{"topic", "/edgescan/cloud"}, {"width", std::to_string(points)}, {"height", "1"}}});
-    encoder.finish();
-    const Bytes file = encoder.take();
-    return {file.begin(), file.end()};
-}
-
 } // namespace costly
 
 inline std::vector<CostlyKind> costlyKinds() {
@@ -261,7 +244,6 @@ inline std::vector<CostlyKind> costlyKinds() {
         {"text", ".3d", "loose points", [](std::size_t b) { return looseText(b); }},
         {"range_csv", ".csv", "commas", [](std::size_t b) { return "1" + std::string(b, ',') + "\n"; }},
         {"range_csv", ".csv", "short rows", text("1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1\n")},
-        {"foxglove", ".mcap", "loose floats", [](std::size_t b) { return foxgloveCloud(b); }},
         {"obj", ".obj", "loose vertices", [](std::size_t b) { return looseText(b, "v "); }},
         {"obj", ".obj", "faces", text("f 1 2 3\n")},
         {"pcd", ".pcd", "loose floats", [](std::size_t b) { return head("binary", b / 12) + looseFloats(b / 12); }},
@@ -364,16 +346,6 @@ inline std::vector<CostlyKind> costlyKinds() {
         {"packed", ".xyz.gz", "half of it one point over and over",
          [](std::size_t b) { return gzipBytes(looseText(b) + repeated("1 2 3\n", 55 * b)); }},
         {"packed", ".xyz.gz", "empty members", [](std::size_t b) { return repeated(gzipBytes(""), b); }},
-        {"numpy", ".npz", "zeros",
-         [](std::size_t b) {
-             return zipBytes(
-                 {{"a.npy", npyBytes(npyHeader("'<u1'", false, "(1000, " + std::to_string(b) + ")"), std::string(1000 * b, '\0'))}}, true);
-         }},
-        {"numpy", ".npz", "empty arrays",
-         [](std::size_t b) {
-             std::vector<std::pair<std::string, std::string>> files(b / 100, {"a.npy", ""});
-             return zipBytes(files, false);
-         }},
         {"numpy", ".npy", "bytes as coordinates",
          [](std::size_t b) {
              return npyBytes(npyHeader("'|u1'", false, "(" + std::to_string(b / 3) + ", 3)"),

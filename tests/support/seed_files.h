@@ -107,10 +107,7 @@ inline std::vector<SeedFile> smallArrays(const Scan& scan) {
     const std::string grid = npyBytes(npyHeader("'<f4'", false, shape + ", 3)"), npyData(points, "<f4"));
     const std::string list = npyBytes(
         npyHeader("[('x', '<f8'), ('y', '<f8'), ('z', '<f8')]", false, "(" + std::to_string(scan.cells()) + ",)"), npyData(points, "<f8"));
-    return {{"numpy", ".npy", table},
-            {"numpy", ".npy", grid},
-            {"numpy", ".npy", list},
-            {"numpy", ".npz", zipBytes({{"points.npy", grid}, {"ranges.npy", table}}, true)}};
+    return {{"numpy", ".npy", table}, {"numpy", ".npy", grid}, {"numpy", ".npy", list}};
 }
 
 /// A few telegrams as other programs store them.
@@ -138,7 +135,7 @@ inline std::vector<SeedFile> smallBags(const Scan& scan) {
     };
     for (const AngleFrom from : {AngleFrom::Transform, AngleFrom::Joint}) {
         const RosSweep sent{.from = from, .intensities = true, .beamS = 1e-4, .wire = Wire::CdrLittle};
-        add("foxglove", ".mcap", mcapOf(rosMessagesOf(scan, sent)));
+        add("mcap", ".mcap", mcapOf(rosMessagesOf(scan, sent)));
 #ifdef EDGESCAN_TESTS_SQLITE
         add("ros_database", ".db3", databaseOf(rosMessagesOf(scan, sent)));
 #endif
@@ -168,7 +165,6 @@ inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     saved("ptx", ".ptx");
     saved("las", ".las");
     saved("obj", ".obj");
-    saved("foxglove", ".foxglove.mcap");
     seeds.push_back({"las", ".las", smallLas(listOf(scan, {}))});
     seeds.push_back({"text", ".3d", textOf(listOf(scan, {.perMetre = 100}), {})});
     seeds.push_back({"text", ".pts", std::to_string(scan.cells()) + "\n" + textOf(listOf(scan, {}), {})});

@@ -184,8 +184,8 @@ private slots:
             }
             return false;
         };
-        const char* const ofDesk[] = {"Fly to Point under Cursor", "Panels",         "Mouse",       "Images First", "Reset Layout",
-                                      "Find a Command…",           "Keys and Mouse", "Change Keys…"};
+        const char* const ofDesk[] = {"Fly to Point under Cursor", "Panels",        "Mouse", "Images First", "Reset Layout",
+                                      "Find a Command…",           "Keys and Mouse"};
         for (const bool cab : {true, false}) {
             on.window.cab().set(cab);
             for (const char* text : ofDesk) QVERIFY2(shown(text) != cab, text);

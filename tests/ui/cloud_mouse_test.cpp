@@ -1,7 +1,6 @@
 // The mouse of the cloud view: real events on a real widget; frame times at full size.
 #include "cloud_fixture.h"
 
-#include <QElapsedTimer>
 #include <QSignalSpy>
 
 using namespace edgescan;
@@ -147,66 +146,6 @@ private slots:
         QVERIFY(countPixels(image, yellowish) > 100);
         QTest::mouseRelease(view_.get(), Qt::LeftButton, Qt::NoModifier, {470, 300});
         QCOMPARE(countPixels(view_->grabFrame(), yellowish), 0);
-    }
-
-    void timesAtFullSize() { // printed, not asserted: other programs use the machine too
-        const auto scan = demo::room(1000, 1141);
-        const auto edges = demo::edges(*scan);
-        const auto cloud = makeCloudGeometry(*scan);
-        view_->resize(1100, 900);
-        QVERIFY(rests());
-        std::vector<double> frames;
-        QVector<double> fractions;
-        connect(view_.get(), &CloudView::frameDrawn, this, [&](double ms) {
-            frames.push_back(ms);
-            fractions.push_back(view_->drawnFraction());
-        });
-        QElapsedTimer clock;
-        clock.start();
-        view_->setCloud(scan, cloud);
-        qInfo("setCloud %.1f ms", static_cast<double>(clock.nsecsElapsed()) * 1e-6);
-        clock.restart();
-        view_->setEdges(edges);
-        qInfo("setEdges (%d) %.1f ms", static_cast<int>(edges->size()), static_cast<double>(clock.nsecsElapsed()) * 1e-6);
-        const auto report = [&](const char* what) {
-            QString text;
-            for (std::size_t i = 0; i < frames.size(); ++i) {
-                text += QString(" %1(%2)").arg(frames[i], 0, 'f', 0).arg(fractions[static_cast<int>(i)], 0, 'g', 3);
-            }
-            qInfo("%s: ms(fraction)%s", what, qPrintable(text));
-            frames.clear();
-            fractions.clear();
-        };
-        QVERIFY(rests());
-        report("after opening");
-        QTest::mousePress(view_.get(), Qt::LeftButton, Qt::NoModifier, {400, 300});
-        for (int i = 1; i < 25; ++i) {
-            hoverWith({400 + 6 * i, 300 + 2 * i}, Qt::LeftButton);
-            QVERIFY(nextFrame());
-        }
-        QTest::mouseRelease(view_.get(), Qt::LeftButton, Qt::NoModifier, {544, 348});
-        report("turning");
-        QVERIFY(rests());
-        report("at rest");
-        keep(view_->grabFrame(), "cloud_full_rest");
-        for (int i = 0; i < 12; ++i) {
-            view_->setEdges(std::make_shared<std::vector<std::uint32_t>>(edges->begin(), edges->end() - 10 * i));
-            QVERIFY(nextFrame());
-        }
-        report("retuning");
-        view_->resetView();
-        QVERIFY(rests());
-        report("from the scanner");
-        clock.restart();
-        keep(view_->grabFrame(CloudView::Points::All), "cloud_full_all");
-        qInfo("grab with all points %.0f ms, frame %.0f ms", static_cast<double>(clock.nsecsElapsed()) * 1e-6, view_->lastFrameMs());
-        clock.restart();
-        for (int i = 0; i < 10; ++i) {
-            view_->setMarkedCell(500 * 1141 + 300 + 20 * i);
-            view_->repaint();
-        }
-        qInfo("marker moved: %.1f ms", static_cast<double>(clock.nsecsElapsed()) * 1e-7);
-        disconnect(view_.get(), nullptr, this, nullptr);
     }
 };
 

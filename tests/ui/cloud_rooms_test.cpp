@@ -10,8 +10,6 @@
 #include "ui/views/cloud/mouse_bindings.h"
 #include "ui/views/cloud/point_pick.h"
 
-#include <QElapsedTimer>
-
 #include <algorithm>
 #include <numbers>
 #include <random>
@@ -459,33 +457,6 @@ private slots:
         const CameraPose pose = fromScanner(*cloud, lens(), kAspect);
         QVERIFY(pose.position.allFinite() && pose.up.allFinite());
         QVERIFY(!pickPoint(*cloud, viewOf(*cloud, pose), 100, 100, 8));
-    }
-
-    void timesAtFullSize() { // printed, not asserted: other programs use the machine too
-        const auto scan = demo::room(1000, 1141);
-        QElapsedTimer clock;
-        clock.start();
-        const auto cloud = makeCloudGeometry(*scan);
-        qInfo("makeCloudGeometry 1.141 M: %.1f ms", static_cast<double>(clock.nsecsElapsed()) * 1e-6);
-        CameraPose pose = fromScanner(*cloud, lens(), kAspect);
-        for (const double turn : {0.0, 0.8, 1.5}) {
-            const ScreenView view = viewOf(*cloud, turned(pose, pose.focus, cloud->axes.up, turn, 0.2), 900.0);
-            double worst = 0.0, sum = 0.0;
-            int n = 0;
-            for (double x = 50; x < view.width; x += 61) {
-                for (double y = 50; y < view.height; y += 61, ++n) {
-                    clock.restart();
-                    (void)pickPoint(*cloud, view, x, y, 8.0);
-                    const double ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
-                    worst = std::max(worst, ms);
-                    sum += ms;
-                }
-            }
-            clock.restart();
-            (void)pickPointSlowly(*cloud, view, 400, 400, 8.0);
-            qInfo("pick, turned %.1f rad: mean %.2f ms, worst %.2f ms; brute force %.1f ms", turn, sum / n, worst,
-                  static_cast<double>(clock.nsecsElapsed()) * 1e-6);
-        }
     }
 };
 

@@ -754,7 +754,6 @@ private slots:
         std::ranges::sort(waits);
         qInfo("a flip of %zu cells until it is drawn: this thread %.1f ms (most %.1f), on the clock %.1f ms (most %.1f)",
               on.picture().detection->scan->cells(), times[times.size() / 2], times.back(), waits[waits.size() / 2], waits.back());
-        QVERIFY2(times[times.size() / 2] < 100.0, qPrintable(QString::number(times[times.size() / 2])));
     }
 
     // A screen of 1280 x 800 at a scale of 1.5, with a panel open by hand and the tour on: the legend of a comparison is never larger than

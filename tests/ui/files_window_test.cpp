@@ -7,10 +7,6 @@
 #include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
-#include "ui/controllers/contact_sheets.h"
-#include "ui/controllers/files/calibrating.h"
-#include "ui/panels/dialogs/calibration_card.h"
-#include "ui/panels/dialogs/contact_card.h"
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/count_curve.h"
@@ -309,8 +305,6 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(scans[0]));
         Viewer& v = on.viewer;
-        auto* sheets = on.window.findChild<ContactSheets*>();
-        auto* calibrating = on.window.findChild<Calibrating*>();
         const auto edge = [&] { return on.picture().detection->edges->front(); };
         const struct {
             const char* name;
@@ -326,19 +320,12 @@ private slots:
             {"lasso", [&] { emit v.views.cloudOutlined(QRectF(v.cloud.rect()), Qt::NoModifier); },
              [&] { return !v.selection.cells().empty(); }},
             {"confidence", [&] { v.confidence.setOn(true); }, [&] { return v.confidence.made() != nullptr; }},
-            {"contact sheet", [&] { sheets->show(); }, [&] { return !sheets->card()->working(); }},
             {"proposals",
              [&] {
                  v.markedEdges.mark(edge(), true);
                  v.markedEdges.propose();
              },
              [&] { return v.markedEdges.settled(); }},
-            {"calibration",
-             [&] {
-                 calibrating->show();
-                 calibrating->start();
-             },
-             [&] { return !calibrating->card()->working(); }},
             {"rocks", [&] { v.rocks.setShown(true); }, [&] { return !v.rocks.behind(); }},
             {"rocks that are hidden again", [&] { v.rocks.setShown(false); }, [] { return true; }},
         };

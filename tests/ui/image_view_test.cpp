@@ -7,7 +7,6 @@
 #include "ui/views/image/image_view.h"
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QWheelEvent>
@@ -334,36 +333,6 @@ private slots:
         QVERIFY(std::abs(mixed.red() - 50) < 4 && std::abs(mixed.green() - 178) < 4);
         view_->setOverlay(nullptr, 1.0);
         QCOMPARE(countPixels(grab(*view_), green), 0);
-    }
-
-    void timesAtFullSize() { // printed, not asserted: other programs use the machine too
-        view_->resize(700, 800);
-        auto colour = std::make_shared<QImage>(ramp(1141, 1000)->convertToFormat(QImage::Format_RGB32));
-        const auto edges = edgeMap(1141, 1000);
-        QElapsedTimer clock;
-        const auto paint = [&](const char* what) {
-            clock.start();
-            view_->repaint();
-            const double first = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
-            clock.restart();
-            view_->repaint();
-            qInfo("%s: first %.1f ms, again %.1f ms", what, first, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
-        };
-        view_->setImage(ramp(1141, 1000));
-        paint("gray fitted");
-        view_->setImage(colour);
-        paint("colour fitted");
-        view_->setImage(edges, Shrink::Share);
-        paint("edges fitted");
-        for (int i = 0; i < 6; ++i) wheel(*view_, {300, 300}, 1);
-        paint("edges zoomed in");
-        view_->setImage(colour);
-        paint("colour zoomed in");
-        view_->setImage(ramp(1141, 1000));
-        paint("gray zoomed in");
-        for (int i = 0; i < 10; ++i) wheel(*view_, {300, 300}, -1);
-        paint("gray zoomed out");
-        keep(grab(*view_), "image_gray_small");
     }
 
 private:

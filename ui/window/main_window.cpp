@@ -149,7 +149,6 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
                                   cabCommand(*cab_, viewer_.preferences), [this] { quit(); }};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
-    recallKeys(keyedCommands(actions()), viewer_.preferences);
     addToolButtons(*this);
     connect(&viewer_.statusLine, &StatusLine::poseRequested, &actionOf(keyedCommands(actions()), "Scan/Pose and Mounting"),
             &QAction::trigger);

@@ -3,13 +3,10 @@
 
 #include "core/edges/settings/presets.h"
 #include "ui/base/notice_bar.h"
-#include "ui/controllers/contact_sheets.h"
-#include "ui/controllers/files/calibrating.h"
 #include "ui/controllers/files/placing.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/sheets.h"
-#include "ui/panels/keys/key_editing.h"
 #include "ui/panels/keys/shortcuts.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/timeline.h"
@@ -194,12 +191,6 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
     return menu;
 }
 
-Command calibrateCommand(Viewer& v, QMainWindow& window) {
-    auto* calibrating = new Calibrating(v.engine, v.files, v.notice, v.preferences, &window);
-    QObject::connect(calibrating, &Calibrating::saved, &v.audit, [&v](const QString& path) { v.audit.noteExport("calibration", path); });
-    return command("&Calibrate…", "", [calibrating] { calibrating->show(); });
-}
-
 Command placeCommand(Viewer& v, QMainWindow& window) {
     auto* placing = new Placing(v.engine, v.files, v.notice, v.preferences, v.undo, &window);
     placing->setObjectName("placing");
@@ -248,7 +239,6 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
                                        followStraightening),
                                 command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
                                 placeCommand(v, window),
-                                calibrateCommand(v, window),
                                 command("Does This Look &Right?", "", [&v] { v.opening.show(); }),
                                 command("&Properties…", "", showProperties),
                             });
@@ -257,7 +247,6 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
 Command edgesMenu(Viewer& v, QMainWindow& window) {
     Tuning& tuning = v.tuning;
     EdgesPanel& panel = v.panel;
-    auto* sheets = new ContactSheets(v.engine, tuning, v.notice, &window);
     Command presets = submenu("&Presets", {});
     for (const edges::Preset& preset : edges::builtInPresets())
         presets.submenu.push_back(
@@ -284,7 +273,6 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
             command("This &Is an Edge", "Shift+E", [&v] { v.markedEdges.mark(v.views.marked(), true); }),
             command("This Is &Not an Edge", "Shift+X", [&v] { v.markedEdges.mark(v.views.marked(), false); }),
             command("Settings for These &Marks…", "", [&v] { v.markedEdges.propose(); }),
-            command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
             command("Clear the Mar&ks", "", [&v] { v.markedEdges.clear(); }),
             linked(toggle("&Why Is This Cell an Edge or Not?", "W", nullptr, false, [&v](bool) { v.explanation.explainMarked(); }),
                    followWhy),
@@ -308,7 +296,6 @@ std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCo
             submenu("&Help", {ofDesk(command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); })),
                               command("&Manual", "F1", commands.manual), ofDesk(command("&Keys and Mouse", "H; ?", showKeys)),
                               ofDesk(command("&Tour", "", commands.tour)), // it shows what a cab does not have
-                              ofDesk(command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.preferences); })),
                               command("&About EdgeScan", "", [&window] { showAbout(&window, checkGl().renderer); })})};
 }
 

@@ -18,6 +18,7 @@ void addLearnEdges(CLI::App& app, int& code);
 void addLearnRocks(CLI::App& app, int& code);
 void addStones(CLI::App& app, int& code);
 void addSimulate(CLI::App& app, int& code);
+void addCalibrate(CLI::App& app, int& code);
 void addEmulate(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     cli::addStones(app, code);
     cli::addSimulate(app, code);
     cli::addEmulate(app, code);
+    cli::addCalibrate(app, code);
     cli::addPages(
         app,
         {"edgescan-lab",
@@ -63,6 +64,11 @@ int main(int argc, char** argv) {
            {"edgescan-lab stones --stones STONES --kind bench --seed 1 --settled HEAPS -o HEAP.json --truth HEAP-TRUTH"},
            {}},
           {"simulate", "Scans", {"edgescan-lab simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381"}, {}},
-          {"emulate", "Scans", {"edgescan-lab emulate BELL.json --port 2112 --rate 25"}, {}}}});
+          {"emulate", "Scans", {"edgescan-lab emulate BELL.json --port 2112 --rate 25"}, {}},
+          {"calibrate",
+           "Scanner",
+           {"edgescan-lab simulate -o TURN.json --axis spin --turn 220 --lines 330 --beams 191 --mount-t1 30",
+            "edgescan-lab calibrate TURN.json -o CALIBRATION.json"},
+           {}}}});
     return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }

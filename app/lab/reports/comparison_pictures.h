@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/lab/peers/comparison.h"
-#include "core/exports/titled_tiles.h"
+#include "app/lab/reports/titled_tiles.h"
 
 namespace edgescan::lab {
 

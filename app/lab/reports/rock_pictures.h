@@ -1,8 +1,8 @@
 // Rocks found in a simulated scene as a picture: which true rocks were found, and what was found in place of the others.
 #pragma once
 
+#include "app/lab/reports/titled_tiles.h"
 #include "app/lab/score/rock_evaluation.h"
-#include "core/exports/titled_tiles.h"
 
 namespace edgescan::lab {
 

@@ -120,8 +120,10 @@ constexpr ForeignKind kDrawing{"0"sv, "a drawing (DXF), which is not read",
 constexpr ForeignKind kWorkbook{"xl/"sv, "an Excel workbook, not a table of text", "save the sheet as .csv"};
 constexpr ForeignKind kSpreadsheet{"mimetype"sv, "an OpenDocument spreadsheet, not a table of text", "save the sheet as .csv"};
 
-/// Archives that office programs call documents, by the names in their directory.
-const ForeignKind* officeKind(const Source& source) {
+constexpr ForeignKind kArrays{"npy"sv, "a numpy archive, which is not read", "save the array of ranges or points as .npy"};
+
+/// Archives that programs call documents, by the names in their directory.
+const ForeignKind* documentKind(const Source& source) {
     if (!containers::isZip(source.bytes)) return nullptr;
     const auto entries = containers::zipEntries(source.bytes, source.path.string());
     if (!entries) return nullptr;
@@ -129,6 +131,7 @@ const ForeignKind* officeKind(const Source& source) {
         return std::ranges::any_of(*entries, [&](const containers::ZipEntry& entry) { return entry.name.starts_with(start); });
     };
     if (has("xl/")) return &kWorkbook;
+    if (std::ranges::any_of(*entries, [](const containers::ZipEntry& entry) { return entry.name.ends_with(".npy"); })) return &kArrays;
     return has("mimetype") && has("content.xml") ? &kSpreadsheet : nullptr;
 }
 
@@ -155,7 +158,7 @@ bool isDrawing(std::string_view text) {
 
 const ForeignKind* kindByBytes(const Source& source) {
     if (isDrawing(source.text())) return &kDrawing;
-    if (const ForeignKind* office = officeKind(source)) return office;
+    if (const ForeignKind* office = documentKind(source)) return office;
     if (const ForeignKind* document = kindByText(source.text())) return document;
     if (source.text().starts_with(kBitmap.mark) && firstByteThatIsNoText(source.text())) return &kBitmap;
     const auto found = std::ranges::find_if(kByBytes, [&](const ForeignKind& kind) { return source.text().starts_with(kind.mark); });

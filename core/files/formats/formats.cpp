@@ -8,7 +8,6 @@ namespace edgescan::files {
 
 Format rawGridFormat();
 Format numpyFormat();
-Format numpyArchiveFormat();
 Format fileThatIsNoScan();
 Format pcdFormat();
 Format plyFormat();
@@ -23,7 +22,6 @@ Format objFormat();
 Format surpacFormat();
 Format rangePictureFormat();
 Format scan3dFormat();
-Format foxgloveFormat();
 Format recordingFormat();
 Format rosBagFormat();
 Format packetCaptureFormat();
@@ -35,10 +33,10 @@ namespace {
 /// In this order they are asked whether they recognise a content, and are listed in dialogs.
 const std::vector<Format>& rows() {
     static const std::vector<Format> all{
-        rawGridFormat(),   numpyFormat(),      numpyArchiveFormat(),  fileThatIsNoScan(),   pcdFormat(),           plyFormat(),
-        pointListFormat(), rangeTableFormat(), pointTableFormat(),    lasFormat(),          e57Format(),           dxfFormat(),
-        ptxFormat(),       objFormat(),        surpacFormat(),        rangePictureFormat(), scan3dFormat(),        foxgloveFormat(),
-        recordingFormat(), rosBagFormat(),     packetCaptureFormat(), colaCaptureFormat(),  fileOfAnotherProgram()};
+        rawGridFormat(),       numpyFormat(),       fileThatIsNoScan(),    pcdFormat(),    plyFormat(),       pointListFormat(),
+        rangeTableFormat(),    pointTableFormat(),  lasFormat(),           e57Format(),    dxfFormat(),       ptxFormat(),
+        objFormat(),           surpacFormat(),      rangePictureFormat(),  scan3dFormat(), recordingFormat(), rosBagFormat(),
+        packetCaptureFormat(), colaCaptureFormat(), fileOfAnotherProgram()};
     return all;
 }
 
@@ -57,18 +55,13 @@ const Format& formatOfContent(const Source& source) {
 const Format* writtenFormat(const std::filesystem::path& path) {
     // Standard output has no name; nothing is written packed.
     const std::string name = path == "-" ? ".pcd" : Source::lowerCase(path.filename());
-    // The longest extension wins: .foxglove.mcap is not a recording.
-    const Format* longest = nullptr;
-    std::size_t length = 0;
     for (const Format& format : rows()) {
         for (const std::string_view extension : format.writes) {
-            if (extension.size() <= length || !name.ends_with(extension)) continue;
-            if (name.size() == extension.size() && path != "-") continue; // a hidden file without an extension
-            longest = &format;
-            length = extension.size();
+            // A name that is only an extension is that of a hidden file.
+            if (name.ends_with(extension) && (name.size() > extension.size() || path == "-")) return &format;
         }
     }
-    return longest;
+    return nullptr;
 }
 
 std::string writtenExtensions(bool wholeScans) {

@@ -1,9 +1,8 @@
-// Arrays of numpy: ranges as lines x beams, points as records or with three numbers each; .npy, and .npz archives of them.
+// Arrays of numpy: ranges as lines x beams, points as records or with three numbers each; .npy.
 #include "core/base/bytes_behind.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
-#include "core/containers/compression/zip_archive.h"
 #include "core/files/formats/format.h"
 #include "core/files/formats/numpy_header.h"
 #include "core/files/formats/range_geometry.h"
@@ -185,64 +184,8 @@ Result<Reading> readArray(const Source& source) {
 
 bool looksLikeNumpy(const Source& source) { return isNumpy(source.bytes); }
 
-/// The entry whose name says what it is, or the only one.
-const containers::ZipEntry* scanEntry(const std::vector<containers::ZipEntry>& arrays) {
-    if (arrays.size() == 1) return &arrays[0];
-    for (const std::string_view wanted : {"ranges", "range_mm", "range", "distances", "distance", "depth", "points", "xyz", "cloud"}) {
-        for (const containers::ZipEntry& entry : arrays) {
-            std::string name = entry.name.substr(0, entry.name.size() - 4);
-            std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-            if (name == wanted) return &entry;
-        }
-    }
-    return nullptr;
-}
-
-std::vector<containers::ZipEntry> arraysIn(const Source& source) {
-    auto entries = containers::zipEntries(source.bytes, source.path.string());
-    if (!entries) return {};
-    std::erase_if(*entries, [](const containers::ZipEntry& entry) { return !entry.name.ends_with(".npy"); });
-    return std::move(*entries);
-}
-
-bool looksLikeNpz(const Source& source) {
-    return containers::isZip(source.bytes) && (source.extension() == ".npz" || !arraysIn(source).empty());
-}
-
-Result<Reading> readNpz(const Source& source) {
-    if (auto whole = containers::zipEntries(source.bytes, source.path.string()); !whole) return whole.error();
-    const std::vector<containers::ZipEntry> arrays = arraysIn(source);
-    std::string names;
-    for (const containers::ZipEntry& entry : arrays) {
-        if (names.size() < 200) names += (names.empty() ? "" : ", ") + entry.name.substr(0, entry.name.size() - 4);
-    }
-    const containers::ZipEntry* chosen = scanEntry(arrays);
-    if (arrays.empty()) return source.refused("this archive holds no numpy array", "choose another file");
-    if (chosen == nullptr) {
-        return source.refused("this archive holds " + std::to_string(arrays.size()) + " arrays (" + names +
-                                  ") and none is called ranges or points",
-                              "save the ranges alone, or call them ranges");
-    }
-    const auto bytes =
-        containers::unzip(source.bytes, *chosen, source.path.string(), [&](double done) { return source.goOn("unpacking", 0.2 * done); });
-    if (!bytes) return bytes.error();
-    Source inside = source;
-    inside.bytes = *bytes;
-    if (!isNumpy(inside.bytes))
-        return source.refused("the part " + chosen->name + " of this archive is not a numpy array", "save it again");
-    auto reading = readArray(inside);
-    if (!reading) return reading;
-    if (auto behind = bytesBehind(containers::behindZip(source.bytes), "the archive")) reading->warnings.push_back(std::move(*behind));
-    if (arrays.size() > 1)
-        reading->warnings.push_back("The archive holds the arrays " + names + "; " + chosen->name.substr(0, chosen->name.size() - 4) +
-                                    " was read.");
-    return reading;
-}
-
 } // namespace
 
 Format numpyFormat() { return {.title = "numpy array", .reads = {".npy"}, .recognises = looksLikeNumpy, .read = readArray}; }
-
-Format numpyArchiveFormat() { return {.title = "numpy archive", .reads = {".npz"}, .recognises = looksLikeNpz, .read = readNpz}; }
 
 } // namespace edgescan::files

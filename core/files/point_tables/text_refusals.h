@@ -10,7 +10,7 @@
 namespace edgescan::files {
 
 inline constexpr const char* kChooseScan =
-    "choose a scan: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, .npz, a raw grid (.json), a range picture (.png, .tif), a "
+    "choose a scan: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, a raw grid (.json), a range picture (.png, .tif), a "
     "recording (.mcap), a ROS bag or a network capture (.pcap)";
 
 /// Text in which no row of numbers was found.

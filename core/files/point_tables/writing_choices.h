@@ -38,7 +38,7 @@ inline constexpr std::array<WritingChoice, 7> kWritingChoices{{
     {"doubles",
      "PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment",
      &WritingChoices::doubles,
-     {".pcd", ".foxglove.mcap"}},
+     {".pcd"}},
     {"dxf-2000", "DXF of release 2000 instead of release 12", &WritingChoices::dxf2000, {".dxf"}},
     {"short-lines", "DXF: also the edge lines of two points only", &WritingChoices::shortLines, {".dxf"}},
     {"with-filled",

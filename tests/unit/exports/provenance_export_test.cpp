@@ -36,26 +36,15 @@ struct Export {
     const char* name;
     bool inside = true; ///< the format can hold the record
 };
-constexpr Export kExports[]{{ExportContent::EdgeCloud, "edges.pcd"},
-                            {ExportContent::EdgeCloud, "edges.ply"},
-                            {ExportContent::EdgeCloud, "edges.csv", false},
-                            {ExportContent::EdgeCloud, "edges.xyz", false},
-                            {ExportContent::FullCloud, "cloud.pcd"},
-                            {ExportContent::FullCloud, "cloud.ply"},
-                            {ExportContent::FullCloud, "cloud.csv", false},
-                            {ExportContent::FullCloud, "cloud.xyz", false},
-                            {ExportContent::EdgeImage, "mask.png"},
-                            {ExportContent::GrayImage, "gray.png"},
-                            {ExportContent::RangeImage, "range.png"},
-                            {ExportContent::EdgeCloud, "edges.las"},
-                            {ExportContent::FullCloud, "cloud.las"},
-                            {ExportContent::EdgeCloud, "edges.dxf"},
-                            {ExportContent::FullCloud, "cloud.dxf"},
-                            {ExportContent::EdgeCloud, "edges.obj"},
-                            {ExportContent::FullCloud, "cloud.obj"},
-                            {ExportContent::EdgeCloud, "edges.foxglove.mcap"},
-                            {ExportContent::FullCloud, "cloud.foxglove.mcap"},
-                            {ExportContent::EdgeCloud, "edges.ptx", false},
+constexpr Export kExports[]{{ExportContent::EdgeCloud, "edges.pcd"},        {ExportContent::EdgeCloud, "edges.ply"},
+                            {ExportContent::EdgeCloud, "edges.csv", false}, {ExportContent::EdgeCloud, "edges.xyz", false},
+                            {ExportContent::FullCloud, "cloud.pcd"},        {ExportContent::FullCloud, "cloud.ply"},
+                            {ExportContent::FullCloud, "cloud.csv", false}, {ExportContent::FullCloud, "cloud.xyz", false},
+                            {ExportContent::EdgeImage, "mask.png"},         {ExportContent::GrayImage, "gray.png"},
+                            {ExportContent::RangeImage, "range.png"},       {ExportContent::EdgeCloud, "edges.las"},
+                            {ExportContent::FullCloud, "cloud.las"},        {ExportContent::EdgeCloud, "edges.dxf"},
+                            {ExportContent::FullCloud, "cloud.dxf"},        {ExportContent::EdgeCloud, "edges.obj"},
+                            {ExportContent::FullCloud, "cloud.obj"},        {ExportContent::EdgeCloud, "edges.ptx", false},
                             {ExportContent::FullCloud, "cloud.ptx", false}};
 
 /// A scan in a file of `folder`, with or without a placement in the mine, and its edges.
@@ -288,8 +277,7 @@ TEST(Provenance, AWholeScanOfEveryFormatVerifies) {
     const auto edges = detectionIn(folder, 11, true);
     edges::Detection detection;
     detection.scan = edges->scan;
-    for (const char* name :
-         {"w.json", "w.u16", "w.pcd", "w.ply", "w.csv", "w.xyz", "w.las", "w.dxf", "w.obj", "w.ptx", "w.mcap", "w.foxglove.mcap"}) {
+    for (const char* name : {"w.json", "w.u16", "w.pcd", "w.ply", "w.csv", "w.xyz", "w.las", "w.dxf", "w.obj", "w.ptx", "w.mcap"}) {
         for (const CoordinateFrame coordinates : {CoordinateFrame::Scanner, CoordinateFrame::Mine, CoordinateFrame::MineLocal}) {
             SCOPED_TRACE(std::string(name) + " " + std::to_string(static_cast<int>(coordinates)));
             const bool ranges = files::writtenFormat(name)->write == nullptr;
@@ -328,7 +316,7 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
     ASSERT_GT(detection->edges->size(), 0U);
     ExportOptions options;
     options.includeAttached = true;
-    for (const char* name : {"c.pcd", "c.ply", "c.csv", "c.las", "c.dxf", "c.obj", "c.foxglove.mcap"}) {
+    for (const char* name : {"c.pcd", "c.ply", "c.csv", "c.las", "c.dxf", "c.obj"}) {
         SCOPED_TRACE(name);
         const auto all = exportWithProvenance(ExportContent::FullCloud, *detection, folder / name, options);
         ASSERT_TRUE(all) << all.error().sentence();

@@ -66,7 +66,7 @@ TEST(RoundTrip, EveryFormatGivesTheSameScanBack) {
     const Folder folder;
     for (unsigned seed = 1; seed <= 8; ++seed) {
         const Scan scan = everything(false, seed);
-        for (const char* extension : {".pcd", ".ply", ".xyz", ".csv", ".txt", ".foxglove.mcap"}) {
+        for (const char* extension : {".pcd", ".ply", ".xyz", ".csv", ".txt"}) {
             for (const bool ascii : {false, true}) {
                 SCOPED_TRACE(std::string(extension) + (ascii ? " ascii " : " ") + std::to_string(seed));
                 const auto path = folder / (std::string("scan") + extension);
@@ -167,7 +167,7 @@ TEST(RoundTrip, OrganisedCloudKeepsItsPointsExactly) {
             geometry.pointsM[k] = Eigen::Vector3d(nan, nan, nan);
         }
         scan.geometry = geometry;
-        for (const char* extension : {".pcd", ".ply", ".xyz", ".csv", ".foxglove.mcap"}) {
+        for (const char* extension : {".pcd", ".ply", ".xyz", ".csv"}) {
             SCOPED_TRACE(extension);
             const auto path = folder / (std::string("cloud") + extension);
             ASSERT_TRUE(saveScan(scan, path, {.choices = {.comments = true}}));

@@ -52,7 +52,7 @@ TEST(Seeds, EveryReaderHasSmallOnesThatOpen) {
 #ifndef EDGESCAN_TESTS_SQLITE
     readers.insert("ros_database");
 #endif
-    EXPECT_EQ(readers, (std::set<std::string>{"capture", "e57", "foxglove", "las", "numpy", "obj", "packed", "pcd", "picture", "ply", "ptx",
+    EXPECT_EQ(readers, (std::set<std::string>{"capture", "e57", "las", "mcap", "numpy", "obj", "packed", "pcd", "picture", "ply", "ptx",
                                               "range_csv", "raw_grid", "ros_database", "surpac", "text"}));
 }
 

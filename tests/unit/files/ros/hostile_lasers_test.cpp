@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <fstream>
 
 using namespace edgescan;
@@ -20,7 +20,6 @@ using namespace edgescan::test;
 namespace {
 
 constexpr int kFrames = 20'000;
-constexpr std::chrono::seconds kGenerous{30}; // some minutes before each frame was gone once
 
 Result<Scan> scanOf(const Bytes& bytes, const ReadingOptions& options = {}) {
     return files::readScanBytes(std::as_bytes(std::span(bytes)), ".bag", options);
@@ -60,10 +59,15 @@ RosMessages withNumber(RosMessages all, std::size_t field, float value) {
 } // namespace
 
 TEST(HostileFrames, AChainOfTwentyThousandIsGoneOnce) {
-    files::FrameTree tree;
-    const auto start = std::chrono::steady_clock::now();
-    for (int n = 0; n < kFrames; ++n) tree.add({"f" + std::to_string(n), "f" + std::to_string(n + 1), {}});
-    tree.finish();
+    const auto chained = [](files::FrameTree& tree, int frames) { // seconds of the processor
+        const std::clock_t start = std::clock();
+        for (int n = 0; n < frames; ++n) tree.add({"f" + std::to_string(n), "f" + std::to_string(n + 1), {}});
+        tree.finish();
+        return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    };
+    files::FrameTree tree, shorter;
+    const double few = chained(shorter, kFrames / 10);
+    EXPECT_LT(chained(tree, kFrames), 40 * few + 0.1) << "ten times as many cost ten times as much, not a hundred times";
     EXPECT_TRUE(warns(tree.warnings(), "a chain of more than 1000 frames"));
     EXPECT_EQ(tree.chain("f0").size(), 1000U);
     RosMessages messages = rosMessagesOf(boxes());
@@ -72,7 +76,6 @@ TEST(HostileFrames, AChainOfTwentyThousandIsGoneOnce) {
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(scan->lines(), 20);
     EXPECT_TRUE(warns(scan->warnings, "a chain of more than 1000 frames"));
-    EXPECT_LT(std::chrono::steady_clock::now() - start, kGenerous);
 }
 
 TEST(HostileFrames, LoopsAreNamedAndBranchesAreNone) {
@@ -95,12 +98,10 @@ TEST(HostileFrames, LiveTheyHoldNothingUp) {
     const auto topicOf = [&](std::uint32_t n) {
         return RosTopic{messages.topics[n].name, messages.topics[n].type, messages.topics[n].definition, RosEncoding::Cdr, false};
     };
-    const auto start = std::chrono::steady_clock::now();
     laser.take(topicOf(1), chainMessage(Wire::CdrLittle), to);
     int lines = 0;
     for (const RosMessages::Message& message : messages.messages) lines += laser.take(topicOf(message.topic), message.bytes, to);
     EXPECT_GT(lines, 0);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, kGenerous);
 }
 
 TEST(HostileFrames, PosesWithoutEndAreLimitedLive) {
@@ -182,9 +183,7 @@ TEST(HostileLasers, ThousandsOfTopicsAreNotAllTried) {
         const auto topic = messages.topic("/scan" + std::to_string(n), "sensor_msgs/LaserScan", Wire::Ros1);
         messages.message(topic, kRosStartNs + n, rosLaserScan(scan, polar.beamDeg, 0, {}));
     }
-    const auto start = std::chrono::steady_clock::now();
     EXPECT_FALSE(scanOf(bag1Of(messages)));
-    EXPECT_LT(std::chrono::steady_clock::now() - start, kGenerous);
 }
 
 TEST(HostileLasers, TheWishToStopIsHeardAtEveryQuestion) {

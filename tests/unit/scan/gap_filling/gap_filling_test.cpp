@@ -188,7 +188,7 @@ TEST(Gaps, ExportsHoldNoFilledCellUnlessAskedAndThenMarkIt) {
     EXPECT_EQ(record["filled"]["cells"], 6 * 7);
     EXPECT_EQ(record["filled"]["in_export"], true);
     EXPECT_FALSE(exports::exportFiles(exports::ExportContent::FullCloud, *detection, "cloud.xyz", "", options));
-    EXPECT_FALSE(exports::exportFiles(exports::ExportContent::FullCloud, *detection, "cloud.foxglove.mcap", "", options));
+    EXPECT_FALSE(exports::exportFiles(exports::ExportContent::FullCloud, *detection, "cloud.las", "", options));
     // Opened again they are not measured cells.
     for (const char* extension : {".csv", ".pcd", ".ply"}) {
         const auto files =
