@@ -62,6 +62,7 @@ std::vector<std::string> remarks(const files::LiveStatus& status, const files::R
     const scanner::TelegramAccount& account = status.sweep.account;
     count(static_cast<std::uint64_t>(account.linesLost), " lines of the sweeps are lost in whole or in part.");
     count(static_cast<std::uint64_t>(status.undecodable), " scan telegrams could not be decoded: " + status.whyUndecodable + ".");
+    count(static_cast<std::uint64_t>(status.noReturns), files::kNoReturnsOfLaser);
     count(status.statistics.stream.skipped, " bytes were not a telegram and were skipped.");
     count(recorded.dropped, " telegrams are missing in the recording.");
     if (recorded.unsynced() > 0)

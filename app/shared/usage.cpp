@@ -2,6 +2,7 @@
 #include "app/shared/usage.h"
 
 #include "app/shared/exits.h"
+#include "core/base/file_address.h"
 #include "core/base/instruction_set.h"
 #include "core/base/result.h"
 
@@ -161,14 +162,24 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
         printError(set.error());
         return kWrongUsage;
     }
-    const std::vector<std::string> words(argv, argv + argc);
+    std::vector<std::string> words;
+    std::vector<const char*> typed;
+    for (int n = 0; n < argc; ++n) {
+        auto word = pathOfAddress(argv[n]); // the desktop gives files by their addresses
+        if (!word) {
+            printError(word.error());
+            return kWrongUsage;
+        }
+        words.push_back(std::move(*word));
+    }
+    for (const std::string& word : words) typed.push_back(word.c_str());
     if (const auto unknown = unknownCommand(app, words)) {
         printError(*unknown);
         return kWrongUsage;
     }
     try {
         checkSwitches(app, words);
-        app.parse(argc, argv);
+        app.parse(argc, typed.data());
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);

@@ -8,7 +8,7 @@
 namespace edgescan::cli {
 
 /// Empty if the program continues; else its exit code: 0 after help and version, 2 for a wrong command line or a wrong EDGESCAN_LOOPS.
-/// Every switch takes true, false or no value.
+/// Addresses of files (file:///...) become their paths. Every switch takes true, false or no value.
 [[nodiscard]] std::optional<int> parsed(CLI::App& app, int argc, char** argv);
 
 } // namespace edgescan::cli

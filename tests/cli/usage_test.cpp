@@ -179,5 +179,16 @@ TEST(Usage, TheExamplesOfTheHelpWork) {
     EXPECT_GE(examples, 18U);
 }
 
+TEST(Usage, AddressesOfFilesAreTheirPaths) {
+    for (const char* typed : {"info", "detect", "rocks", "why --cell 1,1", "report -o /dev/null", "compare /no/a.pcd", "place --show"}) {
+        const ProgramRun run = runProgram("edgescan-cli", std::string(typed) + " file:///no%20such/gr%C3%B6%C3%9Fe.pcd");
+        EXPECT_NE(run.code, 0) << typed;
+        EXPECT_EQ(run.err.find("file:"), std::string::npos) << run.err;
+    }
+    EXPECT_NE(runProgram("edgescan-cli", "info file:///no%20such/a.pcd").err.find("/no such/a.pcd"), std::string::npos);
+    expectAnswers({{"edgescan-cli", "info file://mill.example/a.pcd", "a file on another computer, mill.example"},
+                   {"edgescan-cli", "info file:///a%2.pcd", "a % without the two digits"}});
+}
+
 } // namespace
 } // namespace edgescan

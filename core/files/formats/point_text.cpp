@@ -111,6 +111,7 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     if (!source.options->columns.empty()) {
         const auto asked = columnsAsked(layout, source);
         if (!asked) return asked.error();
+        columns.named.anglesForPoint = false;
         for (std::size_t axis = 0; axis < 3; ++axis) columns.named.of[axis] = (*asked)[axis];
     } else if (const auto other = contentsNamed(layout.names)) {
         return source.refused("its heading names " + *other + " (" + joined(layout.names) + "), and points need x, y and z in metres",
@@ -131,6 +132,7 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
         }
     }
     columns.needed = std::max({columns.xyz[0], columns.xyz[1], columns.xyz[2]}) + 1;
+    if (const auto& angles = columns.named.angles) columns.needed = std::max({columns.needed, angles->azimuth + 1, angles->elevation + 1});
     for (const auto& column : columns.named.of) {
         const bool mayBeMissing = &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::Intensity)] ||
                                   &column == &columns.named.of[static_cast<std::size_t>(ColumnRole::ReturnNumber)] ||
@@ -210,10 +212,11 @@ RowUse rowUseOf(const Columns& columns, const TextLayout& layout, const Source& 
     if (source.placesOnly) {
         for (std::size_t role = static_cast<std::size_t>(ColumnRole::Z) + 1; role < kColumnRoles; ++role) use.named.of[role].reset();
         use.needed = std::max({use.xyz[0], use.xyz[1], use.xyz[2]}) + 1;
+        if (!use.named.anglesForPoint) use.named.angles.reset();
     }
     use.rangesOnly = use.named[ColumnRole::RangeMm] && use.named[ColumnRole::State] && !use.named[ColumnRole::FilledSdMm] &&
                      takesRangesOnly(layout.description);
-    use.givenAway = source.placesOnly && source.takePlaces && !columns.unnamedCells;
+    use.givenAway = source.placesOnly && source.takePlaces && !columns.unnamedCells && !use.named.anglesForPoint;
     return use;
 }
 
@@ -255,19 +258,22 @@ Error tooFewNumbers(const RowReader& rows, std::size_t numbers, std::size_t need
                                 "the file may be cut off here, copy it again");
 }
 
-/// All rows of the text. Sets the table's width to their number.
+/// All rows of the text, and the angles of points that have some. Sets the table's width to their number.
 Result<Done> addRows(PointTable& table, RowReader& rows, const RowUse& use, const TextLayout& layout, const Source& source) {
     constexpr std::size_t kGivenAtOnce = 4096;
     const auto giveAway = [&] {
         source.takePlaces(table.points);
         table.points.clear();
     };
+    const bool besides = use.named.angles && !use.named.anglesForPoint && !use.rangesOnly;
+    std::vector<Eigen::Vector2d> angles;
     std::span<const double> row;
     std::size_t rowsRead = 0;
     while (rows.next(row)) {
         if (row.size() < use.needed) return tooFewNumbers(rows, row.size(), use.needed, rowsRead, layout, source);
         ++rowsRead;
         addRow(table, row, use);
+        if (besides) angles.emplace_back(row[use.named.angles->azimuth], row[use.named.angles->elevation]);
         if (use.givenAway && table.points.size() == kGivenAtOnce) giveAway();
         if (rowsRead % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
     }
@@ -278,6 +284,7 @@ Result<Done> addRows(PointTable& table, RowReader& rows, const RowUse& use, cons
     }
     if (use.givenAway) giveAway();
     table.width = rowsRead;
+    if (besides) takeCellsFromAngles(table, angles, *use.named.angles);
     return Done{};
 }
 
@@ -321,6 +328,7 @@ Result<PointTable> readTextPoints(const Source& source) {
     if (source.placesOnly) rows.takeOnly(use.needed);
     if (auto added = addRows(table, rows, use, *layout, source); !added) return added.error();
     table.precision = precisionOf(rows.digits());
+    if (use.named.anglesForPoint) takePointsFromAngles(table, *use.named.angles);
     describePoints(table, *columns, use, *layout, source);
     return table;
 }

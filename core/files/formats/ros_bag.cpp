@@ -6,6 +6,7 @@
 #include "core/containers/ros/bag.h"
 #include "core/files/formats/format.h"
 #include "core/files/ros/bag_sweep.h"
+#include "core/files/ros/repeated_messages.h"
 #include "core/files/ros/turned_first.h"
 
 #include <algorithm>
@@ -86,9 +87,9 @@ Result<containers::RosBag> bagIn(const Source& source) {
 }
 
 Result<Reading> readBag(const Source& source) {
-    const auto bag = bagIn(source);
+    auto bag = bagIn(source);
     if (!bag) return bag.error();
-    return scanIn(*bag, source);
+    return scanIn(onceEach(std::move(*bag)), source);
 }
 
 /// A bag of several parts, with the content that its messages point into.
@@ -143,6 +144,7 @@ Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& 
                                      "): its messages are not in the scan.");
     }
     if (whole.bag.topics.empty() && first) return *first;
+    whole.bag = onceEach(std::move(whole.bag));
     return whole;
 }
 
@@ -151,18 +153,18 @@ Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& 
 Format rosBagFormat() { return {.title = "ROS bag", .reads = {".bag", ".db3"}, .recognises = looksLikeBag, .read = readBag}; }
 
 Result<Reading> readRosMcap(const containers::McapContent& content, const Source& source) {
-    return scanIn(containers::rosBagOf(content, source.path.string()), source);
+    return scanIn(onceEach(containers::rosBagOf(content, source.path.string())), source);
 }
 
 std::optional<Result<BagListing>> bagListing(const Source& source) {
     if (containers::looksLikeMcap(bytesOf(source))) {
         const auto content = containers::readMcap(bytesOf(source), source.path.string());
         if (!content || !containers::hasRosTopics(*content)) return std::nullopt;
-        return Result<BagListing>(listingOf(containers::rosBagOf(*content, source.path.string())));
+        return Result<BagListing>(listingOf(onceEach(containers::rosBagOf(*content, source.path.string()))));
     }
     if (!looksLikeBag(source)) return std::nullopt;
-    const auto bag = bagIn(source);
-    return bag ? Result<BagListing>(listingOf(*bag)) : Result<BagListing>(bag.error());
+    auto bag = bagIn(source);
+    return bag ? Result<BagListing>(listingOf(onceEach(std::move(*bag)))) : Result<BagListing>(bag.error());
 }
 
 Result<Reading> readBagParts(const std::vector<BagPart>& parts, const Source& whole) {

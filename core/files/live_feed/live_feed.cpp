@@ -163,6 +163,7 @@ LiveStatus LiveFeed::status() const {
     status.whyUndecodable = !feed_.whyUndecodable().empty() ? feed_.whyUndecodable() : laser_.whyLeftOut();
     if (const auto problem = cloud_ ? cloud_->whyUnusable() : std::nullopt) status.whyUndecodable = problem->what;
     status.sweep.duplicates += laser_.repeated();
+    status.noReturns = laser_.noReturns();
     if (cloud_) status.settings = settingsOf(cloud_->newest().scan.get());
     if (const std::string wait = laser_.waitsFor(); !wait.empty() && lines_ == 0 && status.connection.phase == kLive) {
         const Error unknown{"lines come, but their angle is not known: " + wait, linesTopic_,

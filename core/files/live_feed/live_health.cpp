@@ -106,7 +106,9 @@ void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::
     tell(static_cast<std::uint64_t>(status.undecodable),
          " scan telegrams since the start could not be decoded, so their lines are lost: " + status.whyUndecodable + ".");
     tell(status.statistics.stream.skipped, " bytes since the start were not a telegram and were skipped.");
-    if (health.remarks.empty()) return;
+    const bool wrong = !health.remarks.empty();
+    tell(static_cast<std::uint64_t>(status.noReturns), kNoReturnsOfLaser);
+    if (!wrong) return;
     health.telegrams = Condition::OutOfSpec;
     const std::size_t count = health.remarks.size();
     health.remark = sweep.irregular.countersInDoubt() ? "COUNTERS IN DOUBT"

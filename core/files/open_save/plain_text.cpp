@@ -76,7 +76,7 @@ std::vector<std::byte> utf8Of(std::span<const std::byte> bytes, Order order) {
 
 std::string_view viewOf(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-/// Zeros behind a text whose last line is a row of numbers, as they are left where the power failed while a list was written.
+/// Zeros behind a text whose last line has numbers, as they are left where the power failed while a list was written.
 std::size_t zerosBehindRows(std::span<const std::byte> bytes) {
     const std::string_view text = viewOf(bytes);
     const std::size_t last = text.find_last_not_of('\0');
@@ -86,7 +86,7 @@ std::size_t zerosBehindRows(std::span<const std::byte> bytes) {
     const std::size_t content = rows.find_last_not_of("\r\n \t");
     if (content == std::string_view::npos) return 0;
     const std::size_t before = rows.find_last_of("\r\n", content);
-    if (before == std::string_view::npos || !isRowOfNumbers(rows.substr(before + 1, content - before))) return 0;
+    if (before == std::string_view::npos || std::ranges::none_of(wordsIn(rows.substr(before + 1, content - before)), isNumber)) return 0;
     return text.size() - rows.size();
 }
 

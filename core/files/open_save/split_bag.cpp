@@ -17,6 +17,9 @@ Result<SplitBag> holdSplitBag(const BagFiles& bag, const ReadingOptions& options
     };
     for (const std::string& name : bag.missing)
         all.warnings.push_back("The part " + name + " of the bag is missing: its messages are not in the scan.");
+    for (const std::string& name : bag.others)
+        all.warnings.push_back("metadata.yaml names " + name +
+                               ", whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.");
     for (const std::filesystem::path& part : bag.parts) {
         if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", bag.path.string(), ""};
         claimInput(part);

@@ -3,29 +3,21 @@
 
 #include "core/base/inputs.h"
 #include "core/files/packet_capture/ip_packets.h"
-#include "core/files/packet_capture/tcp_streams.h"
+#include "core/files/packet_capture/scanner_packets.h"
 #include "core/scanner/ouster/os_packet.h"
 #include "core/scanner/velodyne/vlp16.h"
 
 #include <algorithm>
 #include <list>
-#include <map>
 
 namespace edgescan::files {
 namespace {
-
-struct UdpDatagram {
-    std::int64_t timeNs = 0;
-    Endpoint from;
-    std::uint16_t toPort = 0;
-    ByteView payload;
-};
 
 struct UdpDatagrams {
     std::vector<UdpDatagram> datagrams; ///< in the order of the file, of a fragmented one that of its last piece
     std::list<Bytes> joined;            ///< bytes of those that were fragmented
     std::size_t torn = 0;               ///< fragmented ones of which a piece is missing
-    std::size_t repeated = 0;           ///< that were captured twice, and are here once
+    std::size_t repeated = 0;           ///< fragmented ones that were captured twice, and are here once
 
     UdpDatagrams() = default;
     UdpDatagrams(UdpDatagrams&&) = default;
@@ -39,7 +31,6 @@ constexpr std::size_t kUdpHead = 8, kIpv4Head = 20, kIpv6Head = 40;
 constexpr std::size_t kOpenPackets = 64; // fragmented, at once
 constexpr std::size_t kLongestIp = 65535;
 constexpr std::int64_t kLongestApartNs = 2'000'000'000; // pieces of one packet: its number of 16 bits comes again after some seconds
-constexpr std::size_t kLookedBack = 64;                 // datagrams among which one is looked for that was captured twice
 
 struct Pieces {
     ByteView from, to;
@@ -48,6 +39,7 @@ struct Pieces {
     Bytes bytes;
     std::vector<std::size_t> places;
     std::size_t held = 0, whole = 0; // whole: 0 while the last piece is missing
+    ByteView joined;                 // of a packet that is complete: its pieces may come once more
 };
 
 class Reader {
@@ -60,7 +52,7 @@ public:
         if (version == 6 && ip->size() >= kIpv6Head && (*ip)[6] == kUdp) takeUdp(ip->subspan(kIpv6Head), ip->subspan(8, 16), packet.timeNs);
     }
     UdpDatagrams all() {
-        found_.torn += open_.size();
+        for (const Pieces& pieces : open_) giveUp(pieces);
         return std::move(found_);
     }
 
@@ -78,10 +70,13 @@ private:
         if (offset + body.size() > kLongestIp) return;
         Pieces& pieces = piecesOf(from, ip.subspan(16, 4), netU16(ip, 4), timeNs);
         if (std::ranges::find(pieces.places, offset) != pieces.places.end()) {
-            const auto held = ByteView(pieces.bytes).subspan(offset, std::min(body.size(), pieces.bytes.size() - offset));
-            if (std::ranges::equal(held, body)) return; // once more
-            ++found_.torn;                              // of another packet with the same number
-            pieces = {from, ip.subspan(16, 4), pieces.id, timeNs, {}, {}, 0, 0};
+            const ByteView bytes = pieces.joined.empty() ? ByteView(pieces.bytes) : pieces.joined;
+            if (std::ranges::equal(bytes.subspan(offset, std::min(body.size(), bytes.size() - offset)), body)) { // once more
+                found_.repeated += offset == 0 ? 1 : 0;
+                return;
+            }
+            giveUp(pieces); // this one is of another packet with the same number
+            pieces = {from, ip.subspan(16, 4), pieces.id, timeNs, {}, {}, 0, 0, {}};
         }
         if (pieces.bytes.size() < offset + body.size()) pieces.bytes.resize(offset + body.size());
         pieces.places.push_back(offset);
@@ -90,7 +85,7 @@ private:
         if (!more) pieces.whole = offset + body.size();
         if (pieces.whole == 0 || pieces.held < pieces.whole) return;
         found_.joined.push_back(std::move(pieces.bytes));
-        std::erase_if(open_, [&](const Pieces& one) { return &one == &pieces; });
+        pieces.joined = found_.joined.back();
         takeUdp(found_.joined.back(), from, timeNs);
     }
 
@@ -102,40 +97,25 @@ private:
         const auto found = std::ranges::find_if(open_, same);
         if (found != open_.end() && std::abs(timeNs - found->firstNs) <= kLongestApartNs) return *found;
         if (found != open_.end()) {
+            giveUp(*found);
             open_.erase(found);
-            ++found_.torn;
         }
         if (open_.size() >= kOpenPackets) {
+            giveUp(open_.front());
             open_.pop_front();
-            ++found_.torn;
         }
-        open_.push_back({from, to, id, timeNs, {}, {}, 0, 0});
+        open_.push_back({from, to, id, timeNs, {}, {}, 0, 0, {}});
         return open_.back();
     }
+
+    void giveUp(const Pieces& pieces) { found_.torn += pieces.joined.empty() ? 1 : 0; }
 
     void takeUdp(ByteView udp, ByteView from, std::int64_t timeNs) {
         if (udp.size() < kUdpHead) return;
         const std::size_t stated = netU16(udp, 4);
         const std::size_t end = stated >= kUdpHead ? std::min(stated, udp.size()) : udp.size();
-        UdpDatagram datagram;
-        datagram.timeNs = timeNs;
-        datagram.from = {std::string(from.begin(), from.end()), static_cast<std::uint16_t>(netU16(udp, 0))};
-        datagram.toPort = static_cast<std::uint16_t>(netU16(udp, 2));
-        datagram.payload = udp.subspan(kUdpHead, end - kUdpHead);
-        if (isRepeated(datagram)) {
-            ++found_.repeated;
-            return;
-        }
-        found_.datagrams.push_back(std::move(datagram));
-    }
-
-    /// The same bytes of the same sender are among the last ones: a switch or a second capture repeated them. Scanners count their packets.
-    [[nodiscard]] bool isRepeated(const UdpDatagram& one) const {
-        const auto& all = found_.datagrams;
-        const std::size_t from = all.size() > kLookedBack ? all.size() - kLookedBack : 0;
-        return std::any_of(all.begin() + static_cast<std::ptrdiff_t>(from), all.end(), [&](const UdpDatagram& before) {
-            return before.from == one.from && before.toPort == one.toPort && std::ranges::equal(before.payload, one.payload);
-        });
+        const auto toPort = static_cast<std::uint16_t>(netU16(udp, 2));
+        found_.datagrams.push_back({timeNs, {std::string(from.begin(), from.end()), toPort}, udp.subspan(kUdpHead, end - kUdpHead)});
     }
 
     std::list<Pieces> open_;
@@ -147,43 +127,6 @@ UdpDatagrams udpDatagrams(const std::vector<Packet>& packets) {
     Reader reader;
     for (const Packet& packet : packets) reader.take(packet);
     return reader.all();
-}
-
-/// A datagram and the scanner's own clock in it.
-struct Clocked {
-    std::int64_t clockNs = 0;
-    std::size_t datagram = 0;
-};
-
-/// Brings datagrams into the order in which the scanner sent them; returns how many came late. A clock that goes back by a second and more
-/// began again: what follows stays behind what was before.
-std::size_t orderByClock(std::vector<Clocked>& all) {
-    constexpr std::int64_t kBeganAgainNs = 1'000'000'000;
-    std::size_t late = 0;
-    auto from = all.begin();
-    std::int64_t newest = 0;
-    for (auto one = all.begin(); one != all.end(); ++one) {
-        if (one != from && one->clockNs < newest - kBeganAgainNs) {
-            std::stable_sort(from, one, [](const Clocked& a, const Clocked& b) { return a.clockNs < b.clockNs; });
-            from = one;
-        }
-        if (one != from && one->clockNs < newest) ++late;
-        newest = one == from ? one->clockNs : std::max(newest, one->clockNs);
-    }
-    std::stable_sort(from, all.end(), [](const Clocked& a, const Clocked& b) { return a.clockNs < b.clockNs; });
-    return late;
-}
-
-/// The sender with most datagrams that `fits`, and how many others there are.
-template <class Fits>
-std::pair<std::optional<Endpoint>, std::size_t> busiest(const UdpDatagrams& udp, const Fits& fits) {
-    std::map<Endpoint, std::size_t> counts;
-    for (const UdpDatagram& datagram : udp.datagrams) {
-        if (fits(datagram.payload)) ++counts[datagram.from];
-    }
-    const auto most = std::ranges::max_element(counts, {}, [](const auto& one) { return one.second; });
-    if (most == counts.end()) return {std::nullopt, 0};
-    return {most->first, counts.size() - 1};
 }
 
 Result<Scan> chosenTurn(const std::vector<scanner::SpinningColumn>& columns, const scanner::SpinningBeams& beams, const Source& source) {
@@ -205,45 +148,42 @@ Result<Scan> chosenTurn(const std::vector<scanner::SpinningColumn>& columns, con
     return scan;
 }
 
-void sayLosses(Scan& scan, const UdpDatagrams& udp, const PacketFile& file, std::size_t otherSenders, std::size_t late) {
+void sayLosses(Scan& scan, const UdpDatagrams& udp, const PacketFile& file, const ScannerPackets& of) {
     std::vector<std::string> said;
-    if (late > 0) said.push_back(std::to_string(late) + " packets came out of order and were put in the order of the scanner's clock.");
+    if (of.late > 0)
+        said.push_back(std::to_string(of.late) + " packets came out of order and were put in the order of the scanner's clock.");
     if (file.cutOff) said.emplace_back("The capture was cut off: everything up to the cut is here.");
     if (udp.torn > 0) said.push_back(std::to_string(udp.torn) + " packets are missing in part in the capture: their lines are lost.");
-    if (udp.repeated > 0) said.push_back(std::to_string(udp.repeated) + " packets are in the capture twice: each was read once.");
-    if (otherSenders > 0)
-        said.push_back("The capture holds packets of " + std::to_string(otherSenders + 1) +
+    if (const std::size_t repeated = udp.repeated + of.repeated; repeated > 0)
+        said.push_back(std::to_string(repeated) + " packets are in the capture twice: each was read once.");
+    if (of.otherScanners > 0)
+        said.push_back("The capture holds packets of " + std::to_string(of.otherScanners + 1) +
                        " scanners; the one with most of them was opened.");
     scan.warnings.insert(scan.warnings.begin(), said.begin(), said.end());
 }
 
 std::optional<Result<Scan>> velodyneIn(const UdpDatagrams& udp, const PacketFile& file, const Source& source) {
-    const auto [sender, others] = busiest(udp, [](ByteView bytes) { return scanner::decodeVlp16(bytes).has_value(); });
-    if (!sender) return std::nullopt;
-    std::vector<Clocked> order;
-    for (std::size_t n = 0; n < udp.datagrams.size(); ++n) {
-        if (udp.datagrams[n].from != *sender) continue;
-        if (const auto packet = scanner::decodeVlp16(udp.datagrams[n].payload)) order.push_back({std::int64_t{packet->usOfHour} * 1000, n});
-    }
-    const std::size_t late = orderByClock(order);
+    constexpr std::int64_t kHourNs = 3'600'000'000'000;
+    const auto clockOf = [](ByteView bytes) {
+        const auto packet = scanner::decodeVlp16(bytes);
+        return packet ? std::optional(std::int64_t{packet->usOfHour} * 1000) : std::nullopt;
+    };
+    const ScannerPackets found = scannerPackets(udp.datagrams, clockOf, kHourNs);
+    if (found.packets.empty()) return std::nullopt;
     scanner::Vlp16Columns all;
-    for (const Clocked& one : order) {
-        const UdpDatagram& datagram = udp.datagrams[one.datagram];
-        if (const auto packet = scanner::decodeVlp16(datagram.payload)) all.take(*packet, datagram.timeNs);
-    }
+    for (const auto& one : found.packets) all.take(*scanner::decodeVlp16(one.payload), one.timeNs);
     auto scan = chosenTurn(all.columns(), scanner::vlp16Beams(), source);
     if (!scan) return scan;
     if (all.others() > 0)
         scan->warnings.push_back("The scanner sent two returns for each beam: the strongest ones are here, and " +
                                  std::to_string(all.others()) + " others of the capture were left out.");
     scan->warnings.emplace_back("The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.");
-    sayLosses(*scan, udp, file, others, late);
+    sayLosses(*scan, udp, file, found);
     return scan;
 }
 
 std::optional<Result<Scan>> ousterIn(const UdpDatagrams& udp, const PacketFile& file, const Source& source) {
-    const auto [sender, others] = busiest(udp, scanner::looksLikeOs);
-    if (!sender) return std::nullopt;
+    if (std::ranges::none_of(udp.datagrams, scanner::looksLikeOs, &UdpDatagram::payload)) return std::nullopt;
     std::filesystem::path metadata = source.path;
     metadata.replace_extension(".json");
     std::error_code unknown;
@@ -254,17 +194,14 @@ std::optional<Result<Scan>> ousterIn(const UdpDatagrams& udp, const PacketFile& 
     if (!text) return text.error();
     const auto sensor = scanner::osSensor({reinterpret_cast<const char*>(text->data()), text->size()}, metadata.string());
     if (!sensor) return sensor.error();
-    std::vector<Clocked> order;
-    for (std::size_t n = 0; n < udp.datagrams.size(); ++n) {
-        if (udp.datagrams[n].from == *sender) order.push_back({scanner::osClockNs(udp.datagrams[n].payload, *sensor), n});
-    }
-    const std::size_t late = orderByClock(order);
+    const auto clockOf = [&](ByteView bytes) {
+        const bool fits = scanner::looksLikeOs(bytes) && scanner::decodeOs(bytes, *sensor, 0);
+        return fits ? std::optional(scanner::osClockNs(bytes, *sensor)) : std::nullopt;
+    };
+    const ScannerPackets found = scannerPackets(udp.datagrams, clockOf, 0);
     std::vector<scanner::SpinningColumn> columns;
-    for (const Clocked& one : order) {
-        const UdpDatagram& datagram = udp.datagrams[one.datagram];
-        if (auto found = scanner::decodeOs(datagram.payload, *sensor, datagram.timeNs))
-            std::ranges::move(*found, std::back_inserter(columns));
-    }
+    for (const auto& one : found.packets)
+        std::ranges::move(*scanner::decodeOs(one.payload, *sensor, one.timeNs), std::back_inserter(columns));
     if (columns.empty())
         return source.refused("no packet of the capture fits the sensor of " + metadata.filename().string(),
                               "save the metadata of the sensor that was captured");
@@ -272,7 +209,7 @@ std::optional<Result<Scan>> ousterIn(const UdpDatagrams& udp, const PacketFile& 
     if (!scan) return scan;
     scan->warnings.emplace_back(
         "The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.");
-    sayLosses(*scan, udp, file, others, late);
+    sayLosses(*scan, udp, file, found);
     return scan;
 }
 

@@ -184,7 +184,16 @@ NamedColumns columnsNamed(std::span<const std::string> names) {
         rank[role] = *itsRank;
     }
     if (const auto line = found[ColumnRole::Line]) found.rowsAndColumns = headingLetters(names[*line]).starts_with("row");
-    if (!found.hasPoint()) return found;
+    found.angles = found.hasCell() ? std::nullopt : angleColumnsNamed(names);
+    if (!found.hasPoint() && found.angles && found.angles->range) {
+        found.anglesForPoint = true;
+        found.of[0] = found.angles->azimuth;
+        found.of[1] = found.angles->elevation;
+        found.of[2] = found.angles->range;
+        found.of[static_cast<std::size_t>(ColumnRole::RangeMm)].reset();
+        found.unitMm = found.angles->rangeUnitMm;
+    }
+    if (!found.hasPoint() || found.anglesForPoint) return found;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (const auto unit = nameOf(names[*found.of[axis]]).unitMm) found.unitMm = unit;
     }
@@ -202,6 +211,7 @@ std::optional<std::string> contentsNamed(std::span<const std::string> names) {
         });
     };
     if (has({"lat", "latitude"}) && has({"lon", "long", "lng", "longitude"})) return "degrees of latitude and longitude";
+    if (named.angles) return "angles and no ranges";
     if (has({"range", "ranges", "distance", "dist", "radius", "rho", "r", "rangemm"}) &&
         has({"angle", "azimuth", "az", "theta", "phi", "bearing", "inclination", "zenith", "deg", "hz"}))
         return "angles and ranges";

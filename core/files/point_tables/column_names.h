@@ -1,6 +1,8 @@
 // What a column of points is by its name, in every format that names its columns.
 #pragma once
 
+#include "core/files/point_tables/angle_columns.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,8 +33,10 @@ inline constexpr std::size_t kColumnRoles = 13;
 /// Which column has which role; empty where no column has it.
 struct NamedColumns {
     std::optional<std::size_t> of[kColumnRoles];
-    bool rowsAndColumns = false;  ///< line and beam are called row and column, which programs mean either way
-    std::optional<double> unitMm; ///< millimetres per number of x y z, where their names say so: "x_mm", "X [m]"
+    bool rowsAndColumns = false;        ///< line and beam are called row and column, which programs mean either way
+    std::optional<double> unitMm;       ///< millimetres per number of x y z, where their names say so: "x_mm", "X [m]"
+    std::optional<AngleColumns> angles; ///< azimuth and elevation, where no columns count lines and beams
+    bool anglesForPoint = false;        ///< x, y and z are the columns of azimuth, elevation and range: takePointsFromAngles()
 
     [[nodiscard]] std::optional<std::size_t> operator[](ColumnRole role) const { return of[static_cast<std::size_t>(role)]; }
     [[nodiscard]] bool hasPoint() const { return of[0] && of[1] && of[2]; }

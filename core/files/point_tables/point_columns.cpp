@@ -24,7 +24,7 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
     std::vector<std::string> names;
     for (const RecordField& field : fields) names.push_back(field.name);
     const NamedColumns named = columnsNamed(names);
-    if (!named.hasPoint()) return std::nullopt;
+    if (!named.hasPoint() || named.anglesForPoint) return std::nullopt;
     const auto field = [&](ColumnRole role) { return named[role] ? std::optional(fields[*named[role]]) : std::nullopt; };
     PointFields picked{*field(ColumnRole::X),
                        *field(ColumnRole::Y),

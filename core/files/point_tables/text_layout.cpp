@@ -194,6 +194,7 @@ std::vector<bool> unreadColumns(const std::vector<std::string>& names) {
     for (const auto& column : named.of) {
         if (column) unread[*column] = false;
     }
+    if (named.angles) unread[named.angles->azimuth] = unread[named.angles->elevation] = false;
     return unread;
 }
 

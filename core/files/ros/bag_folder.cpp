@@ -61,7 +61,7 @@ std::vector<std::string> namesIn(const fs::path& metadata) {
         if (inList && !text.starts_with("- ")) break;
         if (inList) {
             const fs::path name = fs::path(trimmed(text.substr(2))).filename();
-            if (holdsMessages(name) && std::ranges::find(names, name.string()) == names.end()) names.push_back(name.string());
+            if (std::ranges::find(names, name.string()) == names.end()) names.push_back(name.string());
         }
         inList = inList || text == "relative_file_paths:";
     }
@@ -94,22 +94,26 @@ bool orderParts(std::vector<fs::path>& files) {
 
 Result<BagFiles> filesOfBag(const fs::path& path) {
     std::error_code problem;
-    const BagFiles asItIs{path, {path}, {}};
+    const BagFiles asItIs{path, {path}, {}, {}};
     fs::path folder = path.filename() == kMetadata ? path.parent_path() : path;
     if (folder.empty()) folder = ".";
     if (!fs::is_directory(folder, problem)) return asItIs;
     BagFiles bag;
     for (const std::string& name : namesIn(folder / kMetadata)) {
-        if (fs::is_regular_file(folder / name, problem))
+        if (!holdsMessages(name))
+            bag.others.push_back(name);
+        else if (fs::is_regular_file(folder / name, problem))
             bag.parts.push_back(folder / name);
         else
             bag.missing.push_back(name);
     }
     if (bag.parts.empty()) {
         bag.parts = filesIn(folder);
-        if (bag.parts.empty() && !bag.missing.empty())
-            return Error{"no file that metadata.yaml names is in this folder: " + bag.missing.front() +
-                             (bag.missing.size() > 1 ? " and " + std::to_string(bag.missing.size() - 1) + " more" : ""),
+        std::vector<std::string> named = bag.missing;
+        named.insert(named.end(), bag.others.begin(), bag.others.end());
+        if (bag.parts.empty() && !named.empty())
+            return Error{"no file of messages that metadata.yaml names is in this folder: " + named.front() +
+                             (named.size() > 1 ? " and " + std::to_string(named.size() - 1) + " more" : ""),
                          folder.string(), "copy the files of the bag into it"};
         if (bag.parts.empty()) return asItIs;
         if (bag.parts.size() > 1 && !orderParts(bag.parts))
@@ -124,7 +128,8 @@ Result<BagFiles> filesOfBag(const fs::path& path) {
 std::string partOfBag(const fs::path& file) {
     if (!holdsMessages(file)) return {};
     const fs::path metadata = file.parent_path() / kMetadata;
-    const std::vector<std::string> names = namesIn(metadata);
+    std::vector<std::string> names = namesIn(metadata);
+    std::erase_if(names, [](const std::string& name) { return !holdsMessages(name); });
     const auto own = std::ranges::find(names, file.filename().string());
     if (names.size() < 2 || own == names.end()) return {};
     return "This file is part " + std::to_string(own - names.begin() + 1) + " of " + std::to_string(names.size()) + " of a bag. Open " +

@@ -4,7 +4,6 @@
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
-#include "core/files/point_tables/repeated_values.h"
 #include "core/files/ros/frames.h"
 
 #include <algorithm>
@@ -159,12 +158,20 @@ void leaveOutRepeated(LaserLines& all) {
     all.lines = std::move(once);
 }
 
-/// A range that means "no return" in all lines, as range_max does.
 void markNoReturns(LaserLines& all) {
+    const auto found = noReturnIn(all.lines);
+    if (!found) return;
+    for (LaserLine& line : all.lines) leaveOutFrom(line, found->least);
+    all.noReturns = repeatedSentence(found->count, "ranges of the topic are " + significantText(found->least / kMmPerM, 6) + " m");
+}
+
+} // namespace
+
+std::optional<RepeatedRange> noReturnIn(std::span<const LaserLine> lines) {
     std::vector<double> ranges;
     std::vector<double> beamDeg;
-    double mostM = all.lines.front().mostM;
-    for (const LaserLine& line : all.lines) {
+    double mostM = lines.empty() ? 0 : lines.front().mostM;
+    for (const LaserLine& line : lines) {
         mostM = line.mostM == mostM ? mostM : 0;
         const auto& mm = line.line.ranges.rangeMm;
         ranges.insert(ranges.end(), mm.begin(), mm.end());
@@ -174,20 +181,20 @@ void markNoReturns(LaserLines& all) {
     RangesToJudge given{ranges};
     given.direction = [&](std::size_t n) { return Eigen::Vector3d(std::cos(radians(beamDeg[n])), std::sin(radians(beamDeg[n])), 0); };
     if (mostM > 0) given.stated = static_cast<double>(millimetresOf(mostM));
-    const auto found = repeatedRange(given);
-    if (!found) return;
-    for (LaserLine& line : all.lines) {
-        auto& [mm, state] = line.line.ranges;
-        for (std::size_t j = 0; j < mm.size(); ++j) {
-            if (static_cast<double>(mm[j]) < found->least) continue;
-            mm[j] = 0;
-            state[j] = CellState::NoReturn;
-        }
-    }
-    all.noReturns = repeatedSentence(found->count, "ranges of the topic are " + significantText(found->least / kMmPerM, 6) + " m");
+    return repeatedRange(given);
 }
 
-} // namespace
+std::size_t leaveOutFrom(LaserLine& line, double leastMm) {
+    std::size_t count = 0;
+    auto& [mm, state] = line.line.ranges;
+    for (std::size_t j = 0; j < mm.size(); ++j) {
+        if (static_cast<double>(mm[j]) < leastMm) continue;
+        mm[j] = 0;
+        state[j] = CellState::NoReturn;
+        ++count;
+    }
+    return count;
+}
 
 Result<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
     const auto number = [&](const char* name, double otherwise) {

@@ -3,10 +3,13 @@
 
 #include "core/base/result.h"
 #include "core/containers/ros/bag.h"
+#include "core/files/point_tables/repeated_values.h"
 #include "core/scanner/scan_line/scan_line.h"
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +43,10 @@ struct LaserLines {
 /// The line in a message; its counters are set by others. Error, of which only `what` is set: no beams, no stamp, or angles that no laser
 /// has. Numbers that are not finite are never replaced by others.
 [[nodiscard]] Result<LaserLine> laserLine(const containers::RosValue& message, scanner::Echo echo);
+/// A range in millimetres that means "no return" in these lines, as range_max does where it repeats (repeated_values.h).
+[[nodiscard]] std::optional<RepeatedRange> noReturnIn(std::span<const LaserLine> lines);
+/// Ranges from `leastMm` on become missing returns; returns how many.
+std::size_t leaveOutFrom(LaserLine& line, double leastMm);
 /// Of the fan, degrees.
 [[nodiscard]] double middleOf(const LaserLine& line);
 /// Its beams in the scan's own frame (LaserMotion::beamShiftDeg), and the time from beam to beam, if the message says it.

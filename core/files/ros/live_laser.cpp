@@ -19,6 +19,7 @@ constexpr double kRestShare = 0.05; // of the median step from line to line
 constexpr double kLost = 0.7;       // periods behind its time: a line before it is lost
 constexpr double kOfNewLine = 0.2;  // share of a new line in the usual time
 constexpr double kLongestGap = 30000;
+constexpr double kAtMostM = 0.001; // as near to range_max is range_max
 
 double middleOf(const std::deque<double>& numbers) {
     std::vector<double> sorted(numbers.begin(), numbers.end());
@@ -80,11 +81,23 @@ void LiveLaser::takeLine(const containers::RosValue& message) {
     if (newestNs_ != 0) keepLast(periodsS_, static_cast<double>(line->stampNs - newestNs_) / kSecond, kPeriods);
     newestNs_ = line->stampNs;
     if (frame_.empty()) frame_ = frameNameOf(message.text("header.frame_id"));
+    leaveOutNoReturns(*line);
     waiting_.push_back(std::move(*line));
     while (waiting_.size() > kMostWaiting || (!motion_ && waiting_.front().stampNs < newestNs_ - kFindsNs)) {
         waiting_.pop_front();
         leaveOut("the angle of a line is not known");
     }
+}
+
+/// One line is enough to see that its range_max repeats. Then it holds for the lines that wait, and for all that follow.
+void LiveLaser::leaveOutNoReturns(LaserLine& line) {
+    if (!noReturnMm_) {
+        const auto found = noReturnIn({&line, 1});
+        if (!found || found->least < (line.mostM - kAtMostM) * 1000) return;
+        noReturnMm_ = found->least;
+        for (LaserLine& waiting : waiting_) noReturns_ += static_cast<std::int64_t>(leaveOutFrom(waiting, *noReturnMm_));
+    }
+    noReturns_ += static_cast<std::int64_t>(leaveOutFrom(line, *noReturnMm_));
 }
 
 void LiveLaser::takeTransforms(const containers::RosValue& message) {

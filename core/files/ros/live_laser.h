@@ -29,6 +29,8 @@ public:
     [[nodiscard]] const std::string& whyLeftOut() const { return why_; }
     /// Lines that came twice.
     [[nodiscard]] std::int64_t repeated() const { return repeated_; }
+    /// Ranges that are range_max of their message and repeat, so that they mean "no return".
+    [[nodiscard]] std::int64_t noReturns() const { return noReturns_; }
     /// Why no line was pushed so far; empty: a line was pushed, or did not come yet.
     [[nodiscard]] std::string waitsFor() const;
 
@@ -42,6 +44,7 @@ private:
     int push(scanner::SweepAssembler& to);
     void pushLine(LaserLine line, scanner::SweepAssembler& to);
     bool rests(double deg);
+    void leaveOutNoReturns(LaserLine& line);
     void leaveOut(const char* why);
 
     scanner::SweepSettings asked_;
@@ -66,7 +69,8 @@ private:
     double idealNs_ = 0;                           // when the last one would have come without jitter
     double periodS_ = 0;
     std::uint64_t number_ = 0;
-    std::int64_t leftOut_ = 0, repeated_ = 0;
+    std::int64_t leftOut_ = 0, repeated_ = 0, noReturns_ = 0;
+    std::optional<double> noReturnMm_; // this range and all above it mean "no return"
     std::string why_;
 };
 

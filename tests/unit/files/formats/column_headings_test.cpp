@@ -120,7 +120,7 @@ TEST_F(ColumnHeadings, OtherThingsThanPointsAreRefused) {
         EXPECT_NE(scan.error().sentence().find(what), std::string::npos) << scan.error().sentence();
     };
     refused({"line,angle_deg,range_mm", "n,x,y"}, "angles and ranges");
-    refused({"azimuth,inclination,distance", "x,y,z"}, "angles and ranges");
+    refused({"azimuth,distance", "x,y"}, "numbers where a point needs three");
     refused({"lat,lon,alt", "x,y,z"}, "degrees of latitude and longitude");
     refused({"x,y,intensity", "x,y,i"}, "two coordinates of a point and not the third");
     refused({"", "n,x,y,z,ROCK"}, "words among the numbers");

@@ -1,6 +1,7 @@
 // LAZ, compressed by LASzip itself, opens like the LAS it was made from; without LASzip it is refused with a sentence.
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/bytes.h"
+#include "tests/support/point_files.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/save_clouds.h"
 
@@ -77,6 +78,24 @@ TEST(Laz, WhatLaszipPackedIsTheGridThatWasSaved) {
         const auto part = readBytes(bytes.substr(0, cut), ".laz");
         EXPECT_TRUE(!part || part->rangeMm == las->rangeMm) << cut;
     }
+}
+
+TEST(Laz, LaterReturnsAreAttachedAsThoseOfLas) {
+    const Folder folder;
+    Points all;
+    for (const Eigen::Vector3d& p : listOf(makeScan({.lines = 24, .beams = 28}), {.keepMissing = false})) {
+        all.push_back(p);
+        all.emplace_back(p * 1.2);
+    }
+    std::string bytes = pointLas(all, 1e-6);
+    for (std::size_t n = 0; n < all.size(); ++n) bytes[227 + 20 * n + 14] = static_cast<char>((n % 2 + 1) | 2U << 3U); // of two returns
+    writeText(folder / "cloud.las", bytes);
+    pack(folder / "cloud.las", folder / "cloud.laz");
+    const auto las = openScan(folder / "cloud.las"), laz = openScan(folder / "cloud.laz");
+    ASSERT_TRUE(las) << las.error().sentence();
+    ASSERT_TRUE(laz) << laz.error().sentence();
+    EXPECT_EQ(laz->rangeMm, las->rangeMm);
+    EXPECT_EQ(laz->attached.size(), all.size() / 2);
 }
 
 #else

@@ -1,5 +1,6 @@
 // Files as other programs and robots send them, each with one peculiarity: they open as the scan that they are.
 #include "core/files/open_save/open_scan.h"
+#include "core/scan/grid/placement.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_files.h"
 #include "tests/support/point_lists.h"
@@ -295,7 +296,8 @@ TEST_F(ReportedFiles, BagsWithRepeatsAndALimit) {
     const auto scan = open(twice);
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(scan->rangeMm, open(rosMessagesOf(expected_))->rangeMm);
-    EXPECT_TRUE(warns(*scan, "in the bag twice"));
+    for (const char* topic : {"/robot/scan", "/tf"})
+        EXPECT_TRUE(warns(*scan, std::string(" messages of the topic ") + topic + " are in the bag twice")) << topic;
 
     Scan limited = expected_;
     std::size_t marks = 0;

@@ -132,6 +132,23 @@ TEST(SplitBag, MissingAndDamagedPartsAreNamedAndTheRestIsThere) {
     }
 }
 
+TEST(SplitBag, EntriesThatAreNoFilesOfMessagesAreNamed) {
+    const TemporaryFolder folder;
+    const std::filesystem::path bag = folder / "bell";
+    writeBag(bag, ".mcap", false);
+    std::string list;
+    std::getline(std::ifstream(bag / "metadata.yaml"), list, '\0');
+    const std::string key = "relative_file_paths:\n";
+    std::ofstream(bag / "metadata.yaml") << list.insert(list.find(key) + key.size(), "    - notes.txt\n");
+    const auto scan = openScan(bag);
+    ASSERT_TRUE(scan) << scan.error().sentence();
+    EXPECT_TRUE(warns(scan->warnings, "metadata.yaml names notes.txt"));
+    std::ofstream(folder / "metadata.yaml") << key << "    - notes.txt\n    - gone_0.mcap\n";
+    const auto none = openScan(folder.path());
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().sentence().find("no file of messages that metadata.yaml names"), std::string::npos) << none.error().sentence();
+}
+
 TEST(SplitBag, APipeInPlaceOfTheListHangsNothing) {
     const TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "metadata.yaml").c_str(), 0600), 0);

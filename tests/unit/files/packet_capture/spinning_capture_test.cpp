@@ -10,9 +10,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <random>
 #include <sstream>
+#include <tuple>
 
 using namespace edgescan;
 using namespace edgescan::test;
@@ -164,18 +167,44 @@ TEST_F(SpinningCapture, PacketsThatAreMissingAreLostLines) {
 }
 
 TEST_F(SpinningCapture, RepeatedAndLatePacketsAreTheSameScan) {
-    const std::vector<std::string> records = recordsOf("vlp16.pcap");
+    using Records = std::vector<std::string>;
+    constexpr std::size_t kAddress = kRecordHead + kEthernet + 12, kPort = kRecordHead + kEthernet + kIp;
+    const Records records = recordsOf("vlp16.pcap");
     const auto expected = files::openScan(at("vlp16.pcap"), {});
     ASSERT_TRUE(expected);
-    std::vector<std::string> twice, late = records;
-    for (const std::string& record : records) twice.insert(twice.end(), 2, record);
+    const auto changed = [](std::string record, std::size_t place, std::size_t to) {
+        record[place] = static_cast<char>(to);
+        return record;
+    };
+    Records twice, late = records, ports, mirrored, overtaken, fragments, behind = records, backwards(records.rbegin(), records.rend());
+    Records shuffled = records;
+    std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(7));
+    for (std::size_t n = 0; n < records.size(); ++n) {
+        twice.insert(twice.end(), 2, records[n]);
+        for (const std::size_t port : {n, n + 100}) ports.push_back(changed(records[n], kPort, port));
+        Records both{records[n], changed(records[n], kAddress + 3, 77)};
+        mirrored.insert(mirrored.end(), both.begin(), both.end());
+        if (n % 2 == 1) std::swap(both[0], both[1]);
+        overtaken.insert(overtaken.end(), both.begin(), both.end());
+        for (const std::size_t from : {0U, 0U, 800U, 800U})
+            fragments.push_back(pieceOf(records[n], static_cast<unsigned>(n), from, from == 0 ? 800 : std::string::npos, from == 0));
+        behind.push_back(changed(records[n], kAddress + 3, 77)); // a second capture, joined
+    }
     for (std::size_t n = 3; n + 2 < late.size(); n += 9) std::swap(late[n], late[n + 2]);
-    for (const auto& [all, words] : {std::pair(twice, "packets are in the capture twice"), {late, "came out of order"}}) {
+    const char *const kTwice = "packets are in the capture twice", *const kOrder = "came out of order";
+    const std::vector<std::tuple<const char*, Records, const char*>> kinds{
+        {"twice", twice, kTwice},       {"late", late, kOrder},           {"other ports", ports, kTwice},
+        {"mirrored", mirrored, kTwice}, {"overtaken", overtaken, kTwice}, {"fragments", fragments, kTwice},
+        {"joined", behind, kTwice},     {"backwards", backwards, kOrder}, {"shuffled", shuffled, kOrder}};
+    for (const auto& [name, all, words] : kinds) {
+        SCOPED_TRACE(name);
         const auto scan = written(all);
         ASSERT_TRUE(scan) << scan.error().sentence();
         EXPECT_EQ(scan->rangeMm, expected->rangeMm);
         EXPECT_EQ(scan->state, expected->state);
+        EXPECT_EQ(std::get<PolarGeometry>(scan->geometry), std::get<PolarGeometry>(expected->geometry));
         EXPECT_TRUE(warns(*scan, words));
+        EXPECT_FALSE(warns(*scan, "lost") || warns(*scan, "missing in part") || warns(*scan, "2 scanners"));
     }
 }
 

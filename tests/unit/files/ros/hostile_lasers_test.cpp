@@ -104,6 +104,30 @@ TEST(HostileFrames, LiveTheyHoldNothingUp) {
     EXPECT_GT(lines, 0);
 }
 
+TEST(LiveLasers, RangeMaxThatRepeatsWasNotMeasured) {
+    Scan scan = boxes();
+    constexpr int kVoid = 12;
+    for (int line = 0; line < scan.lines(); ++line) {
+        for (int beam = 3; beam < 3 + kVoid; ++beam) {
+            scan.rangeMm.at(line, beam) = 80000; // range_max of rosLaserScan()
+            scan.state.at(line, beam) = CellState::Valid;
+        }
+    }
+    const RosMessages messages = rosMessagesOf(scan, {.wire = Wire::CdrLittle});
+    files::LiveLaser laser({}, "");
+    scanner::SweepAssembler to{{}};
+    for (const RosMessages::Message& message : messages.messages) {
+        const auto& topic = messages.topics[message.topic];
+        laser.take({topic.name, topic.type, topic.definition, RosEncoding::Cdr, false}, message.bytes, to);
+    }
+    to.finish();
+    EXPECT_EQ(laser.noReturns(), scan.lines() * kVoid);
+    const auto found = to.snapshot();
+    ASSERT_TRUE(found);
+    EXPECT_LT(*std::ranges::max_element(found->rangeMm.cells), 79000);
+    EXPECT_GT(found->lines(), 0);
+}
+
 TEST(HostileFrames, PosesWithoutEndAreLimitedLive) {
     files::FrameTree tree(100);
     for (int n = 0; n < 1000; ++n) tree.add({"laser", "base", {n, Eigen::Quaterniond::Identity(), Eigen::Vector3d::Zero()}});
