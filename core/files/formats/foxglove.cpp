@@ -98,7 +98,7 @@ Result<Done> readCloud(PointTable& table, const containers::McapMessage& message
 }
 
 Result<PointTable> readFoxglovePoints(const Source& source) {
-    const auto content = containers::readMcap(viewOf(source.text()), source.path.string());
+    const auto content = containers::readMcap(viewOf(source.text()), source.path.string(), [&] { return source.goOn("reading", 0.0); });
     if (!content) return content.error();
     const containers::McapMetadata* about = aboutCloud(*content);
     if (about == nullptr) return source.refused("the record \"edgescan\" that says what the messages are is not there", kCopyAgain);
