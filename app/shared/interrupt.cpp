@@ -17,6 +17,7 @@ void surviveFileLimit() { std::signal(SIGXFSZ, SIG_IGN); }
 void catchInterrupt() {
     std::signal(SIGINT, note);
     std::signal(SIGTERM, note);
+    if (std::signal(SIGHUP, note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 bool interrupted() { return caught != 0; }

@@ -6,7 +6,8 @@ namespace edgescan::cli {
 /// After this call a file beyond the system's limit (ulimit -f) is a write error; it no longer ends the program.
 void surviveFileLimit();
 
-/// After this call Ctrl+C and SIGTERM only set the flag that interrupted() returns.
+/// After this call Ctrl+C, SIGTERM and the end of the terminal (SIGHUP, unless it is ignored as with nohup) only set the flag that
+/// interrupted() returns.
 void catchInterrupt();
 [[nodiscard]] bool interrupted();
 

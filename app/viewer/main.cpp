@@ -21,15 +21,31 @@
 #include <QApplication>
 #include <QIcon>
 #include <QProcess>
+#include <QTimer>
 
 #include <CLI/CLI.hpp>
 
+#include <cstdlib>
 #include <vector>
 
 namespace {
 
 using namespace edgescan;
 using namespace edgescan::viewer;
+
+constexpr int kBetweenLooksMs = 200; // for a signal
+
+/// Of the construction of QApplication, which ends the program with qFatal() where no window can be shown; what Qt says before that is
+/// covered by the sentence.
+void sayNoWindow(QtMsgType type, const QMessageLogContext&, const QString&) {
+    if (type != QtFatalMsg) return;
+    const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
+    const bool isNamed = !platform.isEmpty() && platform != "xcb";
+    cli::printError(isNamed ? Error{"no window can be shown on the platform \"" + platform.toStdString() + "\"", "QT_QPA_PLATFORM",
+                                    "set it to xcb, or start edgescan without it"}
+                            : Error{"there is no display to show a window on", "DISPLAY", "log in to a desktop, or use edgescan-cli"});
+    std::_Exit(cli::kRefused);
+}
 
 // Opens the scans and files of the command line.
 void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const CommandLine& wanted, const ParsedCommandLine& understood) {
@@ -58,13 +74,23 @@ void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const Comm
 int runViewer(const CommandLine& wanted, const ParsedCommandLine& understood) {
     ui::Preferences preferences(wanted.noSettings ? QString() : ui::Preferences::usualPath());
     ui::useLanguage(wanted.language.empty() ? preferences.text("language") : QString::fromStdString(wanted.language));
+    cli::catchInterrupt();
     ui::MainWindow window(preferences);
     if (understood.settings) {
         if (const auto preset = cli::presetOf(wanted.method)) window.viewer().tuning.startWith(*preset, *understood.settings);
     }
+    if (const auto refusal = preferences.refusal()) {
+        cli::printError(*refusal);
+        window.viewer().notice.showError(*refusal);
+    }
     if (wanted.cab) window.cab().set(true);
     window.show();
     const Start start(window, wanted, understood);
+    QTimer looks; // at Ctrl+C and a log-out
+    QObject::connect(&looks, &QTimer::timeout, &window, [&window] {
+        if (cli::interrupted()) window.end();
+    });
+    looks.start(kBetweenLooksMs);
     openWanted(window, preferences, wanted, understood);
     const int code = QApplication::exec();
     if (qApp->property(ui::kStartsAgain).isValid())
@@ -87,6 +113,7 @@ int main(int argc, char** argv) {
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
     QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough); // 1.5 is not enlarged to 2
 #endif
     std::vector<char*> qtArguments{argv[0]};
     if (const auto other = commandOfOtherProgram(argc, argv)) {
@@ -99,13 +126,10 @@ int main(int argc, char** argv) {
         cli::printError(refusal->error);
         return refusal->code;
     }
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
-        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-        cli::printError("there is no display to show a window on; log in to a desktop, or use edgescan-cli.");
-        return 1;
-    }
     int qtArgc = 1;
+    qInstallMessageHandler(&sayNoWindow);
     QApplication application(qtArgc, qtArguments.data());
+    qInstallMessageHandler(nullptr);
     ui::useTheme(application);
     QIcon icon;
     for (const int size : {16, 24, 32, 48, 64, 128, 256, 512}) icon.addFile(QString(":/icons/edgescan-%1.png").arg(size));

@@ -257,6 +257,7 @@
 <message><source>were found from them.</source><translation>se hallaron a partir de ellos.</translation></message>
 <message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Este archivo es una exportación de puntos de arista, no un escaneo: todas las demás celdas cuentan como sin retorno. Abra el escaneo para buscar aristas.</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Escaneo &gt; Enderezar los haces</translation></message>
+<message><source>Scan &gt; Keep Repeated Values</source><translation>Escaneo &gt; Conservar los valores repetidos</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>las coordenadas del diálogo de exportación</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>los puntos detrás de otros del diálogo de exportación</translation></message>
 <message><source>the filled cells in the export dialog</source><translation>las celdas rellenadas del diálogo de exportación</translation></message>
@@ -583,17 +584,19 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Save screenshot</source><translation>Guardar la captura de pantalla</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
 <message><source>a picture of the window</source><translation>una imagen de la ventana</translation></message>
+<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>No hay en pantalla ningún archivo que se pueda leer de otra manera: primero abra uno.</translation></message>
 <message><source>All supported (%1)</source><translation>Todos los formatos admitidos (%1)</translation></message>
 <message><source>All files (*)</source><translation>Todos los archivos (*)</translation></message>
 <message><source>Open scan</source><translation>Abrir un escaneo</translation></message>
 <message><source>This is the last scan of the series or folder.</source><translation>Este es el último escaneo de la serie o de la carpeta.</translation></message>
 <message><source>This is the first scan of the series or folder.</source><translation>Este es el primer escaneo de la serie o de la carpeta.</translation></message>
-<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>No hay en pantalla ningún archivo cuyos haces se puedan enderezar: primero abra uno.</translation></message>
 <message><source>Straighten Beams</source><translation>Enderezar los haces</translation></message>
 <message><source>Beams as Recorded</source><translation>Haces tal como se grabaron</translation></message>
-<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>No hay en pantalla ningún archivo que se pueda leer de otra manera: primero abra uno.</translation></message>
+<message><source>Keep Repeated Values</source><translation>Conservar los valores repetidos</translation></message>
+<message><source>Repeated Values as No Return</source><translation>Valores repetidos como sin retorno</translation></message>
 <message><source>How the Scan Is Read</source><translation>Cómo se lee el escaneo</translation></message>
 <message><source>Straighten beams</source><translation>Enderezar los haces</translation></message>
+<message><source>Keep as measured</source><translation>Conservar como medido</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Ningún archivo todavía; las demos no figuran aquí</translation></message>
 <message><source>Clear</source><translation>Borrar</translation></message>
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
@@ -851,6 +854,8 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Saving %1</source><translation>Guardando %1</translation></message>
 <message><source>writing</source><translation>escribiendo</translation></message>
 <message><source>being cancelled</source><translation>cancelando</translation></message>
+<message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>no es un archivo normal: los ajustes no se leen y nada de esta ventana se guarda</translation></message>
+<message><source>remove it and start again</source><translation>elimínelo e inicie de nuevo</translation></message>
 <message><source>opened</source><translation>abierto</translation></message>
 <message><source>reading</source><translation>lectura</translation></message>
 <message><source>reading points</source><translation>lectura de los puntos</translation></message>
@@ -1678,7 +1683,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Pantalla com&amp;pleta</translation></message>
 <message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
 <message><source>P&amp;ose and Mounting…</source><translation>Pose &amp;y montaje…</translation></message>
-<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corregir los ángulos de los haces entrelazados de dos pasadas, y de las líneas en que el motor paso a paso patinó</translation></message>
 <message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
 <message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Escaneo &amp;anterior</translation></message>
@@ -1694,6 +1698,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Ten Lines Forward</source><translation>Diez líneas adelante</translation></message>
 <message><source>Ten Lines Back</source><translation>Diez líneas atrás</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Enderezar los haces</translation></message>
+<message><source>Keep Repeate&amp;d Values</source><translation>Conservar los valores repeti&amp;dos</translation></message>
 <message><source>&amp;How the Scan Is Read…</source><translation>Có&amp;mo se lee el escaneo…</translation></message>
 <message><source>Does This Look &amp;Right?</source><translation>¿Pa&amp;rece correcto?</translation></message>
 <message><source>&amp;Properties…</source><translation>Propie&amp;dades…</translation></message>
@@ -1943,6 +1948,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>En torno a qué gira el motor paso a paso: spin (dirección de visión) o sweep (línea 0/180 grados)</translation></message>
 <message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar del escáner para una nube sin cuadrícula, como X,Y,Z [m]</translation></message>
 <message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Puntos que no están en ninguna cuadrícula de escáner: proyectarlos en torno al sensor (auto), hacerlo sin buscar una cuadrícula (always), o rechazarlos (never)</translation></message>
+<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corregir los ángulos de los haces entrelazados de dos pasadas, y de las líneas en que el motor paso a paso patinó</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tema (topic) de un bag de ROS que es el escaneo; si no, un láser que gira</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulación (joint) de un bag de ROS que gira el láser; si no, la dan las transformaciones</translation></message>

@@ -257,6 +257,7 @@
 <message><source>were found from them.</source><translation>en ont été déduits.</translation></message>
 <message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Ce fichier est un export de points d'arête, pas un scan : toutes les autres cellules comptent comme sans retour. Ouvrez le scan pour chercher les arêtes.</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Scan &gt; Redresser les faisceaux</translation></message>
+<message><source>Scan &gt; Keep Repeated Values</source><translation>Scan &gt; Garder les valeurs répétées</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>les coordonnées dans le dialogue d'exportation</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>les points derrière d'autres dans le dialogue d'exportation</translation></message>
 <message><source>the filled cells in the export dialog</source><translation>les cellules comblées dans le dialogue d'exportation</translation></message>
@@ -583,17 +584,19 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Save screenshot</source><translation>Enregistrer la capture d'écran</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
 <message><source>a picture of the window</source><translation>une image de la fenêtre</translation></message>
+<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Il n'y a à l'écran aucun fichier qui pourrait être lu autrement : ouvrez-en d'abord un.</translation></message>
 <message><source>All supported (%1)</source><translation>Tous les formats pris en charge (%1)</translation></message>
 <message><source>All files (*)</source><translation>Tous les fichiers (*)</translation></message>
 <message><source>Open scan</source><translation>Ouvrir un scan</translation></message>
 <message><source>This is the last scan of the series or folder.</source><translation>C'est le dernier scan de la série ou du dossier.</translation></message>
 <message><source>This is the first scan of the series or folder.</source><translation>C'est le premier scan de la série ou du dossier.</translation></message>
-<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>Il n'y a à l'écran aucun fichier dont les faisceaux pourraient être redressés : ouvrez-en d'abord un.</translation></message>
 <message><source>Straighten Beams</source><translation>Redresser les faisceaux</translation></message>
 <message><source>Beams as Recorded</source><translation>Faisceaux tels qu'enregistrés</translation></message>
-<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Il n'y a à l'écran aucun fichier qui pourrait être lu autrement : ouvrez-en d'abord un.</translation></message>
+<message><source>Keep Repeated Values</source><translation>Garder les valeurs répétées</translation></message>
+<message><source>Repeated Values as No Return</source><translation>Valeurs répétées comme sans retour</translation></message>
 <message><source>How the Scan Is Read</source><translation>Comment le scan est lu</translation></message>
 <message><source>Straighten beams</source><translation>Redresser les faisceaux</translation></message>
+<message><source>Keep as measured</source><translation>Garder comme mesuré</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Aucun fichier pour l'instant ; les démos ne figurent pas ici</translation></message>
 <message><source>Clear</source><translation>Effacer</translation></message>
 <message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
@@ -851,6 +854,8 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
 <message><source>writing</source><translation>écriture</translation></message>
 <message><source>being cancelled</source><translation>annulation en cours</translation></message>
+<message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>ce n'est pas un fichier ordinaire : les réglages ne sont pas lus et rien de cette fenêtre n'est enregistré</translation></message>
+<message><source>remove it and start again</source><translation>supprimez-le et redémarrez</translation></message>
 <message><source>opened</source><translation>ouvert</translation></message>
 <message><source>reading</source><translation>lecture</translation></message>
 <message><source>reading points</source><translation>lecture des points</translation></message>
@@ -1678,7 +1683,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Full Scree&amp;n</source><translation>&amp;Plein écran</translation></message>
 <message><source>&amp;Calibrate…</source><translation>É&amp;talonner…</translation></message>
 <message><source>P&amp;ose and Mounting…</source><translation>Pose et monta&amp;ge…</translation></message>
-<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corriger les angles des faisceaux entrelacés de deux passages, et des lignes où le moteur pas à pas a glissé</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Scan</translation></message>
 <message><source>&amp;Next Scan</source><translation>Scan &amp;suivant</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Scan &amp;précédent</translation></message>
@@ -1694,6 +1698,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Ten Lines Forward</source><translation>Dix lignes en avant</translation></message>
 <message><source>Ten Lines Back</source><translation>Dix lignes en arrière</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Redresser les faisceaux</translation></message>
+<message><source>Keep Repeate&amp;d Values</source><translation>Gar&amp;der les valeurs répétées</translation></message>
 <message><source>&amp;How the Scan Is Read…</source><translation>Co&amp;mment le scan est lu…</translation></message>
 <message><source>Does This Look &amp;Right?</source><translation>Est-ce que cela paraît &amp;juste ?</translation></message>
 <message><source>&amp;Properties…</source><translation>Pr&amp;opriétés…</translation></message>
@@ -1943,6 +1948,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Ce autour de quoi le moteur pas à pas tourne : spin (direction de visée) ou sweep (ligne 0/180 degrés)</translation></message>
 <message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Place du scanner pour un nuage sans grille, comme X,Y,Z [m]</translation></message>
 <message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Points qui ne sont sur aucune grille de scanner : les projeter autour du capteur (auto), le faire sans chercher de grille (always), ou les refuser (never)</translation></message>
+<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corriger les angles des faisceaux entrelacés de deux passages, et des lignes où le moteur pas à pas a glissé</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon un laser qui tourne</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>

@@ -257,6 +257,7 @@
 <message><source>were found from them.</source><translation>foram achados a partir deles.</translation></message>
 <message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Este arquivo é uma exportação de pontos de aresta, não uma varredura: todas as outras células contam como sem retorno. Abra a varredura para procurar arestas.</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Varredura &gt; Endireitar os feixes</translation></message>
+<message><source>Scan &gt; Keep Repeated Values</source><translation>Varredura &gt; Manter os valores repetidos</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>as coordenadas na caixa de exportação</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>os pontos atrás de outros na caixa de exportação</translation></message>
 <message><source>the filled cells in the export dialog</source><translation>as células preenchidas na caixa de exportação</translation></message>
@@ -583,17 +584,19 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Save screenshot</source><translation>Salvar a captura de tela</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
 <message><source>a picture of the window</source><translation>uma imagem da janela</translation></message>
+<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Não há na tela nenhum arquivo que possa ser lido de outra maneira: primeiro abra um.</translation></message>
 <message><source>All supported (%1)</source><translation>Todos os formatos aceitos (%1)</translation></message>
 <message><source>All files (*)</source><translation>Todos os arquivos (*)</translation></message>
 <message><source>Open scan</source><translation>Abrir uma varredura</translation></message>
 <message><source>This is the last scan of the series or folder.</source><translation>Esta é a última varredura da série ou da pasta.</translation></message>
 <message><source>This is the first scan of the series or folder.</source><translation>Esta é a primeira varredura da série ou da pasta.</translation></message>
-<message><source>There is no file on the screen whose beams could be straightened: open one first.</source><translation>Não há na tela nenhum arquivo cujos feixes possam ser endireitados: primeiro abra um.</translation></message>
 <message><source>Straighten Beams</source><translation>Endireitar os feixes</translation></message>
 <message><source>Beams as Recorded</source><translation>Feixes como gravados</translation></message>
-<message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Não há na tela nenhum arquivo que possa ser lido de outra maneira: primeiro abra um.</translation></message>
+<message><source>Keep Repeated Values</source><translation>Manter os valores repetidos</translation></message>
+<message><source>Repeated Values as No Return</source><translation>Valores repetidos como sem retorno</translation></message>
 <message><source>How the Scan Is Read</source><translation>Como a varredura é lida</translation></message>
 <message><source>Straighten beams</source><translation>Endireitar os feixes</translation></message>
+<message><source>Keep as measured</source><translation>Manter como medido</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Nenhum arquivo ainda; as demos não constam aqui</translation></message>
 <message><source>Clear</source><translation>Limpar</translation></message>
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
@@ -851,6 +854,8 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Saving %1</source><translation>Salvando %1</translation></message>
 <message><source>writing</source><translation>escrevendo</translation></message>
 <message><source>being cancelled</source><translation>cancelando</translation></message>
+<message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>não é um arquivo comum: os ajustes não são lidos e nada desta janela é guardado</translation></message>
+<message><source>remove it and start again</source><translation>remova-o e inicie de novo</translation></message>
 <message><source>opened</source><translation>aberto</translation></message>
 <message><source>reading</source><translation>leitura</translation></message>
 <message><source>reading points</source><translation>leitura dos pontos</translation></message>
@@ -1678,7 +1683,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Te&amp;la cheia</translation></message>
 <message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
 <message><source>P&amp;ose and Mounting…</source><translation>Pose e mo&amp;ntagem…</translation></message>
-<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corrigir os ângulos dos feixes entrelaçados de duas passagens, e das linhas em que o motor de passo escorregou</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Varredura</translation></message>
 <message><source>&amp;Next Scan</source><translation>&amp;Próxima varredura</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Varredura &amp;anterior</translation></message>
@@ -1694,6 +1698,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Ten Lines Forward</source><translation>Dez linhas adiante</translation></message>
 <message><source>Ten Lines Back</source><translation>Dez linhas atrás</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Endireitar os feixes</translation></message>
+<message><source>Keep Repeate&amp;d Values</source><translation>Manter os valores repeti&amp;dos</translation></message>
 <message><source>&amp;How the Scan Is Read…</source><translation>Co&amp;mo a varredura é lida…</translation></message>
 <message><source>Does This Look &amp;Right?</source><translation>Pa&amp;rece correto?</translation></message>
 <message><source>&amp;Properties…</source><translation>Proprie&amp;dades…</translation></message>
@@ -1943,6 +1948,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Em torno de que gira o motor de passo: spin (direção de visada) ou sweep (linha 0/180 graus)</translation></message>
 <message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar do scanner para uma nuvem sem grade, como X,Y,Z [m]</translation></message>
 <message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Pontos que não estão em nenhuma grade de scanner: projetá-los em torno do sensor (auto), fazê-lo sem procurar uma grade (always), ou recusá-los (never)</translation></message>
+<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corrigir os ângulos dos feixes entrelaçados de duas passagens, e das linhas em que o motor de passo escorregou</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tópico de um bag do ROS que é a varredura; senão um laser que gira</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Junta (joint) de um bag do ROS que gira o laser; senão, as transformações a dão</translation></message>

@@ -31,6 +31,17 @@ inline std::string packedBytes(const std::string& bytes, bool gzip) {
 
 inline std::string gzipBytes(const std::string& bytes) { return packedBytes(bytes, true); }
 
+/// A zstd frame of so many MiB of zeros, in blocks that repeat one byte.
+inline std::string zstdZeros(std::uint32_t mebibytes) {
+    constexpr std::uint32_t kBlock = 128U << 10U, kRepeats = 1U << 1U, kLast = 1;
+    std::string frame("\x28\xB5\x2F\xFD\xA0", 5); // one segment, its size has four bytes
+    putAt(frame, 5, mebibytes << 20U);
+    for (std::uint32_t left = mebibytes * 8; left > 0; --left) {
+        putAt(frame, frame.size(), kBlock << 3U | kRepeats | (left == 1 ? kLast : 0)); // three bytes, and the zero to repeat
+    }
+    return frame;
+}
+
 /// An archive of these files, each with the ZIP64 field that numpy writes.
 inline std::string zipBytes(const std::vector<std::pair<std::string, std::string>>& files, bool packed) {
     std::string archive, directory;

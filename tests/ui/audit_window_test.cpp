@@ -4,14 +4,25 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 
+#include <QDir>
+#include <QElapsedTimer>
+#include <QMessageBox>
+#include <QProcess>
 #include <QSignalSpy>
+#include <QTimer>
+
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <csignal>
 #include <fstream>
 #include <map>
 
 using namespace edgescan;
 using namespace edgescan::ui;
+
+constexpr qint64 kAtOnceMs = 5000; // a second, on a machine that has other work
 
 class AuditWindowTest : public QObject {
     Q_OBJECT
@@ -69,6 +80,57 @@ private slots:
         QCOMPARE(linesOf(place / "audit.jsonl").size(), std::size_t{7});                         // setting a target is also an undo step
         QCOMPARE(last["exported"].details["settings"]["sensitivity"].get<double>(), 1.5);
         QCOMPARE(test::runCli("audit '" + (place / "audit.jsonl").string() + "'").code, 0);
+    }
+
+    // A log-out or Ctrl+C is not a crash: also while a scan is read or a question is open.
+    void aSignalEndsTheProgramAsAClose_data() {
+        QTest::addColumn<int>("signal");
+        QTest::addColumn<bool>("reads");
+        QTest::newRow("log-out") << SIGTERM << false;
+        QTest::newRow("end of the terminal") << SIGHUP << false;
+        QTest::newRow("Ctrl+C while it reads") << SIGINT << true;
+    }
+
+    void aSignalEndsTheProgramAsAClose() {
+        QFETCH(int, signal);
+        QFETCH(bool, reads);
+        const std::filesystem::path home = folder_ / QTest::currentDataTag(), folder = home / "edgescan", pipe = home / "never.json";
+        std::filesystem::create_directories(home);
+        QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
+        auto environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("XDG_CONFIG_HOME", QString::fromStdString(home.string()));
+        QProcess viewer;
+        viewer.setProcessEnvironment(environment);
+        viewer.start(QString::fromStdString(test::programFolder()) + "/edgescan", {QString::fromStdString(reads ? pipe.string() : scan_)});
+        const auto isNoted = [&](const char* event) {
+            const auto lines = linesOf(folder / "audit.jsonl");
+            return std::ranges::any_of(lines, [&](const AuditLine& line) { return line.event == event; });
+        };
+        const auto sessions = [&](const char* pattern) {
+            return QDir(QString::fromStdString((folder / "sessions").string())).entryList({pattern}).size();
+        };
+        QVERIFY(eventually([&] { return reads ? isNoted("started") : isNoted("opened") && sessions("running-*.json") == 1; }));
+        const int reader = reads ? ::open(pipe.c_str(), O_WRONLY) : -1; // waits until the pipe is read
+        QElapsedTimer since;
+        since.start();
+        QCOMPARE(::kill(static_cast<pid_t>(viewer.processId()), signal), 0);
+        QVERIFY(viewer.waitForFinished(kPatienceMs));
+        QVERIFY2(since.elapsed() < kAtOnceMs, qPrintable(QString::number(since.elapsed())));
+        ::close(reader);
+        QCOMPARE(viewer.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(viewer.exitCode(), 0);
+        QVERIFY(isNoted("ended"));
+        QCOMPARE(sessions("running-*"), 0);
+        QCOMPARE(sessions("last*"), reads ? 0 : 1);
+    }
+
+    void anOpenQuestionDoesNotKeepTheWindow() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        QMessageBox question(QMessageBox::Question, "", "?", QMessageBox::Yes | QMessageBox::Cancel, &on.window);
+        QTimer::singleShot(0, &question, [&] { QTimer::singleShot(0, &on.window, &MainWindow::end); });
+        question.exec();
+        QVERIFY(question.clickedButton() != question.button(QMessageBox::Yes));
     }
 
     void aFullDiskIsSeenAndNothingElseFails() {

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <fstream>
+#include <sys/stat.h>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -51,6 +52,19 @@ private slots:
             QCOMPARE(again.recentFiles().first(), QString("/scans/next.pcd"));
         }
         QVERIFY2(kept > kRounds / 10, qPrintable(QString::number(kept))); // most damage is elsewhere in the file
+    }
+
+    void onlyARegularFileIsTakenForSettings() {
+        const std::string pipe = (folder_ / "pipe.ini").string();
+        QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
+        for (const std::string& path : {pipe, folder_.path().string()}) {
+            Preferences preferences(exactText(path));
+            QVERIFY(preferences.refusal() && preferences.refusal()->where == path);
+            preferences.keep("language", QString("fr"));
+            QCOMPARE(preferences.text("language"), QString());
+            QVERIFY(preferences.dataFolder().isEmpty());
+        }
+        QVERIFY(!Preferences(exactText((folder_ / "new.ini").string())).refusal());
     }
 
 private:

@@ -124,7 +124,7 @@ private slots:
         window.resize(1300, 800);
         QVERIFY(on.showWith(path));
         QVERIFY2(window.viewer().notice.text().contains("degrees ahead of even ones"), qPrintable(window.viewer().notice.text()));
-        auto* straighten = window.findChild<QAction*>("straighten-beams");
+        auto* straighten = window.findChild<QAction*>("straighten");
         QVERIFY(straighten != nullptr && !straighten->isChecked());
         const auto skew = [&] { return std::get<PolarGeometry>(window.viewer().engine.picture()->detection->scan->geometry).lineSkewDeg; };
         const auto tilted = [&] { return !skew().empty() && std::abs(skew()[1] - skew()[0]) > 0.2; };
@@ -147,6 +147,37 @@ private slots:
         // Another file opens as recorded.
         QVERIFY(on.open(real_));
         QVERIFY(!straighten->isChecked());
+    }
+
+    void valuesThatRepeatAreKeptWhereWanted() {
+        const std::string path = (folder_ / "marked.csv").string();
+        const Scan scan = test::boxesScan(40, 1141, 3, 0.1); // beams of a known scanner need no angles
+        std::ofstream file(path);
+        for (std::size_t k = 0; k < scan.cells(); ++k)
+            file << (scan.state[k] == CellState::Valid ? static_cast<int>(scan.rangeMm[k]) : 65535) << (k % 1141 == 1140 ? '\n' : ',');
+        file.close();
+        WindowFixture on;
+        QVERIFY(on.showWith(path));
+        const auto measured = [&] {
+            return static_cast<std::size_t>(std::ranges::count(on.picture().detection->scan->state.cells, CellState::Valid));
+        };
+        QVERIFY(measured() < scan.cells());
+        QVERIFY2(on.viewer.notice.text().contains("Scan > Keep Repeated Values"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(eventually([&] { return on.viewer.opening.settled(); }));
+        auto* offered = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QCOMPARE(offered->text(), QString("Keep as measured"));
+        QTest::mouseClick(offered, Qt::LeftButton);
+        QVERIFY(eventually([&] { return measured() == scan.cells(); }) && on.settled());
+        auto* keep = on.window.findChild<QAction*>("keep-repeated");
+        QVERIFY(keep->isChecked());
+        // Reopened as a session opens it.
+        const auto stored = on.viewer.files.scanShown(*on.picture().detection->scan);
+        QVERIFY(stored && on.open(real_) && !keep->isChecked());
+        on.viewer.files.openAgain(*stored);
+        QVERIFY(eventually([&] { return keep->isChecked() && measured() == scan.cells(); }) && on.settled());
+        keep->trigger();
+        QVERIFY(eventually([&] { return measured() < scan.cells(); }) && on.settled());
+        QVERIFY(!keep->isChecked());
     }
 
     void exportsEqualThoseOfTheCommandLine() {

@@ -559,6 +559,7 @@ private slots:
         QCOMPARE(coreSentence(QString("combed: --straighten (Scan > Straighten Beams) puts them side by side.")),
                  QString("combed: Scan > Straighten Beams puts them side by side."));
         QVERIFY(coreSentence(QString("give --unit m")).contains("How the Scan Is Read"));
+        QVERIFY(coreSentence(QString("no return (--keep-repeated takes it as measured)")).contains("Scan > Keep Repeated Values"));
     }
 
     // No line ends before the colon, and one target is not several.

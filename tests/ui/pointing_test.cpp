@@ -429,7 +429,7 @@ private slots:
         before.creaseDeg = 41;
         window_->viewer().panel.row("crease")->number()->setValue(41);
         QVERIFY(on_->settled());
-        auto* straighten = window_->findChild<QAction*>("straighten-beams");
+        auto* straighten = window_->findChild<QAction*>("straighten");
         const auto straight = [&] {
             const auto& skew = std::get<PolarGeometry>(on_->picture().detection->scan->geometry).lineSkewDeg;
             return !skew.empty() && std::abs(skew[1] - skew[0]) > 0.2;
@@ -490,6 +490,18 @@ private slots:
         QVERIFY(on_->settled());
         window_->viewer().undo.undo();
         QTRY_VERIFY(axis() == Axis::Spin);
+        // A unit may be a number: it stays where another field changes, and can be typed.
+        ReadingOptions inCounts = window_->viewer().files.options();
+        inCounts.unitMm = 2.5;
+        window_->viewer().files.readAgain(inCounts, "unit");
+        QVERIFY(on_->settled());
+        answer("line-start", "3");
+        QVERIFY(on_->settled());
+        QCOMPARE(window_->viewer().files.options().unitMm.value_or(0), 2.5);
+        answer("unit", "nonsense", true);
+        answer("unit", "1.5");
+        QVERIFY(on_->settled());
+        QCOMPARE(window_->viewer().files.options().unitMm.value_or(0), 1.5);
         // A refused option leaves scan and options unchanged.
         answer("pose", "/no/such/pose.json");
         QTRY_VERIFY(window_->viewer().notice.isVisible() && window_->viewer().notice.kind() == NoticeBar::Kind::Error);

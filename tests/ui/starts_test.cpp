@@ -13,6 +13,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QImage>
 #include <QProcess>
 
 #include <arpa/inet.h>
@@ -204,6 +205,14 @@ class StartsTest : public QObject {
         return picture ? "a picture was written" : QString();
     }
 
+    /// Ends by itself; the lines on stderr.
+    static QStringList linesOf(QProcess& viewer, const QProcessEnvironment& environment, const QStringList& arguments) {
+        viewer.setProcessEnvironment(environment);
+        viewer.start(QString::fromStdString(test::programFolder()) + "/edgescan", arguments);
+        if (!viewer.waitForFinished(kProcessPatienceMs)) return {"it does not end"};
+        return QString::fromUtf8(viewer.readAllStandardError()).split('\n', Qt::SkipEmptyParts);
+    }
+
 private slots:
     void initTestCase() {
         const fs::path scan = folder_ / "good.json";
@@ -213,6 +222,54 @@ private slots:
     }
     void cleanupTestCase() {
         for (const int writer : writers_) ::close(writer);
+    }
+
+    // Not with Qt's words and abort().
+    void aPlatformWithoutAWindowIsAnsweredInOneSentence() {
+        const auto usual = QProcessEnvironment::systemEnvironment();
+        for (const auto& [platform, display] : {std::pair{"wayland", ":0"}, {"no-such-platform", ":0"}, {"xcb", ":97"}, {"", ""}}) {
+            QProcessEnvironment environment = usual;
+            environment.insert("QT_QPA_PLATFORM", platform);
+            environment.insert("DISPLAY", display);
+            environment.remove("WAYLAND_DISPLAY");
+            QProcess viewer;
+            const QStringList lines = linesOf(viewer, environment, {"--no-settings", scan_});
+            QCOMPARE(viewer.exitStatus(), QProcess::NormalExit);
+            QCOMPARE(viewer.exitCode(), 1);
+            QVERIFY2(lines.size() == 1 && lines.front().startsWith("edgescan: "), qPrintable(lines.join('\n')));
+            QVERIFY2(lines.front().contains(*display == ':' && display[1] == '0' ? platform : "display"), qPrintable(lines.front()));
+        }
+    }
+
+    // 144 dpi are a factor of 1.5: the window has the room of 853 x 533 pixels, not that of half the screen.
+    void textAt144DpiFitsOnASmallScreen() {
+        QProcess screen;
+        screen.start("Xvfb", {"-displayfd", "1", "-screen", "0", "1280x800x24"});
+        if (!screen.waitForStarted()) QSKIP("there is no Xvfb");
+        QVERIFY(screen.waitForReadyRead(kProcessPatienceMs));
+        auto environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("DISPLAY", ":" + QString::fromLatin1(screen.readLine()).trimmed());
+        environment.insert("QT_FONT_DPI", "144");
+        QProcess viewer;
+        const QString picture = at("large-text.png");
+        const QStringList lines = linesOf(viewer, environment, {"--no-settings", "--screenshot", picture, scan_});
+        screen.terminate();
+        screen.waitForFinished();
+        QVERIFY2(viewer.exitCode() == 0, qPrintable(lines.join('\n')));
+        QCOMPARE(QImage(picture).size(), QSize(1280, 800));
+    }
+
+    // It would be waited for without end.
+    void settingsThatAreAPipeAreRefusedInOneSentence() {
+        fs::create_directories(folder_ / "config/edgescan");
+        QCOMPARE(::mkfifo((folder_ / "config/edgescan/viewer.ini").c_str(), 0600), 0);
+        auto environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("XDG_CONFIG_HOME", at("config"));
+        QProcess viewer;
+        const QStringList lines = linesOf(viewer, environment, {"--language", "en", "--screenshot", at("piped.png"), scan_});
+        QCOMPARE(viewer.exitCode(), 0);
+        QVERIFY2(lines.size() == 1 && lines.front().contains("viewer.ini: it is not a regular file"), qPrintable(lines.join('\n')));
+        QVERIFY(QFile::exists(at("piped.png")));
     }
 
     void everyStartEndsWithAnAnswer() {

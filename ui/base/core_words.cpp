@@ -298,8 +298,9 @@ constexpr std::array kParts{
 };
 
 /// Where the window sets what a flag sets. The flags of reading are fields of one dialog.
-constexpr std::array<std::pair<const char*, const char*>, 7> kPlaces{{
+constexpr std::array<std::pair<const char*, const char*>, 8> kPlaces{{
     {"straighten", QT_TRANSLATE_NOOP("QObject", "Scan > Straighten Beams")},
+    {"keep-repeated", QT_TRANSLATE_NOOP("QObject", "Scan > Keep Repeated Values")},
     {"frame", QT_TRANSLATE_NOOP("QObject", "the coordinates in the export dialog")},
     {"include-attached", QT_TRANSLATE_NOOP("QObject", "the points behind others in the export dialog")},
     {"with-filled", QT_TRANSLATE_NOOP("QObject", "the filled cells in the export dialog")},

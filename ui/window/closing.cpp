@@ -2,6 +2,7 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QMessageBox>
 #include <QPushButton>
@@ -12,6 +13,13 @@ void MainWindow::quit() {
     byHand_ = true;
     close();
     byHand_ = false;
+}
+
+void MainWindow::end() {
+    viewer_.engine.works().cancelAll();
+    viewer_.live.scanner().disconnectScanner();
+    remember();
+    QApplication::exit(0); // of all event loops: open questions end as if they were cancelled
 }
 
 bool MainWindow::mayClose(bool byHand) {

@@ -40,6 +40,8 @@ public:
     void resetLayout();
     /// Closes the window for the operator; in cab mode it asks before.
     void quit();
+    /// Ends the program as when the window is closed, but asks nothing and waits for no work, as at a log-out.
+    void end();
     // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
     void useCab(bool on);
     void lockDocks(DockLock by, bool on);

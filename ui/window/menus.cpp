@@ -27,6 +27,9 @@
 #include <QMainWindow>
 #include <QMenu>
 
+#include <algorithm>
+#include <string_view>
+
 namespace edgescan::ui {
 namespace {
 
@@ -208,11 +211,15 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
     const auto showProperties = [&v, &window] {
         if (v.engine.picture()) showScanProperties(&window, *v.engine.picture()->detection->scan);
     };
-    const auto followStraightening = [&files](QAction& action) {
-        action.setObjectName("straighten-beams");
-        action.setToolTip(
-            QObject::tr("Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped"));
-        QObject::connect(&files, &Files::straightened, &action, &QAction::setChecked);
+    const auto switchOf = [&files](const char* key) { // of the table of reading options
+        return [&files, key](QAction& action) {
+            const auto option =
+                std::ranges::find_if(readingOptionTable(), [key](const ReadingOption& row) { return key == std::string_view(row.key); });
+            action.setObjectName(key);
+            action.setToolTip(QObject::tr(option->help));
+            QObject::connect(&files, &Files::optionsChanged, &action,
+                             [&action, get = option->get](const ReadingOptions& now) { action.setChecked(!get(now).empty()); });
+        };
     };
     const auto stepScan = [&files, &live](int by) { // of the recording, else of the folder
         if (!live.timeline().stepSweep(by)) files.step(by);
@@ -236,7 +243,9 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
                                 step("Ten Lines Back", "Shift+Left", -10),
                                 kLine,
                                 linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }),
-                                       followStraightening),
+                                       switchOf("straighten")),
+                                linked(toggle("Keep Repeate&d Values", "", nullptr, false, [&files](bool on) { files.keepRepeated(on); }),
+                                       switchOf("keep-repeated")),
                                 command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
                                 placeCommand(v, window),
                                 command("Does This Look &Right?", "", [&v] { v.opening.show(); }),

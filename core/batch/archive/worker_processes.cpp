@@ -192,6 +192,7 @@ private:
             if (::getppid() != parent) ::_exit(0);
             ::signal(SIGINT, SIG_IGN); // the run ends in order, and ends its workers
             ::signal(SIGTERM, SIG_IGN);
+            ::signal(SIGHUP, SIG_IGN);
             ::close(ends[0]);
             for (const WorkerProcess& other : workers_) {
                 if (other.socket >= 0) ::close(other.socket);

@@ -18,6 +18,14 @@ namespace edgescan::containers {
 namespace {
 
 constexpr std::size_t kPiece = 256 * 1024;
+constexpr std::size_t kBetweenLooks = 1024 * 1024; // at the wish to stop: bytes that come out
+
+/// What is promised of a chunk, and how it is refused.
+struct Promise {
+    std::uint64_t size;
+    Error damaged;
+    const std::function<bool()>& goOn;
+};
 
 /// What one call of a library did.
 struct Step {
@@ -27,14 +35,16 @@ struct Step {
 
 /// All that next(packed, room) makes of the bytes, call by call.
 template <class Next>
-Result<Bytes> unpacked(ByteView packed, std::uint64_t size, const Error& damaged, const Next& next) {
+Result<Bytes> unpacked(ByteView packed, const Promise& promise, const Next& next) {
+    const auto& [size, damaged, goOn] = promise;
     Bytes out;
     std::size_t used = 0;
     for (bool ended = false; !ended;) {
+        if (used > 0 && goOn && !goOn()) return Error{"cancelled", damaged.where, ""};
         // Room within the promised size and one byte more, so that too long an output is noticed.
         if (used > size) return damaged;
         if (used == out.size()) out.resize(static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, used + std::max(kPiece, used))));
-        const Step step = next(packed, std::span(out).subspan(used));
+        const Step step = next(packed, std::span(out).subspan(used, std::min(out.size() - used, kBetweenLooks)));
         ended = step.ended;
         if (!step.sound || (!ended && step.eaten == 0 && step.made == 0)) return damaged;
         packed = packed.subspan(step.eaten);
@@ -46,10 +56,10 @@ Result<Bytes> unpacked(ByteView packed, std::uint64_t size, const Error& damaged
 }
 
 #ifdef EDGESCAN_ZSTD
-Result<Bytes> unpackZstd(ByteView packed, std::uint64_t size, const Error& damaged) {
+Result<Bytes> unpackZstd(ByteView packed, const Promise& promise) {
     ZSTD_DStream* stream = ZSTD_createDStream();
-    if (stream == nullptr) return damaged;
-    auto out = unpacked(packed, size, damaged, [stream](ByteView from, std::span<std::uint8_t> room) {
+    if (stream == nullptr) return promise.damaged;
+    auto out = unpacked(packed, promise, [stream](ByteView from, std::span<std::uint8_t> room) {
         ZSTD_inBuffer in{from.data(), from.size(), 0};
         ZSTD_outBuffer piece{room.data(), room.size(), 0};
         const std::size_t left = ZSTD_decompressStream(stream, &piece, &in);
@@ -61,10 +71,10 @@ Result<Bytes> unpackZstd(ByteView packed, std::uint64_t size, const Error& damag
 #endif
 
 #ifdef EDGESCAN_LZ4
-Result<Bytes> unpackLz4(ByteView packed, std::uint64_t size, const Error& damaged) {
+Result<Bytes> unpackLz4(ByteView packed, const Promise& promise) {
     LZ4F_dctx* context = nullptr;
-    if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0) return damaged;
-    auto out = unpacked(packed, size, damaged, [context](ByteView from, std::span<std::uint8_t> room) {
+    if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0) return promise.damaged;
+    auto out = unpacked(packed, promise, [context](ByteView from, std::span<std::uint8_t> room) {
         std::size_t made = room.size(), eaten = from.size();
         const std::size_t left = LZ4F_decompress(context, room.data(), &made, from.data(), &eaten, nullptr);
         return Step{eaten, made, LZ4F_isError(left) == 0, left == 0 && eaten == from.size()}; // another frame may follow
@@ -75,10 +85,10 @@ Result<Bytes> unpackLz4(ByteView packed, std::uint64_t size, const Error& damage
 #endif
 
 #ifdef EDGESCAN_BZ2
-Result<Bytes> unpackBz2(ByteView packed, std::uint64_t size, const Error& damaged) {
+Result<Bytes> unpackBz2(ByteView packed, const Promise& promise) {
     bz_stream stream{};
-    if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return damaged;
-    auto out = unpacked(packed, size, damaged, [&stream](ByteView from, std::span<std::uint8_t> room) {
+    if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return promise.damaged;
+    auto out = unpacked(packed, promise, [&stream](ByteView from, std::span<std::uint8_t> room) {
         const std::size_t most = std::size_t{1} << 30U; // its numbers have 32 bits
         const std::size_t in = std::min(from.size(), most), piece = std::min(room.size(), most);
         stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(from.data())); // read only
@@ -108,16 +118,17 @@ std::optional<std::uint64_t> zstdSize([[maybe_unused]] ByteView packed) {
 }
 
 Result<Bytes> unpackChunk(const std::string& compression, [[maybe_unused]] ByteView packed, [[maybe_unused]] std::uint64_t size,
-                          const std::string& where) {
-    [[maybe_unused]] const Error damaged{"it is compressed with " + compression + " and damaged or cut off", where, "copy the file again"};
+                          const std::string& where, [[maybe_unused]] const std::function<bool()>& goOn) {
+    [[maybe_unused]] const Promise promise{
+        size, {"it is compressed with " + compression + " and damaged or cut off", where, "copy the file again"}, goOn};
 #ifdef EDGESCAN_ZSTD
-    if (compression == "zstd") return unpackZstd(packed, size, damaged);
+    if (compression == "zstd") return unpackZstd(packed, promise);
 #endif
 #ifdef EDGESCAN_LZ4
-    if (compression == "lz4") return unpackLz4(packed, size, damaged);
+    if (compression == "lz4") return unpackLz4(packed, promise);
 #endif
 #ifdef EDGESCAN_BZ2
-    if (compression == "bz2") return unpackBz2(packed, size, damaged);
+    if (compression == "bz2") return unpackBz2(packed, promise);
 #endif
     if (compression == "zstd" || compression == "lz4" || compression == "bz2")
         return Error{"this program was built without " + compression + ", which this recording is compressed with", where,

@@ -20,6 +20,7 @@ constexpr std::size_t kPlainChunkHead = kMcapRecordHead + kChunkFields + 4 + 8; 
 constexpr std::uint64_t kAskFrom = 1ULL << 20U;                                 // bytes of a chunk: asking takes time too
 constexpr std::size_t kLongestDataEnd = 64;                                     // longer: the opcode of something else was damaged
 constexpr std::size_t kWarnings = 20;
+constexpr std::size_t kBetweenLooks = 64; // at the wish to stop: records
 
 struct Record {
     std::uint8_t opcode = 0;
@@ -59,11 +60,11 @@ ChunkHead chunkHead(ByteView content) {
 
 class Reader {
 public:
-    Reader(ByteView bytes, const std::string& where) : bytes_(bytes), where_(where) {}
+    Reader(ByteView bytes, const std::string& where, const std::function<bool()>& goOn) : bytes_(bytes), where_(where), goOn_(goOn) {}
 
-    McapContent read() {
+    Result<McapContent> read() {
         std::size_t at = kMcapMagic.size();
-        while (at < bytes_.size()) {
+        for (std::size_t n = 0; at < bytes_.size() && (n % kBetweenLooks != 0 || !isCancelled()); ++n) {
             const auto record = recordAt(bytes_.subspan(at));
             if (record && record->opcode == static_cast<std::uint8_t>(McapOpcode::DataEnd) && record->content.size() <= kLongestDataEnd) {
                 const std::size_t summary = at + record->length;
@@ -90,12 +91,15 @@ public:
             damagedBetween_ = true;
             at = next;
         }
+        if (isCancelled()) return Error{"cancelled", where_, ""};
         content_.end = at;
         if (untold_ > 0) content_.warnings.push_back(std::to_string(untold_) + " more places are damaged or were left out");
         return std::move(content_);
     }
 
 private:
+    [[nodiscard]] bool isCancelled() const { return goOn_ && !goOn_(); }
+
     void warn(std::string sentence) {
         if (content_.warnings.size() < kWarnings)
             content_.warnings.push_back(std::move(sentence));
@@ -230,7 +234,7 @@ private:
         if (chunk.size >= kAskFrom) {
             if (auto enough = checkMemory(chunk.size, where_); !enough) return enough.error();
         }
-        auto bytes = unpackChunk(std::string(chunk.compression), chunk.records, chunk.size, where_);
+        auto bytes = unpackChunk(std::string(chunk.compression), chunk.records, chunk.size, where_, goOn_);
         if (!bytes) return bytes.error();
         unpacked_ += bytes->size();
         content_.unpacked.push_back(std::move(*bytes));
@@ -358,6 +362,7 @@ private:
 
     ByteView bytes_;
     const std::string& where_;
+    const std::function<bool()>& goOn_;
     McapContent content_;
     std::uint64_t unpacked_ = 0;
     std::size_t untold_ = 0;
@@ -371,9 +376,9 @@ bool looksLikeMcap(ByteView bytes) {
     return bytes.size() >= kMcapMagic.size() && std::memcmp(bytes.data(), kMcapMagic.data(), kMcapMagic.size()) == 0;
 }
 
-Result<McapContent> readMcap(ByteView bytes, const std::string& where) {
+Result<McapContent> readMcap(ByteView bytes, const std::string& where, const std::function<bool()>& goOn) {
     if (!looksLikeMcap(bytes)) return Error{"this is not an MCAP recording of a known version", where, "choose a recording"};
-    return Reader(bytes, where).read();
+    return Reader(bytes, where, goOn).read();
 }
 
 const McapChannel* channelOf(const McapContent& content, const McapMessage& message) {

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/containers/mcap/records.h"
 
+#include <functional>
 #include <list>
 #include <string>
 
@@ -33,8 +34,9 @@ struct McapContent {
 
 [[nodiscard]] bool looksLikeMcap(ByteView bytes);
 
-/// `bytes` must outlive the content. Error: not MCAP at all, or a version that is not known.
-Result<McapContent> readMcap(ByteView bytes, const std::string& where);
+/// `bytes` must outlive the content. `goOn` is called many times a second; false cancels. Error: not MCAP at all, a version that is not
+/// known, or cancelled.
+Result<McapContent> readMcap(ByteView bytes, const std::string& where, const std::function<bool()>& goOn = {});
 
 /// The channel of a message, or null.
 [[nodiscard]] const McapChannel* channelOf(const McapContent& content, const McapMessage& message);

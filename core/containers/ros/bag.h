@@ -56,8 +56,9 @@ struct RosBag {
 [[nodiscard]] bool hasRosTopics(const McapContent& content);
 
 /// A bag of ROS 1, version 2.0 (wiki.ros.org/Bags/Format/2.0): chunks plain, bz2 or lz4; indexes are not used. `bytes` must outlive the
-/// bag. Error: another version. What is torn or damaged costs only itself and gets a warning.
-Result<RosBag> readRosBag(ByteView bytes, const std::string& where);
+/// bag. What is torn or damaged costs only itself and gets a warning. `goOn` is called many times a second; false cancels. Error: another
+/// version, or cancelled.
+Result<RosBag> readRosBag(ByteView bytes, const std::string& where, const std::function<bool()>& goOn = {});
 
 /// What SQLite left of a database that was not closed, as after a power cut: NAME-wal or NAME-journal.
 struct DatabaseLog {
@@ -71,13 +72,14 @@ struct DatabaseLog {
 Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where, const std::vector<DatabaseLog>& logs = {},
                                const std::function<bool()>& goOn = {});
 
-/// The ROS topics of a recording of MCAP; the content must outlive the bag.
-RosBag rosBagOf(const McapContent& content, const std::string& where);
+/// The ROS topics of a recording of MCAP; the content must outlive the bag. Error: `goOn` was called and gave false.
+Result<RosBag> rosBagOf(const McapContent& content, const std::string& where, const std::function<bool()>& goOn = {});
 
-/// A compressed part of a bag, unpacked into the bag's own memory. Error: damaged, or larger than a bag of its size may hold.
-Result<ByteView> unpackedInto(RosBag& bag, const std::string& compression, ByteView packed, std::uint64_t size, const std::string& where);
-/// A message that rosbag2 compressed by itself, as its first bytes say, unpacked; any other message as it is. Empty: damaged.
-std::optional<ByteView> plainMessage(RosBag& bag, ByteView message, const std::string& where);
+/// A compressed part of a bag, unpacked into the bag's own memory. Error: damaged, cancelled, or larger than a bag of its size may hold.
+Result<ByteView> unpackedInto(RosBag& bag, const std::string& compression, ByteView packed, std::uint64_t size, const std::string& where,
+                              const std::function<bool()>& goOn);
+/// A message that rosbag2 compressed by itself, as its first bytes say, unpacked; any other message as it is. Empty: damaged, or cancelled.
+std::optional<ByteView> plainMessage(RosBag& bag, ByteView message, const std::string& where, const std::function<bool()>& goOn);
 
 /// The definition of a common type as the ROS release of 2022 has it, for bags without definitions; empty: the type is not common.
 [[nodiscard]] std::string_view commonRosDefinition(std::string_view type);

@@ -38,7 +38,7 @@ ByteView fieldOf(ByteView header, std::string_view name) {
 
 class BagReader {
 public:
-    BagReader(ByteView bytes, const std::string& where) : bytes_(bytes), where_(where) {
+    BagReader(ByteView bytes, const std::string& where, const std::function<bool()>& goOn) : bytes_(bytes), where_(where), goOn_(goOn) {
         bag_.kind = "ROS 1 bag";
         bag_.mayUnpack = mostUnpackedBytes(bytes.size());
     }
@@ -46,6 +46,7 @@ public:
     Result<RosBag> read() {
         ByteView rest = bytes_.subspan(kMagic.size());
         const std::size_t used = records(rest, true);
+        if (isCancelled()) return Error{"cancelled", where_, ""};
         if (std::ranges::any_of(rest.subspan(used), [](std::uint8_t byte) { return byte != 0; }))
             bag_.warnings.push_back("The bag is cut off or damaged at byte " + std::to_string(kMagic.size() + used) + ": the last " +
                                     std::to_string(rest.size() - used) + " bytes were not read.");
@@ -58,10 +59,13 @@ public:
     }
 
 private:
+    [[nodiscard]] bool isCancelled() const { return goOn_ && !goOn_(); }
+
     /// Reads records from the front; the number of bytes of whole records.
     std::size_t records(ByteView bytes, bool mayHoldChunks) {
+        constexpr std::size_t kBetweenLooks = 64; // at the wish to stop
         ByteView rest = bytes;
-        while (!rest.empty()) {
+        for (std::size_t n = 0; !rest.empty() && (n % kBetweenLooks != 0 || !isCancelled()); ++n) {
             ByteView next = rest;
             const auto header = pieceOff(next);
             const auto data = header ? pieceOff(next) : std::nullopt;
@@ -135,7 +139,7 @@ private:
             if (records(data, false) < data.size()) bad("its records do not end with it");
             return;
         }
-        const auto unpacked = unpackedInto(bag_, compression, data, littleEndian(fieldOf(header, "size")), where_);
+        const auto unpacked = unpackedInto(bag_, compression, data, littleEndian(fieldOf(header, "size")), where_, goOn_);
         if (!unpacked) return bad(unpacked.error().what);
         if (records(*unpacked, false) < unpacked->size()) bad("its records do not end with it");
     }
@@ -151,6 +155,7 @@ private:
 
     ByteView bytes_;
     const std::string& where_;
+    const std::function<bool()>& goOn_;
     RosBag bag_;
     std::map<std::uint32_t, std::uint32_t> topics_; // connection -> topic
     std::size_t badChunks_ = 0, strangers_ = 0;
@@ -161,10 +166,10 @@ private:
 
 bool looksLikeRosBag(ByteView bytes) { return textOf(bytes).starts_with(kAnyMagic); }
 
-Result<RosBag> readRosBag(ByteView bytes, const std::string& where) {
+Result<RosBag> readRosBag(ByteView bytes, const std::string& where, const std::function<bool()>& goOn) {
     if (!textOf(bytes).starts_with(kMagic))
         return Error{"it is a ROS bag of another version than 2.0", where, "convert it with \"rosbag migrate\""};
-    return BagReader(bytes, where).read();
+    return BagReader(bytes, where, goOn).read();
 }
 
 } // namespace edgescan::containers

@@ -36,7 +36,7 @@ bool hasRosTopics(const McapContent& content) {
     return false;
 }
 
-RosBag rosBagOf(const McapContent& content, const std::string& where) {
+Result<RosBag> rosBagOf(const McapContent& content, const std::string& where, const std::function<bool()>& goOn) {
     RosBag bag;
     bag.kind = "ROS 2 bag (MCAP)";
     std::map<std::uint16_t, std::uint32_t> topics;
@@ -49,16 +49,19 @@ RosBag rosBagOf(const McapContent& content, const std::string& where) {
     std::uint64_t packed = 0;
     for (const McapMessage& message : content.messages) packed += message.payload.size();
     bag.mayUnpack = mostUnpackedBytes(packed);
-    std::size_t bad = 0;
+    constexpr std::size_t kBetweenLooks = 64; // at the wish to stop
+    std::size_t bad = 0, looked = 0;
     for (const McapMessage& message : content.messages) {
         const auto topic = topics.find(message.channel);
         if (topic == topics.end()) continue;
-        const auto bytes = plainMessage(bag, message.payload, where);
+        if (goOn && looked++ % kBetweenLooks == 0 && !goOn()) return Error{"cancelled", where, ""};
+        const auto bytes = plainMessage(bag, message.payload, where, goOn);
         if (bytes)
             bag.messages.push_back({topic->second, static_cast<std::int64_t>(message.logNs), *bytes});
         else
             ++bad;
     }
+    if (bad > 0 && goOn && !goOn()) return Error{"cancelled", where, ""};
     bag.warnings = content.warnings;
     if (!content.clean && content.badChunks == 0 && content.warnings.empty())
         bag.warnings.emplace_back("The bag was cut off: everything up to the cut is here.");

@@ -42,7 +42,7 @@ std::string textIn(sqlite3_stmt* row, int column) {
 class DatabaseReader {
 public:
     DatabaseReader(sqlite3* database, std::size_t bytes, const std::string& where, const std::function<bool()>& goOn)
-        : database_(database), where_(where), allowance_(database, bytes, goOn) {
+        : database_(database), where_(where), goOn_(goOn), allowance_(database, bytes, goOn) {
         bag_.kind = "ROS 2 bag (SQLite)";
         bag_.mayUnpack = mostUnpackedBytes(bytes);
     }
@@ -50,7 +50,7 @@ public:
     Result<RosBag> read() {
         auto known = topics();
         if (known) known = messages();
-        if (allowance_.isCancelled()) return Error{"cancelled", where_, ""};
+        if (allowance_.isCancelled() || (goOn_ && !goOn_())) return Error{"cancelled", where_, ""};
         if (allowance_.isSpent())
             return Error{"this SQLite database is damaged: its tables give more than the file can hold", where_, "copy it again"};
         if (!known) return known.error();
@@ -149,7 +149,7 @@ private:
     /// The message in memory of the bag's own: SQLite's is gone with the next row.
     std::optional<ByteView> stored(ByteView message) {
         const std::size_t before = bag_.unpacked.size();
-        const auto plain = plainMessage(bag_, message, where_);
+        const auto plain = plainMessage(bag_, message, where_, goOn_);
         if (!plain || bag_.unpacked.size() > before) return plain;
         if (block_ == nullptr || block_->capacity() - block_->size() < message.size()) {
             block_ = &bag_.unpacked.emplace_back();
@@ -163,6 +163,7 @@ private:
     static constexpr std::size_t kBlock = 1 << 20;
     sqlite3* database_;
     const std::string& where_;
+    const std::function<bool()>& goOn_;
     DatabaseAllowance allowance_;
     RosBag bag_;
     std::map<std::string, std::string> definitions_; // by type

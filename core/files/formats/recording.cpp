@@ -16,7 +16,7 @@ bool looksLikeRecording(const Source& source) { return source.text().starts_with
 /// The scan of a ROS bag in this container; empty: it holds no topic of ROS.
 std::optional<Result<Reading>> rosScanIn(const Source& source) {
     const ByteView bytes(reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size());
-    const auto content = containers::readMcap(bytes, source.path.string());
+    const auto content = containers::readMcap(bytes, source.path.string(), [&] { return source.goOn("reading", 0.0); });
     if (!content || !containers::hasRosTopics(*content)) return std::nullopt;
     return readRosMcap(*content, source);
 }

@@ -19,6 +19,10 @@ namespace fs = std::filesystem;
 
 ByteView bytesOf(const Source& source) { return {reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size()}; }
 
+std::function<bool()> goOnOf(const Source& source) {
+    return [&source] { return source.goOn("reading", 0.0); };
+}
+
 Result<Reading> scanOfTopic(const containers::RosBag& bag, const BagTopic& topic, const Source& source) {
     if (topic.gives == TopicGives::Clouds) {
         auto table = cloudOfBag(bag, topic, source);
@@ -42,7 +46,7 @@ Result<Reading> scanIn(const containers::RosBag& bag, const Source& source) {
     constexpr std::size_t kMostTried = 30;
     auto topics = topicsToTry(bag, source.options->topic, source.path.string());
     if (!topics) return topics.error();
-    turnedFirst(bag, source.options->joint, *topics, [&] { return source.goOn("reading", 1.0); });
+    turnedFirst(bag, source.options->joint, *topics, goOnOf(source));
     auto first = scanOfTopic(bag, topics->front(), source);
     for (std::size_t n = 1; n < std::min(topics->size(), kMostTried) && !first && first.error().what != source.cancelled().what; ++n) {
         auto other = scanOfTopic(bag, (*topics)[n], source);
@@ -79,11 +83,11 @@ Result<std::vector<HeldFile>> logsOf(const Source& source, std::vector<container
 Result<containers::RosBag> bagIn(const Source& source) {
     const ByteView bytes = bytesOf(source);
     const std::string where = source.path.string();
-    if (!containers::looksLikeSqlite(bytes)) return containers::readRosBag(bytes, where);
+    if (!containers::looksLikeSqlite(bytes)) return containers::readRosBag(bytes, where, goOnOf(source));
     std::vector<containers::DatabaseLog> logs;
     const auto held = logsOf(source, logs);
     if (!held) return held.error();
-    return containers::readRosDatabase(bytes, where, logs, [&] { return source.goOn("reading", 1.0); });
+    return containers::readRosDatabase(bytes, where, logs, goOnOf(source));
 }
 
 Result<Reading> readBag(const Source& source) {
@@ -105,9 +109,9 @@ Result<containers::RosBag> bagOf(const BagPart& part, const ReadingOptions* opti
         if (!looksLikeBag(source)) return source.refused("it is not a file of a bag", "copy it again");
         return bagIn(source);
     }
-    auto content = containers::readMcap(bytesOf(source), name);
+    auto content = containers::readMcap(bytesOf(source), name, goOnOf(source));
     if (!content) return content.error();
-    return containers::rosBagOf(contents.emplace_back(std::move(*content)), name);
+    return containers::rosBagOf(contents.emplace_back(std::move(*content)), name, goOnOf(source));
 }
 
 /// Adds the messages of the next part.
@@ -153,14 +157,17 @@ Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& 
 Format rosBagFormat() { return {.title = "ROS bag", .reads = {".bag", ".db3"}, .recognises = looksLikeBag, .read = readBag}; }
 
 Result<Reading> readRosMcap(const containers::McapContent& content, const Source& source) {
-    return scanIn(onceEach(containers::rosBagOf(content, source.path.string())), source);
+    auto bag = containers::rosBagOf(content, source.path.string(), goOnOf(source));
+    if (!bag) return bag.error();
+    return scanIn(onceEach(std::move(*bag)), source);
 }
 
 std::optional<Result<BagListing>> bagListing(const Source& source) {
     if (containers::looksLikeMcap(bytesOf(source))) {
-        const auto content = containers::readMcap(bytesOf(source), source.path.string());
+        const auto content = containers::readMcap(bytesOf(source), source.path.string(), goOnOf(source));
         if (!content || !containers::hasRosTopics(*content)) return std::nullopt;
-        return Result<BagListing>(listingOf(onceEach(containers::rosBagOf(*content, source.path.string()))));
+        auto bag = containers::rosBagOf(*content, source.path.string(), goOnOf(source));
+        return bag ? Result<BagListing>(listingOf(onceEach(std::move(*bag)))) : Result<BagListing>(bag.error());
     }
     if (!looksLikeBag(source)) return std::nullopt;
     auto bag = bagIn(source);
@@ -173,8 +180,8 @@ Result<Reading> readBagParts(const std::vector<BagPart>& parts, const Source& wh
     return scanIn(bag->bag, whole);
 }
 
-Result<BagListing> listingOfParts(const std::vector<BagPart>& parts, const std::string& where) {
-    const auto bag = wholeBag(parts, where, nullptr);
+Result<BagListing> listingOfParts(const std::vector<BagPart>& parts, const Source& whole) {
+    const auto bag = wholeBag(parts, whole.path.string(), whole.options);
     if (!bag) return bag.error();
     return listingOf(bag->bag);
 }

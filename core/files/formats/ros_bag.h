@@ -28,6 +28,6 @@ struct BagPart {
 /// warning that names it. Error: there is no scan in them.
 Result<Reading> readBagParts(const std::vector<BagPart>& parts, const Source& whole);
 /// Their topics.
-Result<BagListing> listingOfParts(const std::vector<BagPart>& parts, const std::string& where);
+Result<BagListing> listingOfParts(const std::vector<BagPart>& parts, const Source& whole);
 
 } // namespace edgescan::files

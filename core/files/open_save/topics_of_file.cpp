@@ -6,13 +6,12 @@
 
 namespace edgescan::files {
 
-std::optional<Result<BagListing>> topicsOfFile(const std::filesystem::path& path) {
+std::optional<Result<BagListing>> topicsOfFile(const std::filesystem::path& path, const ReadingOptions& options) {
     const auto bag = filesOfBag(path);
-    const ReadingOptions options;
     if (bag && bag->isSplit()) {
         const auto held = holdSplitBag(*bag, options);
         if (!held) return Result<BagListing>(held.error());
-        auto listing = listingOfParts(held->parts, bag->path.string());
+        auto listing = listingOfParts(held->parts, {bag->path, {}, &options});
         if (listing) listing->warnings.insert(listing->warnings.begin(), held->warnings.begin(), held->warnings.end());
         return listing;
     }

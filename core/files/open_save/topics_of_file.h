@@ -9,7 +9,7 @@
 
 namespace edgescan::files {
 
-/// Empty: the file is not a bag, or cannot be read at all. Error: the bag cannot be read.
-std::optional<Result<BagListing>> topicsOfFile(const std::filesystem::path& path);
+/// Of the options only `progress` counts. Empty: the file is not a bag, or cannot be read at all. Error: the bag cannot be read.
+std::optional<Result<BagListing>> topicsOfFile(const std::filesystem::path& path, const ReadingOptions& options = {});
 
 } // namespace edgescan::files

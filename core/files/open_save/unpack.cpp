@@ -39,7 +39,7 @@ Result<UnpackedSource> unpack(const Source& packed) {
     if (const auto size = zstdSizeOf(packed)) { // rosbag2 packs whole files so
         if (auto enough = checkMemory(*size, packed.path.string()); !enough) return enough.error();
         const ByteView bytes(reinterpret_cast<const std::uint8_t*>(packed.bytes.data()), packed.bytes.size());
-        auto unpacked = containers::unpackChunk("zstd", bytes, *size, packed.path.string());
+        auto unpacked = containers::unpackChunk("zstd", bytes, *size, packed.path.string(), [&] { return packed.goOn("unpacking", 0.0); });
         if (!unpacked) return unpacked.error();
         const auto all = std::as_bytes(std::span(*unpacked));
         plain.bytes = std::make_shared<const std::vector<std::byte>>(all.begin(), all.end());

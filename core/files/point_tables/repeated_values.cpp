@@ -15,6 +15,7 @@ constexpr std::size_t kFewestRanges = 5, kFewestStated = 3, kFewestOthers = 12; 
 constexpr double kFarApart = 2.0;                                               // times the largest of the others
 constexpr double kNearStated = 0.9;                                             // of the limit: others from there on are compared with it
 constexpr double kOftenerThanNear = 3;                                          // times
+constexpr const char* kRepeated = ", which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return";
 constexpr double kPlainly = 4; // times the step of the numbers: so much the ranges of a surface would differ
 
 /// The largest range, how many have it, and the largest below it.
@@ -208,9 +209,9 @@ std::vector<RepeatedPoint> repeatedPoints(std::span<const Eigen::Vector3d> point
 }
 
 std::string repeatedSentence(std::size_t count, const std::string& what) {
-    return std::to_string(count) + " " + what +
-           ", which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return (--keep-repeated takes it "
-           "as measured).";
+    return std::to_string(count) + " " + what + kRepeated + " (--keep-repeated takes it as measured).";
 }
+
+bool isRepeatedWarning(const std::string& warning) { return warning.find(kRepeated) != std::string::npos; }
 
 } // namespace edgescan::files

@@ -45,5 +45,7 @@ struct RepeatedPoint {
 
 /// "40 ranges of 65535 (in the numbers of the file) ...": what was taken, and the option against it.
 [[nodiscard]] std::string repeatedSentence(std::size_t count, const std::string& what);
+/// Such a sentence is in the warning.
+[[nodiscard]] bool isRepeatedWarning(const std::string& warning);
 
 } // namespace edgescan::files

@@ -7,15 +7,17 @@
 #include <algorithm>
 
 namespace edgescan::files {
-Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::path& path) {
+Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::path& path, const std::function<bool()>& goOn) {
     const auto read = readInput(path);
     if (!read) return read.error();
     const auto* first = reinterpret_cast<const std::uint8_t*>(read->data());
     auto recording = std::make_shared<Recording>();
-    const auto taken = recording->take(Bytes(first, first + read->size()), path.string());
+    const auto taken = recording->take(Bytes(first, first + read->size()), path.string(), goOn);
     std::vector<RecordedMessage>& messages = recording->messages_;
     if (messages.empty()) {
-        recording->robot_ = containers::rosBagOf(recording->content_, path.string());
+        auto robot = containers::rosBagOf(recording->content_, path.string(), goOn);
+        if (!robot) return robot.error();
+        recording->robot_ = std::move(*robot);
         for (const containers::RosBagMessage& message : recording->robot_.messages) {
             const std::int64_t ns = std::clamp(message.logNs, std::int64_t{0}, kLatestNs);
             messages.push_back({RecordingTopic::Bridge, ns, ns, message.bytes, message.topic});
@@ -26,15 +28,15 @@ Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::
     return std::shared_ptr<const Recording>(std::move(recording));
 }
 
-Result<std::shared_ptr<const Recording>> Recording::fromBytes(Bytes bytes, const std::string& where) {
+Result<std::shared_ptr<const Recording>> Recording::fromBytes(Bytes bytes, const std::string& where, const std::function<bool()>& goOn) {
     auto recording = std::make_shared<Recording>();
-    if (auto taken = recording->take(std::move(bytes), where); !taken) return taken.error();
+    if (auto taken = recording->take(std::move(bytes), where, goOn); !taken) return taken.error();
     return std::shared_ptr<const Recording>(std::move(recording));
 }
 
-Result<Done> Recording::take(Bytes bytes, const std::string& where) {
+Result<Done> Recording::take(Bytes bytes, const std::string& where, const std::function<bool()>& goOn) {
     bytes_ = std::move(bytes);
-    auto content = containers::readMcap(bytes_, where);
+    auto content = containers::readMcap(bytes_, where, goOn);
     if (!content) return content.error();
     content_ = std::move(*content);
     for (const containers::McapMetadata& record : content_.metadata) {

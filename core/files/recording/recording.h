@@ -7,6 +7,7 @@
 #include "core/files/recording/layout.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -23,9 +24,11 @@ struct RecordedMessage {
 /// Never changed; messages point into the bytes it holds.
 class Recording {
 public:
-    /// Of a robot, too. Error: cannot be read, is not MCAP, or holds nothing of "sweep/1" and of a robot; from bytes without the robot's.
-    static Result<std::shared_ptr<const Recording>> open(const std::filesystem::path& path);
-    static Result<std::shared_ptr<const Recording>> fromBytes(Bytes bytes, const std::string& where);
+    /// Of a robot, too. `goOn` is called many times a second; false cancels. Error: cannot be read, is not MCAP, holds nothing of "sweep/1"
+    /// and of a robot, or cancelled; from bytes without the robot's.
+    static Result<std::shared_ptr<const Recording>> open(const std::filesystem::path& path, const std::function<bool()>& goOn = {});
+    static Result<std::shared_ptr<const Recording>> fromBytes(Bytes bytes, const std::string& where,
+                                                              const std::function<bool()>& goOn = {});
 
     [[nodiscard]] const std::vector<RecordedMessage>& messages() const { return messages_; }
     /// The record "sweep".
@@ -46,7 +49,7 @@ public:
     Recording& operator=(const Recording&) = delete;
 
 private:
-    Result<Done> take(Bytes bytes, const std::string& where);
+    Result<Done> take(Bytes bytes, const std::string& where, const std::function<bool()>& goOn);
 
     Bytes bytes_;
     containers::McapContent content_;

@@ -2,6 +2,7 @@
 #include "ui/controllers/files/files.h"
 
 #include "core/files/open_save/pose_sidecar.h"
+#include "core/files/point_tables/repeated_values.h"
 #include "core/scan/angle_correction/straighten_scan.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
@@ -25,6 +26,9 @@
 
 namespace edgescan::ui {
 namespace {
+
+constexpr const char* kNoFile =
+    QT_TRANSLATE_NOOP("QObject", "There is no file on the screen that could be read in another way: open one first.");
 
 /// A file next to a scan that is not a scan: a record, a pose, edits of rocks.
 bool isSidecar(const std::string& name) {
@@ -172,18 +176,25 @@ void Files::step(int files) {
 
 void Files::setOptions(const ReadingOptions& options) {
     options_ = options;
-    emit straightened(options.straighten);
+    emit optionsChanged(options);
 }
 
 void Files::straighten(bool wanted) {
+    readWith(&ReadingOptions::straighten, wanted, wanted ? stepName("Straighten Beams") : stepName("Beams as Recorded"));
+}
+
+void Files::keepRepeated(bool wanted) {
+    readWith(&ReadingOptions::keepRepeated, wanted, wanted ? stepName("Keep Repeated Values") : stepName("Repeated Values as No Return"));
+}
+
+void Files::readWith(bool ReadingOptions::*option, bool wanted, const QString& what) {
     if (path_.isEmpty()) {
-        emit straightened(false);
-        notice_.showHint(tr("There is no file on the screen whose beams could be straightened: open one first."));
-        return;
+        emit optionsChanged(options_); // the menu shows what holds
+        return notice_.showHint(QObject::tr(kNoFile));
     }
     ReadingOptions options = options_;
-    options.straighten = wanted;
-    readAgain(options, wanted ? stepName("Straighten Beams") : stepName("Beams as Recorded"));
+    options.*option = wanted;
+    readAgain(options, what);
 }
 
 void Files::readAgain(const ReadingOptions& options, const QString& what) { readAgain(options, what, options_); }
@@ -203,7 +214,7 @@ bool Files::readAs(const QString& path, const ReadingOptions& options) {
 }
 
 void Files::askReading() {
-    if (path_.isEmpty()) return notice_.showHint(tr("There is no file on the screen that could be read in another way: open one first."));
+    if (path_.isEmpty()) return notice_.showHint(QObject::tr(kNoFile));
     ReadingDialog dialog(options_, notice_.window());
     if (dialog.exec() == QDialog::Accepted) readAgain(dialog.options(), stepName("How the Scan Is Read"));
 }
@@ -239,6 +250,8 @@ void Files::showWarnings() {
     warned_ = {about, notice_.text()};
     if (std::ranges::any_of(scan.warnings, isDisplacementWarning) && !path_.isEmpty())
         notice_.offer(tr("Straighten beams"), [this] { straighten(true); });
+    else if (std::ranges::any_of(scan.warnings, files::isRepeatedWarning) && !path_.isEmpty())
+        notice_.offer(tr("Keep as measured"), [this] { keepRepeated(true); });
 }
 
 void Files::fillRecent(QMenu& menu) {

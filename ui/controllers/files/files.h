@@ -1,4 +1,4 @@
-// The file on the screen: opening, the series, recent files, reading it again with straightened beams.
+// The file on the screen: opening, the series, recent files, reading it again with other options.
 #pragma once
 
 #include "core/inspect/session_file/viewer_state.h"
@@ -33,6 +33,8 @@ public:
     void step(int files);
     /// Opens the file on the screen again: with corrected angles of interlaced beams and slipped lines, or as recorded.
     void straighten(bool wanted);
+    /// Opens it again: with values that repeat far apart from the rest as measured, or as no return.
+    void keepRepeated(bool wanted);
     /// Opens it again with these options, as one undo step named `what`.
     void readAgain(const ReadingOptions& options, const QString& what);
     /// The same after a preview: undo restores `before`.
@@ -63,13 +65,14 @@ public:
     [[nodiscard]] static QString askScan(QWidget* parent, const QString& title, const Preferences& preferences);
 
 signals:
-    void straightened(bool on);
+    void optionsChanged(const ReadingOptions& options);
     /// In the dialog; empty: none.
     void chosen(const QStringList& paths);
 
 private:
     /// False: another file is on the screen meanwhile.
     bool readAs(const QString& path, const ReadingOptions& options);
+    void readWith(bool ReadingOptions::*option, bool wanted, const QString& what);
     void setOptions(const ReadingOptions& options);
     void noteOpened(const QString& path);
     void showWarnings();

@@ -2,6 +2,7 @@
 #include "ui/controllers/files/opening.h"
 
 #include "core/files/open_save/topics_of_file.h"
+#include "core/files/point_tables/repeated_values.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
@@ -19,10 +20,12 @@
 namespace edgescan::ui {
 
 /// What can be otherwise of a scan; of a bag its topics first.
-std::vector<files::OpeningPoint> Opening::checked(const Question& question) {
+std::vector<files::OpeningPoint> Opening::checked(const Question& question, const Asker& asker) {
     std::vector<files::OpeningPoint> points = files::openingCheck(*question.scan, question.options);
     if (!question.scan->format.starts_with("ROS ")) return points;
-    const auto listing = files::topicsOfFile(question.scan->path);
+    ReadingOptions whileWanted;
+    whileWanted.progress = [&asker](const char*, double) { return asker.waits(); };
+    const auto listing = files::topicsOfFile(question.scan->path, whileWanted);
     if (!listing || !*listing) return points;
     std::vector<files::OpeningPoint> ofBag = files::bagCheck(**listing, *question.scan, question.options);
     points.insert(points.begin(), std::make_move_iterator(ofBag.begin()), std::make_move_iterator(ofBag.end()));
@@ -59,13 +62,14 @@ void Opening::take(const std::shared_ptr<const Scan>& scan, const std::vector<fi
     const bool displaced = files_.options().straighten || std::ranges::any_of(*points_, [](const files::OpeningPoint& point) {
                                return std::string_view(point.what) == files::kDisplacedPoint;
                            });
+    const bool answers = displaced || std::ranges::any_of(scan->warnings, files::isRepeatedWarning); // the warning has its own button
     QStringList against;
     for (const files::OpeningPoint& point : *points_) {
         // The scan's warnings already report beams and lines out of place.
         if (!point.against.empty() && std::string_view(point.what) != files::kDisplacedPoint) against << shownSentence(point.against);
     }
     const bool told = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // a warning about guesses is shown
-    if (against.isEmpty() && (displaced || !told || !files::looksGuessed(*points_))) return;
+    if (against.isEmpty() && (answers || !told || !files::looksGuessed(*points_))) return;
     if (!against.isEmpty())
         notice_.showNotice(NoticeBar::Kind::Warning, (notice_.isVisible() ? notice_.text() + '\n' : QString()) + against.join('\n'));
     notice_.offer(tr("Does this look right?"), [this] { show(); });

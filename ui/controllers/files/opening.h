@@ -38,7 +38,7 @@ private:
         std::shared_ptr<const Scan> scan;
         ReadingOptions options;
     };
-    static std::vector<files::OpeningPoint> checked(const Question& question);
+    static std::vector<files::OpeningPoint> checked(const Question& question, const Asker& asker);
     void follow();
     void take(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points);
     void fillCard();

@@ -67,9 +67,19 @@ private:
 
 Preferences::Preferences(const QString& iniPath) {
     if (iniPath.isEmpty()) return;
+    if (const QFileInfo file(iniPath); file.exists() && !file.isFile()) { // a pipe would be waited for
+        refused_ = iniPath;
+        return;
+    }
     file_ = SettingsFile::opened(iniPath);
     if (file_->value("version", kVersion).toInt() != kVersion) file_->clear();
     file_->setValue("version", kVersion);
+}
+
+std::optional<Error> Preferences::refusal() const {
+    if (refused_.isEmpty()) return std::nullopt;
+    return Error{exactBytes(QObject::tr("it is not a regular file, so settings are not read and nothing of this window is stored")),
+                 exactBytes(refused_), exactBytes(QObject::tr("remove it and start again"))};
 }
 
 QString Preferences::usualPath() {

@@ -1,6 +1,7 @@
 // Settings that survive a restart and a kill: one readable file. Qt writes it in the next run of the event loop after a change.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/edges/settings/presets.h"
 
 #include <QByteArray>
@@ -9,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace edgescan::ui {
 
@@ -18,6 +20,8 @@ public:
     explicit Preferences(const QString& iniPath);
     /// In the user's configuration folder.
     [[nodiscard]] static QString usualPath();
+    /// Why no settings are stored although a path was given: what is there is not a regular file.
+    [[nodiscard]] std::optional<Error> refusal() const;
 
     [[nodiscard]] QByteArray bytes(const QString& key) const;
     void keep(const QString& key, const QByteArray& value);
@@ -48,6 +52,7 @@ public:
 
 private:
     std::unique_ptr<QSettings> file_;    // null: settings are not stored
+    QString refused_;                    // the path of what is not a regular file
     std::map<QString, QString> folders_; // of this run, by kind
 };
 

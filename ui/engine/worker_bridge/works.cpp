@@ -34,6 +34,12 @@ bool Works::cancel() {
     return true;
 }
 
+void Works::cancelAll() {
+    std::vector<std::function<void()>> all; // work may end during the calls
+    for (const Running* work : running_) all.push_back(work->cancel);
+    for (const auto& cancel : all) cancel();
+}
+
 } // namespace edgescan::ui
 
 #include "moc_works.cpp"

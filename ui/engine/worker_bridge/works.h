@@ -41,6 +41,7 @@ public:
     [[nodiscard]] const Running* newest() const { return running_.empty() ? nullptr : running_.back(); }
     /// Cancels the newest. False: none runs.
     bool cancel();
+    void cancelAll();
 
 signals:
     /// Work began or ended, or its progress changed.

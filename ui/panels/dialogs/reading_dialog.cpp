@@ -64,16 +64,22 @@ ReadingDialog::ReadingDialog(const ReadingOptions& options, QWidget* parent) : Q
 }
 
 void ReadingDialog::addField(const ReadingOption& option, QFormLayout& form) {
-    if (option.kind == ReadingOption::Kind::Switch) return; // switches are in the menu
     const QString now = exactText(option.get(options_));
+    if (option.kind == ReadingOption::Kind::Switch) return fields_.push_back({&option, [now] { return now; }}); // in the menu
     if (option.kind == ReadingOption::Kind::Word) {
         auto* choice = new QComboBox;
         choice->addItem(tr("as in the file"), QString());
         for (const std::string& word : option.words) choice->addItem(exactText(word), exactText(word));
-        choice->setCurrentIndex(std::max(0, choice->findData(now)));
+        choice->setEditable(option.limit != nullptr); // a number in place of a word
+        choice->setInsertPolicy(QComboBox::NoInsert);
+        choice->setCurrentIndex(choice->findData(now));
+        if (choice->currentIndex() < 0) choice->setEditText(now);
         choice->setObjectName(option.key);
         form.addRow(labelOf(option), choice);
-        fields_.push_back({&option, [choice] { return choice->currentData().toString(); }});
+        fields_.push_back({&option, [choice] {
+                               const int known = choice->findText(choice->currentText());
+                               return known < 0 ? choice->currentText().trimmed() : choice->itemData(known).toString();
+                           }});
         return;
     }
     auto* edit = new QLineEdit(now);
@@ -95,8 +101,6 @@ void ReadingDialog::addField(const ReadingOption& option, QFormLayout& form) {
 
 void ReadingDialog::accept() {
     ReadingOptions typed;
-    typed.straighten = options_.straighten;
-    typed.keepRepeated = options_.keepRepeated;
     for (const Field& field : fields_) {
         const std::string text = field.text().toStdString();
         if (text.empty()) continue;

@@ -53,7 +53,7 @@ void ReplayPlayer::seek(int line) {
 }
 
 void ReplayPlayer::work(const std::filesystem::path& path) {
-    const auto recording = files::Recording::open(path);
+    const auto recording = files::Recording::open(path, [this] { return !stopping(); });
     if (!recording) {
         QMetaObject::invokeMethod(
             this, [this, text = shownText(recording.error().sentence())] { emit refused(text); }, Qt::QueuedConnection);

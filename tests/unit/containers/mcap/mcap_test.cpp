@@ -4,6 +4,7 @@
 #include "core/containers/mcap/writer.h"
 #include "core/files/recording/recording.h"
 #include "tests/support/live_lines.h"
+#include "tests/support/packed_files.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/shared_folder.h"
 
@@ -257,6 +258,28 @@ TEST(Mcap, CompressedChunksAreReadOrRefusedInWords) {
             EXPECT_FALSE(unpackChunk(name, Bytes(packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(cut)), plain.size(), "test"));
     }
     EXPECT_FALSE(unpackChunk("brotli", {}, 0, "test"));
+}
+
+TEST(Mcap, UnpackingAndReadingAreCancelled) {
+    int asked = 0;
+    const auto twice = [&] { return ++asked < 3; };
+    const auto whole = readMcap(sampleFile(300, {.chunkBytes = 100}), "test", twice);
+    ASSERT_FALSE(whole);
+    EXPECT_EQ(whole.error().what, "cancelled");
+    if (!builtWith("zstd")) GTEST_SKIP();
+    constexpr std::uint64_t kSize = 6U << 20U;
+    const std::string zeros = zstdZeros(6);
+    const Bytes packed(zeros.begin(), zeros.end());
+    EXPECT_TRUE(unpackChunk("zstd", packed, kSize, "test", [] { return true; }));
+    asked = 0;
+    const auto unpacked = unpackChunk("zstd", packed, kSize, "test", twice);
+    ASSERT_FALSE(unpacked);
+    EXPECT_EQ(unpacked.error().what, "cancelled");
+    EXPECT_EQ(asked, 3);
+    asked = 0;
+    const auto content = readMcap(packedFile("zstd", packed, kSize, 0), "test", twice); // not as without a damaged chunk
+    ASSERT_FALSE(content);
+    EXPECT_EQ(content.error().what, "cancelled");
 }
 
 TEST(Mcap, ChecksumsOfPartsAreThoseOfTheirBytes) {

@@ -1,6 +1,7 @@
 // Scans compressed with gzip, scans from pipes, and files of other programs.
 #include "core/base/pipe.h"
 #include "core/base/sha256.h"
+#include "core/containers/compression/chunks.h"
 #include "core/containers/compression/gunzip.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/packed_files.h"
@@ -104,6 +105,19 @@ TEST(Packed, APipeThatNobodyFillsCanBeGivenUp) {
     int asked = 0;
     options.progress = [&](const char*, double) { return ++asked < 5; };
     const auto scan = openScan(pipe, options);
+    ASSERT_FALSE(scan);
+    EXPECT_EQ(scan.error().what, "cancelled");
+}
+
+TEST(Packed, UnpackingZstdIsCancelled) {
+    const std::string zeros = zstdZeros(6);
+    if (!containers::zstdSize(ByteView(reinterpret_cast<const std::uint8_t*>(zeros.data()), zeros.size()))) GTEST_SKIP();
+    ReadingOptions options;
+    int asked = 0;
+    options.progress = [&](const char* stage, double) { return std::string_view(stage) != "unpacking" || ++asked < 3; };
+    const Folder folder;
+    writeText(folder / "zeros.xyz.zst", zeros);
+    const auto scan = openScan(folder / "zeros.xyz.zst", options);
     ASSERT_FALSE(scan);
     EXPECT_EQ(scan.error().what, "cancelled");
 }
