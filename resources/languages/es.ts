@@ -410,8 +410,6 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 %1</source><translation>no se pudo calcular:
 %1</translation></message>
 <message><source>by confidence</source><translation>por confianza</translation></message>
-<message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
-<message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>Su fuerza es %1. Un borde alcanza la Fuerza del borde %2 en un lugar, y %3 en el resto.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Su fuerza %1 supera la Fuerza del borde %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Su fuerza %1 es menor que la Fuerza del borde %2, pero continúa un borde que llega a %3 en la línea %4, haz %5. A una celda así le basta %6.</translation></message>
@@ -545,33 +543,6 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>EdgeScan presets (*.json)</source><translation>Preajustes de EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Guardar el preajuste</translation></message>
 <message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
-<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
-<message><source>The picture does not come from a file, so a calibration cannot name it: open a scan or a recording.</source><translation>La imagen no viene de un archivo, así que una calibración no puede nombrarlo: abra un escaneo o una grabación.</translation></message>
-<message><source>Scans with the same mounting</source><translation>Escaneos con el mismo montaje</translation></message>
-<message><source>The robot's calibration</source><translation>La calibración del robot</translation></message>
-<message><source>Calibration (*.json)</source><translation>Calibración (*.json)</translation></message>
-<message><source>stopped</source><translation>detenido</translation></message>
-<message><source>Save the calibration</source><translation>Guardar la calibración</translation></message>
-<message><source>a calibration</source><translation>una calibración</translation></message>
-<message><source>The calibration could not be saved (%1).</source><translation>No se pudo guardar la calibración (%1).</translation></message>
-<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; Pose and Mounting.</source><translation>Este escaneo se abrió sin pose, así que no tiene un lugar que la calibración pueda corregir: indique ambas en Escaneo &gt; Pose y montaje.</translation></message>
-<message><source>Apply Calibration</source><translation>Aplicar la calibración</translation></message>
-<message><source>lever arm t1, in the scan plane</source><translation>brazo de palanca t1, en el plano de barrido</translation></message>
-<message><source>lever arm t2, across the plane</source><translation>brazo de palanca t2, transversal al plano</translation></message>
-<message><source>tilt of the scan plane</source><translation>inclinación del plano de barrido</translation></message>
-<message><source>beam index</source><translation>índice de los haces</translation></message>
-<message><source>turn at 180°</source><translation>giro a 180°</translation></message>
-<message><source>unchanged</source><translation>sin cambio</translation></message>
-<message><source>not measured</source><translation>no se determina</translation></message>
-<message><source>found from %1 cells, %2° seen twice</source><translation>hallado con %1 celdas, %2° vistos dos veces</translation></message>
-<message><source>Mismatch of the two views: %1 mm before, %2 mm with these errors (median; noise alone explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Diferencia entre las dos vistas: %1 mm antes, %2 mm con estos errores (mediana; el ruido solo explica %3 mm). Un escaneo nunca muestra un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
-<message><source>Edges of both views</source><translation>Bordes de ambas vistas</translation></message>
-<message><source>orange – late view, blue | early view, white + both</source><translation>naranja – vista tardía, azul | primera vista, blanco + ambas</translation></message>
-<message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Antes: %1 % de %2 bordes tardíos están junto a uno de la primera vista (%3)</translation></message>
-<message><source>After: %1 % of them</source><translation>Después: %1 % de ellos</translation></message>
-<message><source>Distance of the views</source><translation>Distancia de las vistas</translation></message>
-<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul más cerca, rojo más lejos que la vista tardía, color pleno a 50 mm)</translation></message>
-<message><source>After: %1 mm apart</source><translation>Después: a %1 mm</translation></message>
 <message><source>a section</source><translation>una sección</translation></message>
 <message><source>a section of %1</source><translation>una sección de %1</translation></message>
 <message><source>%1 edge points</source><translation>%1 puntos de borde</translation></message>
@@ -609,11 +580,15 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>It looks %1° below the horizon. </source><translation>Mira %1° por debajo del horizonte. </translation></message>
 <message><source>It looks %1° above the horizon. </source><translation>Mira %1° por encima del horizonte. </translation></message>
 <message><source>Its points: </source><translation>Sus puntos: </translation></message>
+<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
 <message><source>Store Pose</source><translation>Guardar la pose</translation></message>
 <message><source>Remove Pose</source><translation>Quitar la pose</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>La imagen no viene de un archivo, así que su pose no se puede guardar: abra un escaneo o una grabación.</translation></message>
 <message><source>Store the mounting</source><translation>Guardar el montaje</translation></message>
 <message><source>Name of the scanner</source><translation>Nombre del escáner</translation></message>
+<message><source>The robot's calibration</source><translation>La calibración del robot</translation></message>
+<message><source>Calibration (*.json)</source><translation>Calibración (*.json)</translation></message>
 <message><source>The pose that was stored with the scan is removed.</source><translation>La pose guardada con el escaneo se ha eliminado.</translation></message>
 <message><source>The pose is stored with the scan, in %1; it replaced the one that was there.</source><translation>La pose se guardó con el escaneo, en %1; reemplazó la que había.</translation></message>
 <message><source>The pose is stored with the scan, in %1.</source><translation>La pose se guardó con el escaneo, en %1.</translation></message>
@@ -945,34 +920,9 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Shown: all</source><translation>Se muestra: todo</translation></message>
 <message><source>computing: %1 %</source><translation>calculando: %1 %</translation></message>
 <message><source>share of %1 nearby settings that find the edge</source><translation>parte de los %1 ajustes próximos que encuentran el borde</translation></message>
-<message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
-<message><source>Calibrate the Mounting</source><translation>Calibrar el montaje</translation></message>
-<message><source>&amp;Save As…</source><translation>&amp;Guardar como…</translation></message>
-<message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a este escaneo</translation></message>
-<message><source>EdgeScan finds how the scanner is mounted on its stepper, from surfaces that one turn measures twice. Turn 200 degrees instead of 180 once per mounting; 360 degrees show more. Nothing is applied automatically.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
-<message><source>Scans with one mounting:</source><translation>Escaneos de un montaje:</translation></message>
-<message><source>A&amp;dd Scans…</source><translation>Aña&amp;dir escaneos…</translation></message>
-<message><source>&amp;Remove</source><translation>&amp;Quitar</translation></message>
-<message><source>Robot's &amp;File…</source><translation>Archi&amp;vo del robot…</translation></message>
-<message><source>The robot's present calibration: only its stepper is replaced</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
-<message><source>error of the mounting</source><translation>error del montaje</translation></message>
-<message><source>value</source><translation>valor</translation></message>
-<message><source>± 2 sd</source><translation>± 2 desv. est.</translation></message>
-<message><source>Robot's file: none. The new file has the stepper only.</source><translation>Archivo del robot: ninguno; el archivo nuevo contiene solo el motor.</translation></message>
-<message><source>Robot's file: %1. Only its stepper is replaced.</source><translation>Archivo del robot: %1; queda todo menos su motor.</translation></message>
-<message><source>S&amp;top</source><translation>&amp;Detener</translation></message>
-<message><source>working …</source><translation>trabajando …</translation></message>
-<message><source>Saved %1.</source><translation>Guardado %1.</translation></message>
-<message><source>Save the file first: a record names the file from which a place was computed</source><translation>Guarde primero el archivo: un registro nombra el archivo con que se calculó un lugar</translation></message>
-<message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Abre de nuevo el escaneo con este archivo; Ctrl+Z lo deshace</translation></message>
 <message><source>No command has these words, or it cannot be used now.</source><translation>Ningún comando tiene estas palabras, o no se puede usar ahora.</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algunas letras de un comando</translation></message>
-<message><source>Values of %1</source><translation>Valores de %1</translation></message>
-<message><source>The same picture at other values of %1. A click takes that value. Ctrl+Z undoes it.</source><translation>La misma imagen con otros valores de %1. Un clic toma ese valor; Ctrl+Z lo deshace.</translation></message>
-<message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
-<message><source>● now</source><translation>● actual</translation></message>
-<message><source>▭ steady</source><translation>▭ constante</translation></message>
 <message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Solo lo seleccionado (%1 celdas)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
@@ -1125,18 +1075,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Scan</source><translation>Escaneo</translation></message>
 <message><source>About EdgeScan</source><translation>Acerca de EdgeScan</translation></message>
 <message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;It shows geometry from one viewpoint. It does not judge any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause&lt;br&gt;Drawn by %2</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause&lt;br&gt;Dibujado por %2</translation></message>
-<message><source>&amp;No Key</source><translation>&amp;Ninguna tecla</translation></message>
-<message><source>&amp;Reset</source><translation>&amp;Restablecer</translation></message>
-<message><source>Change Keys</source><translation>Cambiar teclas</translation></message>
-<message><source>A few letters of a command, or a key</source><translation>Unas letras de un comando, o una tecla</translation></message>
-<message><source>Command</source><translation>Comando</translation></message>
-<message><source>Key</source><translation>Tecla</translation></message>
-<message><source>Reset &amp;All</source><translation>Restablecer &amp;todo</translation></message>
-<message><source>Press the new key:</source><translation>Pulse la nueva tecla:</translation></message>
-<message><source>%1 has no key now.</source><translation>%1 ya no tiene tecla.</translation></message>
-<message><source>%1 has its original key again.</source><translation>%1 tiene de nuevo su tecla original.</translation></message>
-<message><source>Every command has its original key again.</source><translation>Cada comando tiene de nuevo su tecla original.</translation></message>
-<message><source>%1 • changed</source><translation>%1 • cambiada</translation></message>
 <message><source>along the line</source><translation>a lo largo de la línea</translation></message>
 <message><source>across the lines</source><translation>a través de las líneas</translation></message>
 <message><source>%1: %2 m wide, %3 m deep (drawn × %4), near is below</source><translation>%1: %2 m de ancho, %3 m de fondo (dibujado × %4), lo cercano está abajo</translation></message>
@@ -1150,15 +1088,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>on</source><translation>activado</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
 <message><source>Letters outside a field are keys; these changed: %1.</source><translation>Las letras fuera de un campo son teclas; estas cambiaron: %1.</translation></message>
-<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
-<message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
-<message><source>end the tool, or what is shown last</source><translation>dejar la herramienta, o lo último que se muestra</translation></message>
-<message><source>take the last click back</source><translation>retirar el último clic</translation></message>
-<message><source>to the next field</source><translation>al campo siguiente</translation></message>
-<message><source>to the field before</source><translation>al campo anterior</translation></message>
-<message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
-<message><source>the cell cursor</source><translation>el cursor de celdas</translation></message>
-<message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
 <message><source>Add a Scan as a Layer…</source><translation>Añadir un escaneo como capa…</translation></message>
 <message><source>Remove</source><translation>Quitar</translation></message>
 <message><source>Place by Targets</source><translation>Colocar por objetivos</translation></message>
@@ -1681,7 +1610,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>True &amp;Angle Aspect</source><translation>Proporción an&amp;gular real</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restab&amp;lecer la disposición</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Pantalla com&amp;pleta</translation></message>
-<message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
 <message><source>P&amp;ose and Mounting…</source><translation>Pose &amp;y montaje…</translation></message>
 <message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
 <message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
@@ -1709,7 +1637,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>This &amp;Is an Edge</source><translation>Esto &amp;es un borde</translation></message>
 <message><source>This Is &amp;Not an Edge</source><translation>Esto &amp;no es un borde</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
-<message><source>Contact Shee&amp;t…</source><translation>Hoja de con&amp;tactos…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Borrar las mar&amp;cas</translation></message>
 <message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>¿Por &amp;qué esta celda es un borde, o no?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Volver al preajuste</translation></message>
@@ -1719,7 +1646,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Manual</source><translation>&amp;Manual</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
-<message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
 <message><source>gray %1 to %2 m</source><translation>gris %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>hasta la línea %1</translation></message>
@@ -1810,7 +1736,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Range picture</source><translation>Imagen de distancias</translation></message>
 <message><source>LAS point cloud</source><translation>Nube de puntos LAS</translation></message>
 <message><source>numpy array</source><translation>Matriz numpy</translation></message>
-<message><source>numpy archive</source><translation>Archivo numpy</translation></message>
 <message><source>Wavefront OBJ</source><translation>OBJ de Wavefront</translation></message>
 <message><source>Point Cloud Library</source><translation>Point Cloud Library (PCL)</translation></message>
 <message><source>Polygon file</source><translation>Archivo de polígonos</translation></message>

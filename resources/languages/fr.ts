@@ -410,8 +410,6 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 %1</source><translation>n'a pas pu être calculée :
 %1</translation></message>
 <message><source>by confidence</source><translation>par confiance</translation></message>
-<message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
-<message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
 <message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>Sa force est %1. Une arête atteint la Force de l'arête %2 à un endroit, et %3 sur le reste.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Sa force %1 dépasse la Force de l'arête %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Sa force %1 est sous la Force de l'arête %2, mais elle continue une arête qui atteint %3 à la ligne %4, faisceau %5. À une telle cellule, %6 suffit.</translation></message>
@@ -545,33 +543,6 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>EdgeScan presets (*.json)</source><translation>Préréglages EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Enregistrer le préréglage</translation></message>
 <message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 n'est pas un préréglage et reste tel quel : choisissez un autre nom.</translation></message>
-<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Échec (%1) ; fermez d'autres programmes ou prenez un scan plus petit.</translation></message>
-<message><source>The picture does not come from a file, so a calibration cannot name it: open a scan or a recording.</source><translation>L'image ne vient pas d'un fichier, un étalonnage ne peut donc pas le nommer : ouvrez un scan ou un enregistrement.</translation></message>
-<message><source>Scans with the same mounting</source><translation>Scans avec le même montage</translation></message>
-<message><source>The robot's calibration</source><translation>L'étalonnage du robot</translation></message>
-<message><source>Calibration (*.json)</source><translation>Étalonnage (*.json)</translation></message>
-<message><source>stopped</source><translation>arrêté</translation></message>
-<message><source>Save the calibration</source><translation>Enregistrer l'étalonnage</translation></message>
-<message><source>a calibration</source><translation>un étalonnage</translation></message>
-<message><source>The calibration could not be saved (%1).</source><translation>L'étalonnage n'a pas pu être enregistré (%1).</translation></message>
-<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; Pose and Mounting.</source><translation>Ce scan a été ouvert sans pose, il n'a donc pas de position que l'étalonnage pourrait corriger : donnez les deux dans Scan &gt; Pose et montage.</translation></message>
-<message><source>Apply Calibration</source><translation>Appliquer l'étalonnage</translation></message>
-<message><source>lever arm t1, in the scan plane</source><translation>bras de levier t1, dans le plan de balayage</translation></message>
-<message><source>lever arm t2, across the plane</source><translation>bras de levier t2, en travers du plan</translation></message>
-<message><source>tilt of the scan plane</source><translation>inclinaison du plan de balayage</translation></message>
-<message><source>beam index</source><translation>index des faisceaux</translation></message>
-<message><source>turn at 180°</source><translation>rotation à 180°</translation></message>
-<message><source>unchanged</source><translation>inchangé</translation></message>
-<message><source>not measured</source><translation>non déterminé</translation></message>
-<message><source>found from %1 cells, %2° seen twice</source><translation>trouvé à partir de %1 cellules, %2° vus deux fois</translation></message>
-<message><source>Mismatch of the two views: %1 mm before, %2 mm with these errors (median; noise alone explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Écart des deux vues : %1 mm avant, %2 mm avec ces erreurs (médiane ; le bruit seul explique %3 mm). Un scan ne montre jamais un décalage le long de l'axe, un écart de toutes les distances ni le zéro du moteur.</translation></message>
-<message><source>Edges of both views</source><translation>Arêtes des deux vues</translation></message>
-<message><source>orange – late view, blue | early view, white + both</source><translation>orange – vue tardive, bleu | première vue, blanc + les deux</translation></message>
-<message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Avant : %1 % de %2 arêtes tardives sont à côté d'une première (%3)</translation></message>
-<message><source>After: %1 % of them</source><translation>Après : %1 % d'entre elles</translation></message>
-<message><source>Distance of the views</source><translation>Écart des vues</translation></message>
-<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Avant : %1 mm d'écart (médiane ; bleu plus près, rouge plus loin que la vue tardive, pleine couleur à 50 mm)</translation></message>
-<message><source>After: %1 mm apart</source><translation>Après : %1 mm d'écart</translation></message>
 <message><source>a section</source><translation>une coupe</translation></message>
 <message><source>a section of %1</source><translation>une coupe de %1</translation></message>
 <message><source>%1 edge points</source><translation>%1 points d'arête</translation></message>
@@ -609,11 +580,15 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>It looks %1° below the horizon. </source><translation>Il regarde à %1° sous l'horizon. </translation></message>
 <message><source>It looks %1° above the horizon. </source><translation>Il regarde à %1° au-dessus de l'horizon. </translation></message>
 <message><source>Its points: </source><translation>Ses points : </translation></message>
+<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Échec (%1) ; fermez d'autres programmes ou prenez un scan plus petit.</translation></message>
 <message><source>Store Pose</source><translation>Enregistrer la pose</translation></message>
 <message><source>Remove Pose</source><translation>Enlever la pose</translation></message>
+<message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>L'image ne vient pas d'un fichier, sa pose ne peut donc pas être enregistrée : ouvrez un scan ou un enregistrement.</translation></message>
 <message><source>Store the mounting</source><translation>Enregistrer le montage</translation></message>
 <message><source>Name of the scanner</source><translation>Nom du scanner</translation></message>
+<message><source>The robot's calibration</source><translation>L'étalonnage du robot</translation></message>
+<message><source>Calibration (*.json)</source><translation>Étalonnage (*.json)</translation></message>
 <message><source>The pose that was stored with the scan is removed.</source><translation>La pose enregistrée avec le scan est supprimée.</translation></message>
 <message><source>The pose is stored with the scan, in %1; it replaced the one that was there.</source><translation>La pose est enregistrée avec le scan, dans %1 ; elle remplace celle qui y était.</translation></message>
 <message><source>The pose is stored with the scan, in %1.</source><translation>La pose est enregistrée avec le scan, dans %1.</translation></message>
@@ -945,34 +920,9 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Shown: all</source><translation>Affiché : tout</translation></message>
 <message><source>computing: %1 %</source><translation>calcul en cours : %1 %</translation></message>
 <message><source>share of %1 nearby settings that find the edge</source><translation>part des %1 réglages proches qui trouvent l'arête</translation></message>
-<message><source>&amp;Calibrate</source><translation>&amp;Étalonner</translation></message>
-<message><source>Calibrate the Mounting</source><translation>Étalonner le montage</translation></message>
-<message><source>&amp;Save As…</source><translation>Enregi&amp;strer sous…</translation></message>
-<message><source>&amp;Apply to This Scan</source><translation>&amp;Appliquer à ce scan</translation></message>
-<message><source>EdgeScan finds how the scanner is mounted on its stepper, from surfaces that one turn measures twice. Turn 200 degrees instead of 180 once per mounting; 360 degrees show more. Nothing is applied automatically.</source><translation>Comment le scanner est posé sur son moteur, d'après les surfaces qu'une rotation voit deux fois. Tournez de 200 degrés au lieu de 180 une fois par montage ; 360 en disent plus. Rien n'est appliqué de soi-même.</translation></message>
-<message><source>Scans with one mounting:</source><translation>Scans d'un même montage :</translation></message>
-<message><source>A&amp;dd Scans…</source><translation>A&amp;jouter des scans…</translation></message>
-<message><source>&amp;Remove</source><translation>&amp;Retirer</translation></message>
-<message><source>Robot's &amp;File…</source><translation>&amp;Fichier du robot…</translation></message>
-<message><source>The robot's present calibration: only its stepper is replaced</source><translation>L'étalonnage actuel du robot : son moteur est réglé à nouveau, le reste demeure</translation></message>
-<message><source>error of the mounting</source><translation>erreur du montage</translation></message>
-<message><source>value</source><translation>valeur</translation></message>
-<message><source>± 2 sd</source><translation>± 2 écarts-types</translation></message>
-<message><source>Robot's file: none. The new file has the stepper only.</source><translation>Fichier du robot : aucun ; le nouveau fichier ne contient que le moteur.</translation></message>
-<message><source>Robot's file: %1. Only its stepper is replaced.</source><translation>Fichier du robot : %1 ; tout reste sauf son moteur.</translation></message>
-<message><source>S&amp;top</source><translation>&amp;Interrompre</translation></message>
-<message><source>working …</source><translation>en cours …</translation></message>
-<message><source>Saved %1.</source><translation>Enregistré %1.</translation></message>
-<message><source>Save the file first: a record names the file from which a place was computed</source><translation>Enregistrez d'abord le fichier : un compte rendu nomme le fichier qui a servi à calculer une position</translation></message>
-<message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Rouvre le scan avec ce fichier ; Ctrl+Z l'annule</translation></message>
 <message><source>No command has these words, or it cannot be used now.</source><translation>Aucune commande n'a ces mots, ou elle n'est pas utilisable maintenant.</translation></message>
 <message><source>Commands</source><translation>Commandes</translation></message>
 <message><source>A few letters of a command</source><translation>Quelques lettres d'une commande</translation></message>
-<message><source>Values of %1</source><translation>Valeurs de %1</translation></message>
-<message><source>The same picture at other values of %1. A click takes that value. Ctrl+Z undoes it.</source><translation>La même image à d'autres valeurs de %1. Un clic prend cette valeur ; Ctrl+Z la reprend.</translation></message>
-<message><source>computing %1 of %2 …</source><translation>calcul %1 sur %2 …</translation></message>
-<message><source>● now</source><translation>● actuel</translation></message>
-<message><source>▭ steady</source><translation>▭ constant</translation></message>
 <message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Seulement ce qui est sélectionné (%1 cellules)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
@@ -1125,18 +1075,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Scan</source><translation>Scan</translation></message>
 <message><source>About EdgeScan</source><translation>À propos d'EdgeScan</translation></message>
 <message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;It shows geometry from one viewpoint. It does not judge any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause&lt;br&gt;Drawn by %2</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Trouve les arêtes des blocs dans un scan laser de distances et les montre dans le nuage de points.&lt;br&gt;Ce qu'il montre est la géométrie vue d'un seul point ; ce n'est un jugement sur aucun bloc.&lt;br&gt;&lt;br&gt;Licence : BSD-3-Clause&lt;br&gt;Dessiné par %2</translation></message>
-<message><source>&amp;No Key</source><translation>A&amp;ucune touche</translation></message>
-<message><source>&amp;Reset</source><translation>&amp;Rétablir</translation></message>
-<message><source>Change Keys</source><translation>Changer les touches</translation></message>
-<message><source>A few letters of a command, or a key</source><translation>Quelques lettres d'une commande, ou une touche</translation></message>
-<message><source>Command</source><translation>Commande</translation></message>
-<message><source>Key</source><translation>Touche</translation></message>
-<message><source>Reset &amp;All</source><translation>&amp;Tout rétablir</translation></message>
-<message><source>Press the new key:</source><translation>Pressez la nouvelle touche :</translation></message>
-<message><source>%1 has no key now.</source><translation>%1 n'a plus de touche.</translation></message>
-<message><source>%1 has its original key again.</source><translation>%1 a de nouveau sa touche d'origine.</translation></message>
-<message><source>Every command has its original key again.</source><translation>Chaque commande a de nouveau sa touche d'origine.</translation></message>
-<message><source>%1 • changed</source><translation>%1 • changée</translation></message>
 <message><source>along the line</source><translation>le long de la ligne</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
 <message><source>%1: %2 m wide, %3 m deep (drawn × %4), near is below</source><translation>%1 : %2 m de large, %3 m de profondeur (dessinée × %4), le proche est en bas</translation></message>
@@ -1150,15 +1088,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>on</source><translation>activé</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
 <message><source>Letters outside a field are keys; these changed: %1.</source><translation>Les lettres hors d'un champ sont des touches ; celles-ci ont changé : %1.</translation></message>
-<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
-<message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
-<message><source>end the tool, or what is shown last</source><translation>quitter l'outil, ou ce qui est affiché en dernier</translation></message>
-<message><source>take the last click back</source><translation>annuler le dernier clic</translation></message>
-<message><source>to the next field</source><translation>vers le champ suivant</translation></message>
-<message><source>to the field before</source><translation>vers le champ précédent</translation></message>
-<message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
-<message><source>the cell cursor</source><translation>le curseur de cellule</translation></message>
-<message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
 <message><source>Add a Scan as a Layer…</source><translation>Ajouter un scan comme couche…</translation></message>
 <message><source>Remove</source><translation>Supprimer</translation></message>
 <message><source>Place by Targets</source><translation>Placer par cibles</translation></message>
@@ -1681,7 +1610,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>True &amp;Angle Aspect</source><translation>Proportions angulaires r&amp;éelles</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Réinitia&amp;liser la disposition</translation></message>
 <message><source>Full Scree&amp;n</source><translation>&amp;Plein écran</translation></message>
-<message><source>&amp;Calibrate…</source><translation>É&amp;talonner…</translation></message>
 <message><source>P&amp;ose and Mounting…</source><translation>Pose et monta&amp;ge…</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Scan</translation></message>
 <message><source>&amp;Next Scan</source><translation>Scan &amp;suivant</translation></message>
@@ -1709,7 +1637,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>This &amp;Is an Edge</source><translation>Ceci &amp;est une arête</translation></message>
 <message><source>This Is &amp;Not an Edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Réglages pour ces &amp;marques…</translation></message>
-<message><source>Contact Shee&amp;t…</source><translation>&amp;Planche-contact…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Effacer les mar&amp;ques</translation></message>
 <message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Revenir au préréglage</translation></message>
@@ -1719,7 +1646,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Manual</source><translation>&amp;Manuel</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
-<message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
 <message><source>gray %1 to %2 m</source><translation>gris %1 à %2 m</translation></message>
 <message><source>up to line %1</source><translation>jusqu'à la ligne %1</translation></message>
@@ -1810,7 +1736,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Range picture</source><translation>Image de distances</translation></message>
 <message><source>LAS point cloud</source><translation>Nuage de points LAS</translation></message>
 <message><source>numpy array</source><translation>Tableau numpy</translation></message>
-<message><source>numpy archive</source><translation>Archive numpy</translation></message>
 <message><source>Wavefront OBJ</source><translation>OBJ de Wavefront</translation></message>
 <message><source>Point Cloud Library</source><translation>Point Cloud Library (PCL)</translation></message>
 <message><source>Polygon file</source><translation>Fichier de polygones</translation></message>

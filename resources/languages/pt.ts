@@ -410,8 +410,6 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 %1</source><translation>não pôde ser calculada:
 %1</translation></message>
 <message><source>by confidence</source><translation>por confiança</translation></message>
-<message><source>Open a scan first.</source><translation>Abra primeiro uma varredura.</translation></message>
-<message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
 <message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>A força é %1. Uma borda atinge a Força da borda %2 em um lugar, e %3 no resto.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>A sua força %1 está acima da Força da borda %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>A sua força %1 está abaixo da Força da borda %2, mas continua uma borda que chega a %3 na linha %4, feixe %5. Para uma célula assim basta %6.</translation></message>
@@ -545,33 +543,6 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>EdgeScan presets (*.json)</source><translation>Predefinições do EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Salvar a predefinição</translation></message>
 <message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 não é uma predefinição e fica como está: escolha outro nome.</translation></message>
-<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falhou (%1); feche outros programas ou use uma varredura menor.</translation></message>
-<message><source>The picture does not come from a file, so a calibration cannot name it: open a scan or a recording.</source><translation>A imagem não vem de um arquivo, e uma calibração não pode nomeá-lo: abra uma varredura ou uma gravação.</translation></message>
-<message><source>Scans with the same mounting</source><translation>Varreduras com a mesma montagem</translation></message>
-<message><source>The robot's calibration</source><translation>A calibração do robô</translation></message>
-<message><source>Calibration (*.json)</source><translation>Calibração (*.json)</translation></message>
-<message><source>stopped</source><translation>parado</translation></message>
-<message><source>Save the calibration</source><translation>Salvar a calibração</translation></message>
-<message><source>a calibration</source><translation>uma calibração</translation></message>
-<message><source>The calibration could not be saved (%1).</source><translation>Não foi possível salvar a calibração (%1).</translation></message>
-<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; Pose and Mounting.</source><translation>Esta varredura foi aberta sem pose, por isso não tem um lugar que a calibração pudesse corrigir: indique ambas em Varredura &gt; Pose e montagem.</translation></message>
-<message><source>Apply Calibration</source><translation>Aplicar a calibração</translation></message>
-<message><source>lever arm t1, in the scan plane</source><translation>braço de alavanca t1, no plano de varredura</translation></message>
-<message><source>lever arm t2, across the plane</source><translation>braço de alavanca t2, transversal ao plano</translation></message>
-<message><source>tilt of the scan plane</source><translation>inclinação do plano de varredura</translation></message>
-<message><source>beam index</source><translation>índice dos feixes</translation></message>
-<message><source>turn at 180°</source><translation>giro a 180°</translation></message>
-<message><source>unchanged</source><translation>inalterado</translation></message>
-<message><source>not measured</source><translation>não determinado</translation></message>
-<message><source>found from %1 cells, %2° seen twice</source><translation>encontrado com %1 células, %2° vistos duas vezes</translation></message>
-<message><source>Mismatch of the two views: %1 mm before, %2 mm with these errors (median; noise alone explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Diferença entre as duas vistas: %1 mm antes, %2 mm com estes erros (mediana; o ruído sozinho explica %3 mm). Uma varredura nunca mostra um deslocamento ao longo do eixo, um erro comum das distâncias nem o zero do motor.</translation></message>
-<message><source>Edges of both views</source><translation>Bordas das duas vistas</translation></message>
-<message><source>orange – late view, blue | early view, white + both</source><translation>laranja – vista tardia, azul | primeira vista, branco + ambas</translation></message>
-<message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Antes: %1 % de %2 bordas tardias estão ao lado de uma da primeira vista (%3)</translation></message>
-<message><source>After: %1 % of them</source><translation>Depois: %1 % delas</translation></message>
-<message><source>Distance of the views</source><translation>Distância das vistas</translation></message>
-<message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul mais perto, vermelho mais longe que a vista tardia, cor plena a 50 mm)</translation></message>
-<message><source>After: %1 mm apart</source><translation>Depois: a %1 mm</translation></message>
 <message><source>a section</source><translation>uma secção</translation></message>
 <message><source>a section of %1</source><translation>uma secção de %1</translation></message>
 <message><source>%1 edge points</source><translation>%1 pontos de borda</translation></message>
@@ -609,11 +580,15 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>It looks %1° below the horizon. </source><translation>Olha %1° abaixo do horizonte. </translation></message>
 <message><source>It looks %1° above the horizon. </source><translation>Olha %1° acima do horizonte. </translation></message>
 <message><source>Its points: </source><translation>Seus pontos: </translation></message>
+<message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falhou (%1); feche outros programas ou use uma varredura menor.</translation></message>
 <message><source>Store Pose</source><translation>Guardar a pose</translation></message>
 <message><source>Remove Pose</source><translation>Remover a pose</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primeiro uma varredura.</translation></message>
 <message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>A imagem não vem de um arquivo, por isso a pose não pode ser guardada: abra uma varredura ou uma gravação.</translation></message>
 <message><source>Store the mounting</source><translation>Guardar a montagem</translation></message>
 <message><source>Name of the scanner</source><translation>Nome do scanner</translation></message>
+<message><source>The robot's calibration</source><translation>A calibração do robô</translation></message>
+<message><source>Calibration (*.json)</source><translation>Calibração (*.json)</translation></message>
 <message><source>The pose that was stored with the scan is removed.</source><translation>A pose guardada com a varredura foi removida.</translation></message>
 <message><source>The pose is stored with the scan, in %1; it replaced the one that was there.</source><translation>A pose foi guardada com a varredura, em %1; substituiu a que havia.</translation></message>
 <message><source>The pose is stored with the scan, in %1.</source><translation>A pose foi guardada com a varredura, em %1.</translation></message>
@@ -945,34 +920,9 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Shown: all</source><translation>Mostrado: tudo</translation></message>
 <message><source>computing: %1 %</source><translation>calculando: %1 %</translation></message>
 <message><source>share of %1 nearby settings that find the edge</source><translation>parte dos %1 ajustes próximos que encontram a borda</translation></message>
-<message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
-<message><source>Calibrate the Mounting</source><translation>Calibrar a montagem</translation></message>
-<message><source>&amp;Save As…</source><translation>&amp;Salvar como…</translation></message>
-<message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a esta varredura</translation></message>
-<message><source>EdgeScan finds how the scanner is mounted on its stepper, from surfaces that one turn measures twice. Turn 200 degrees instead of 180 once per mounting; 360 degrees show more. Nothing is applied automatically.</source><translation>Como o scanner está sobre o seu motor, por superfícies que um giro vê duas vezes. Gire 200 graus em vez de 180 uma vez por montagem; 360 dizem mais. Nada é aplicado por si só.</translation></message>
-<message><source>Scans with one mounting:</source><translation>Varreduras de uma montagem:</translation></message>
-<message><source>A&amp;dd Scans…</source><translation>A&amp;dicionar varreduras…</translation></message>
-<message><source>&amp;Remove</source><translation>&amp;Remover</translation></message>
-<message><source>Robot's &amp;File…</source><translation>Ar&amp;quivo do robô…</translation></message>
-<message><source>The robot's present calibration: only its stepper is replaced</source><translation>A calibração atual do robô: o seu motor é ajustado de novo, o resto fica</translation></message>
-<message><source>error of the mounting</source><translation>erro da montagem</translation></message>
-<message><source>value</source><translation>valor</translation></message>
-<message><source>± 2 sd</source><translation>± 2 desvios</translation></message>
-<message><source>Robot's file: none. The new file has the stepper only.</source><translation>Arquivo do robô: nenhum; o novo arquivo contém só o motor.</translation></message>
-<message><source>Robot's file: %1. Only its stepper is replaced.</source><translation>Arquivo do robô: %1; fica tudo menos o seu motor.</translation></message>
-<message><source>S&amp;top</source><translation>&amp;Parar</translation></message>
-<message><source>working …</source><translation>trabalhando …</translation></message>
-<message><source>Saved %1.</source><translation>Salvo %1.</translation></message>
-<message><source>Save the file first: a record names the file from which a place was computed</source><translation>Salve primeiro o arquivo: um registro nomeia o arquivo com que um lugar foi calculado</translation></message>
-<message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Abre de novo a varredura com este arquivo; Ctrl+Z desfaz</translation></message>
 <message><source>No command has these words, or it cannot be used now.</source><translation>Nenhum comando tem estas palavras, ou não pode ser usado agora.</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algumas letras de um comando</translation></message>
-<message><source>Values of %1</source><translation>Valores de %1</translation></message>
-<message><source>The same picture at other values of %1. A click takes that value. Ctrl+Z undoes it.</source><translation>A mesma imagem com outros valores de %1. Um clique toma esse valor; Ctrl+Z desfaz.</translation></message>
-<message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
-<message><source>● now</source><translation>● atual</translation></message>
-<message><source>▭ steady</source><translation>▭ constante</translation></message>
 <message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Só o que está selecionado (%1 células)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
@@ -1125,18 +1075,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Scan</source><translation>Varredura</translation></message>
 <message><source>About EdgeScan</source><translation>Sobre o EdgeScan</translation></message>
 <message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;It shows geometry from one viewpoint. It does not judge any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause&lt;br&gt;Drawn by %2</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encontra as bordas das rochas em uma varredura a laser de distâncias e as mostra na nuvem de pontos.&lt;br&gt;O que mostra é geometria vista de um só ponto; não é um julgamento sobre nenhuma rocha.&lt;br&gt;&lt;br&gt;Licença: BSD-3-Clause&lt;br&gt;Desenhado por %2</translation></message>
-<message><source>&amp;No Key</source><translation>&amp;Nenhuma tecla</translation></message>
-<message><source>&amp;Reset</source><translation>&amp;Repor</translation></message>
-<message><source>Change Keys</source><translation>Alterar teclas</translation></message>
-<message><source>A few letters of a command, or a key</source><translation>Algumas letras de um comando, ou uma tecla</translation></message>
-<message><source>Command</source><translation>Comando</translation></message>
-<message><source>Key</source><translation>Tecla</translation></message>
-<message><source>Reset &amp;All</source><translation>Repor &amp;tudo</translation></message>
-<message><source>Press the new key:</source><translation>Pressione a nova tecla:</translation></message>
-<message><source>%1 has no key now.</source><translation>%1 não tem mais tecla.</translation></message>
-<message><source>%1 has its original key again.</source><translation>%1 tem de novo a tecla original.</translation></message>
-<message><source>Every command has its original key again.</source><translation>Cada comando tem de novo a tecla original.</translation></message>
-<message><source>%1 • changed</source><translation>%1 • alterada</translation></message>
 <message><source>along the line</source><translation>ao longo da linha</translation></message>
 <message><source>across the lines</source><translation>através das linhas</translation></message>
 <message><source>%1: %2 m wide, %3 m deep (drawn × %4), near is below</source><translation>%1: %2 m de largura, %3 m de profundidade (desenhada × %4), o próximo está embaixo</translation></message>
@@ -1150,15 +1088,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
 <message><source>Letters outside a field are keys; these changed: %1.</source><translation>As letras fora de um campo são teclas; estas mudaram: %1.</translation></message>
-<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
-<message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
-<message><source>end the tool, or what is shown last</source><translation>deixar a ferramenta, ou o que é mostrado por último</translation></message>
-<message><source>take the last click back</source><translation>retirar o último clique</translation></message>
-<message><source>to the next field</source><translation>para o campo seguinte</translation></message>
-<message><source>to the field before</source><translation>para o campo anterior</translation></message>
-<message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
-<message><source>the cell cursor</source><translation>o cursor de células</translation></message>
-<message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
 <message><source>Add a Scan as a Layer…</source><translation>Adicionar varredura como camada…</translation></message>
 <message><source>Remove</source><translation>Remover</translation></message>
 <message><source>Place by Targets</source><translation>Posicionar por alvos</translation></message>
@@ -1681,7 +1610,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>True &amp;Angle Aspect</source><translation>Proporção an&amp;gular real</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restaurar o &amp;layout</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Te&amp;la cheia</translation></message>
-<message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
 <message><source>P&amp;ose and Mounting…</source><translation>Pose e mo&amp;ntagem…</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Varredura</translation></message>
 <message><source>&amp;Next Scan</source><translation>&amp;Próxima varredura</translation></message>
@@ -1709,7 +1637,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>This &amp;Is an Edge</source><translation>Isto &amp;é uma borda</translation></message>
 <message><source>This Is &amp;Not an Edge</source><translation>Isto &amp;não é uma borda</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
-<message><source>Contact Shee&amp;t…</source><translation>Folha de con&amp;tatos…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Limpar as mar&amp;cas</translation></message>
 <message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Voltar à predefinição</translation></message>
@@ -1719,7 +1646,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Manual</source><translation>&amp;Manual</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
-<message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
 <message><source>gray %1 to %2 m</source><translation>cinza %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>até a linha %1</translation></message>
@@ -1810,7 +1736,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Range picture</source><translation>Imagem de distâncias</translation></message>
 <message><source>LAS point cloud</source><translation>Nuvem de pontos LAS</translation></message>
 <message><source>numpy array</source><translation>Matriz numpy</translation></message>
-<message><source>numpy archive</source><translation>Arquivo numpy</translation></message>
 <message><source>Wavefront OBJ</source><translation>OBJ da Wavefront</translation></message>
 <message><source>Point Cloud Library</source><translation>Point Cloud Library (PCL)</translation></message>
 <message><source>Polygon file</source><translation>Arquivo de polígonos</translation></message>

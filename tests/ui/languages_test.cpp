@@ -25,6 +25,7 @@
 #include "ui/panels/targets/target_words.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/status_line.h"
+#include "ui/window/cab_mode.h"
 #include "ui/window/view_choices.h"
 
 #include <QAbstractButton>

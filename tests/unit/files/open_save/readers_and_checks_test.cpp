@@ -15,11 +15,11 @@ using namespace edgescan::test;
 
 namespace {
 
-constexpr std::size_t kLines = 24, kBeams = 28;
+constexpr std::size_t kGridLines = 24, kGridBeams = 28;
 
 /// How the points are laid out: lines x beams of an organised cloud, by line.
 struct Layout {
-    std::size_t rows = kLines, columns = kBeams;
+    std::size_t rows = kGridLines, columns = kGridBeams;
 };
 
 struct Reader {
@@ -127,7 +127,7 @@ protected:
         return all;
     }
 
-    const Scan scan_ = makeScan({.lines = kLines, .beams = kBeams, .noReturns = 0.02});
+    const Scan scan_ = makeScan({.lines = kGridLines, .beams = kGridBeams, .noReturns = 0.02});
     const Points points_ = listOf(scan_, {});
 };
 
@@ -171,12 +171,12 @@ TEST_F(ReadersAndChecks, MovedAsAWhole) {
 
 TEST_F(ReadersAndChecks, RowsForColumns) {
     Points turned(points_.size());
-    for (std::size_t k = 0; k < points_.size(); ++k) turned[k % kBeams * kLines + k / kBeams] = points_[k];
+    for (std::size_t k = 0; k < points_.size(); ++k) turned[k % kGridBeams * kGridLines + k / kGridBeams] = points_[k];
     for (const Reader& reader : kReaders) {
         if (!reader.organised) continue;
-        expectSame(reader, reader.bytes(turned, {kBeams, kLines}));               // rows are beams
-        if (std::string_view(reader.name) == "e57") continue;                     // each point names its own row and column
-        expectSame(reader, reader.bytes(points_, {kBeams, kLines}), "exchanged"); // counts that are exchanged
+        expectSame(reader, reader.bytes(turned, {kGridBeams, kGridLines}));               // rows are beams
+        if (std::string_view(reader.name) == "e57") continue;                             // each point names its own row and column
+        expectSame(reader, reader.bytes(points_, {kGridBeams, kGridLines}), "exchanged"); // counts that are exchanged
     }
 }
 
