@@ -145,6 +145,15 @@ TEST(Usage, EveryCommandHasAGroupAnExampleAndItsExitCodes) {
     }
 }
 
+TEST(Usage, CommandsThatWentToTheLabStartItAndSaySo) {
+    for (const char* command : {"simulate", "emulate", "calibrate"}) {
+        const auto run = test::runCli(std::string(command) + " --help");
+        EXPECT_EQ(run.code, 0);
+        EXPECT_EQ(run.out, test::runLab(std::string(command) + " --help").out);
+        EXPECT_NE(run.err.find(std::string("type edgescan-lab ") + command), std::string::npos) << run.err;
+    }
+}
+
 // "edgescan emulate --help" showed the help of the viewer.
 TEST(Usage, TheViewerNamesTheProgramOfACommand) {
     if (!std::filesystem::exists(test::programFolder() + "/edgescan")) GTEST_SKIP() << "the viewer was not built";

@@ -87,13 +87,13 @@ TEST(Words, NoStringOfTheProgramPromises) {
 }
 
 TEST(Words, NoHelpPromises) {
-    for (const char* command : {"", "info", "detect", "convert", "simulate", "verify", "emulate", "record", "replay", "why"}) {
+    for (const char* command : {"", "info", "detect", "convert", "verify", "record", "replay", "why"}) {
         const std::string help = test::runCli(std::string(command) + " --help").out;
         EXPECT_GT(help.size(), 100U) << command;
         EXPECT_EQ(promiseIn(help), "") << command;
     }
     EXPECT_EQ(promiseIn(test::runProgram("edgescan", "--help").out), "");
-    for (const char* command : {"", "benchmark", "repeatability", "evaluate"})
+    for (const char* command : {"", "benchmark", "repeatability", "evaluate", "simulate", "emulate", "calibrate"})
         EXPECT_EQ(promiseIn(test::runLab(std::string(command) + " --help").out), "") << command;
 }
 
