@@ -150,6 +150,8 @@
 <message><source>allow writing with chmod u+w, or choose another name</source><translation>permita la escritura con chmod u+w o elija otro nombre</translation></message>
 <message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>este archivo pertenece a otro usuario, que no permite escribir en él; por eso no se ha sustituido</translation></message>
 <message><source>choose another name, or ask its owner</source><translation>elija otro nombre o pregunte a su propietario</translation></message>
+<message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>no es un archivo normal: los ajustes no se leen y nada de esta ventana se guarda</translation></message>
+<message><source>remove it and start again</source><translation>elimínelo e inicie de nuevo</translation></message>
 <message><source>this file was read as an input</source><translation>este archivo se leyó como entrada</translation></message>
 <message><source>this is the file that was read as an input under the name </source><translation>es el archivo que se leyó como entrada con el nombre </translation></message>
 <message><source>choose another name</source><translation>elija otro nombre</translation></message>
@@ -829,8 +831,6 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Saving %1</source><translation>Guardando %1</translation></message>
 <message><source>writing</source><translation>escribiendo</translation></message>
 <message><source>being cancelled</source><translation>cancelando</translation></message>
-<message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>no es un archivo normal: los ajustes no se leen y nada de esta ventana se guarda</translation></message>
-<message><source>remove it and start again</source><translation>elimínelo e inicie de nuevo</translation></message>
 <message><source>opened</source><translation>abierto</translation></message>
 <message><source>reading</source><translation>lectura</translation></message>
 <message><source>reading points</source><translation>lectura de los puntos</translation></message>

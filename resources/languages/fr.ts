@@ -150,6 +150,8 @@
 <message><source>allow writing with chmod u+w, or choose another name</source><translation>permettez l'écriture avec chmod u+w, ou choisissez un autre nom</translation></message>
 <message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>ce fichier appartient à un autre utilisateur, qui ne permet pas d'y écrire ; il n'a donc pas été remplacé</translation></message>
 <message><source>choose another name, or ask its owner</source><translation>choisissez un autre nom, ou demandez à son propriétaire</translation></message>
+<message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>ce n'est pas un fichier ordinaire : les réglages ne sont pas lus et rien de cette fenêtre n'est enregistré</translation></message>
+<message><source>remove it and start again</source><translation>supprimez-le et redémarrez</translation></message>
 <message><source>this file was read as an input</source><translation>ce fichier a été lu comme entrée</translation></message>
 <message><source>this is the file that was read as an input under the name </source><translation>c'est le fichier lu comme entrée sous le nom </translation></message>
 <message><source>choose another name</source><translation>choisissez un autre nom</translation></message>
@@ -829,8 +831,6 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
 <message><source>writing</source><translation>écriture</translation></message>
 <message><source>being cancelled</source><translation>annulation en cours</translation></message>
-<message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>ce n'est pas un fichier ordinaire : les réglages ne sont pas lus et rien de cette fenêtre n'est enregistré</translation></message>
-<message><source>remove it and start again</source><translation>supprimez-le et redémarrez</translation></message>
 <message><source>opened</source><translation>ouvert</translation></message>
 <message><source>reading</source><translation>lecture</translation></message>
 <message><source>reading points</source><translation>lecture des points</translation></message>

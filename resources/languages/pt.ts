@@ -150,6 +150,8 @@
 <message><source>allow writing with chmod u+w, or choose another name</source><translation>permita a escrita com chmod u+w ou escolha outro nome</translation></message>
 <message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>este arquivo pertence a outro usuário, que não permite escrever nele; por isso não foi substituído</translation></message>
 <message><source>choose another name, or ask its owner</source><translation>escolha outro nome ou pergunte ao seu proprietário</translation></message>
+<message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>não é um arquivo comum: os ajustes não são lidos e nada desta janela é guardado</translation></message>
+<message><source>remove it and start again</source><translation>remova-o e inicie de novo</translation></message>
 <message><source>this file was read as an input</source><translation>este arquivo foi lido como entrada</translation></message>
 <message><source>this is the file that was read as an input under the name </source><translation>é o arquivo que foi lido como entrada com o nome </translation></message>
 <message><source>choose another name</source><translation>escolha outro nome</translation></message>
@@ -829,8 +831,6 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Saving %1</source><translation>Salvando %1</translation></message>
 <message><source>writing</source><translation>escrevendo</translation></message>
 <message><source>being cancelled</source><translation>cancelando</translation></message>
-<message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>não é um arquivo comum: os ajustes não são lidos e nada desta janela é guardado</translation></message>
-<message><source>remove it and start again</source><translation>remova-o e inicie de novo</translation></message>
 <message><source>opened</source><translation>aberto</translation></message>
 <message><source>reading</source><translation>leitura</translation></message>
 <message><source>reading points</source><translation>leitura dos pontos</translation></message>

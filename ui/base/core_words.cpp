@@ -178,6 +178,8 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "allow writing with chmod u+w, or choose another name"),
     QT_TRANSLATE_NOOP("QObject", "this file belongs to another user, who does not allow writing, so it was not replaced"),
     QT_TRANSLATE_NOOP("QObject", "choose another name, or ask its owner"),
+    QT_TRANSLATE_NOOP("QObject", "it is not a regular file, so settings are not read and nothing of this window is stored"),
+    QT_TRANSLATE_NOOP("QObject", "remove it and start again"),
     QT_TRANSLATE_NOOP("QObject", "this file was read as an input"),
     QT_TRANSLATE_NOOP("QObject", "this is the file that was read as an input under the name "),
     QT_TRANSLATE_NOOP("QObject", "choose another name"),

@@ -78,8 +78,8 @@ Preferences::Preferences(const QString& iniPath) {
 
 std::optional<Error> Preferences::refusal() const {
     if (refused_.isEmpty()) return std::nullopt;
-    return Error{exactBytes(QObject::tr("it is not a regular file, so settings are not read and nothing of this window is stored")),
-                 exactBytes(refused_), exactBytes(QObject::tr("remove it and start again"))};
+    return Error{"it is not a regular file, so settings are not read and nothing of this window is stored", exactBytes(refused_),
+                 "remove it and start again"};
 }
 
 QString Preferences::usualPath() {
