@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -91,7 +90,7 @@ void runInLab(int argc, char** argv) {
     if (argc < 2 || std::ranges::find(kLab, argv[1]) == kLab.end()) return;
     std::error_code failed;
     const std::string lab = (std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / "edgescan-lab").string();
-    std::cerr << "edgescan-cli: " << argv[1] << " is a command of edgescan-lab now: type edgescan-lab " << argv[1] << ".\n";
+    cli::printError(std::string(argv[1]) + " is a command of edgescan-lab now: type edgescan-lab " + argv[1] + ".");
     execv(lab.c_str(), argv); // where it is missing, the command is unknown
 }
 

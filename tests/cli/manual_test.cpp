@@ -254,9 +254,9 @@ TEST(Manual, EveryCommandAndFlagExists) {
 /// Files that the examples name: a small scan, one before a blast, and a placed recording.
 void makeFilesOfExamples(const fs::path& folder) {
     const std::string small = " --lines 120 --beams 138 ", in = "simulate" + small + "-o " + folder.string() + "/";
-    ASSERT_EQ(test::runCli(in + "my.json").code, 0);
+    ASSERT_EQ(test::runLab(in + "my.json").code, 0);
     ASSERT_EQ(test::runCli("convert " + (folder / "my.json").string() + " " + (folder / "my.pcd").string()).code, 0);
-    ASSERT_EQ(test::runCli(in + "SWEEP.mcap").code, 0);
+    ASSERT_EQ(test::runLab(in + "SWEEP.mcap").code, 0);
     const std::string page = test::fileText(kManual.parent_path() / "docs/reference/coordinates.md"), fence = "```json\n";
     for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at + 1)) {
         const std::string text = page.substr(at + fence.size(), page.find("```", at + fence.size()) - at - fence.size());
@@ -265,7 +265,7 @@ void makeFilesOfExamples(const fs::path& folder) {
     }
 }
 
-// Each line of each block of code that begins with edgescan-cli, in the order of the page. Lines that need a scanner are left out.
+// Each line of each block of code that begins with a command, in the order of the page. Lines that need a scanner are left out.
 TEST(Manual, TheExamplesWork) {
     std::size_t lines = 0;
     for (const char* name : {"quick-start", "rocks", "compare", "exports"}) {
@@ -275,7 +275,7 @@ TEST(Manual, TheExamplesWork) {
         std::istringstream page(test::fileText(kManual / "guide" / (std::string(name) + ".md")));
         for (std::string line; std::getline(page, line);) {
             if (line.starts_with("```")) code = !code;
-            if (!code || !line.starts_with("edgescan-cli ")) continue;
+            if (!code || !(line.starts_with("edgescan-cli ") || line.starts_with("edgescan-lab simulate "))) continue;
             if (line.find("simulate") != std::string::npos) line += " --lines 120 --beams 138"; // a scan of full size takes seconds
             ++lines;
             // The program writes into the current folder, so the shell changes it first.

@@ -106,7 +106,7 @@ TEST_F(CliPlace, EveryFormatIsInTheMineGridIfThereIsAPoseAndOpensAsTheSameScan) 
         const char* flags;
         bool opens = true;
     };
-    constexpr std::array<Case, 15> kCases{{{"w.pcd", ""},
+    constexpr std::array<Case, 14> kCases{{{"w.pcd", ""},
                                            {"t.pcd", "--ascii"},
                                            {"d.pcd", "--doubles"},
                                            {"w.ply", ""},

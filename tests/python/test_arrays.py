@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 
 import edgescan
-from support import HERE, SHARED, SOURCE, bell_file, cli, recording_file
+from support import HERE, SHARED, SOURCE, bell_file, cli, lab, recording_file
 
 
 def again(scan, **more):

@@ -7,7 +7,7 @@ import subprocess
 import unittest
 
 import edgescan
-from support import HERE, LAB, bell_file, cli
+from support import HERE, LAB, bell_file, cli, lab
 
 
 def document(text):

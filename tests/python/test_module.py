@@ -16,7 +16,7 @@ import unittest
 import numpy as np
 
 import edgescan
-from support import CLI, HERE, SHARED, SOURCE, bell_file, cli, recording_file
+from support import CLI, HERE, SHARED, SOURCE, bell_file, cli, lab, recording_file
 
 
 class SameAsTheCommandLine(unittest.TestCase):

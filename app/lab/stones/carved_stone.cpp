@@ -45,7 +45,7 @@ private:
     std::array<Wave, 4> waves_;
 };
 
-/// The surface within a wavy sphere around a point of it lies lower, behind a steep rim, as where a flake broke off.
+/// Within a wavy sphere around a point of the surface, the surface is lower, with a steep rim, as where a flake broke off.
 struct Scar {
     Eigen::Vector3f centre;
     float radius = 0, wobble = 0, depth = 0, rim = 0;
