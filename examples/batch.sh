@@ -3,7 +3,7 @@
 # Exits with 0 when everything was done, 3 when a result differs from what its record describes, 4 when some scans were refused.
 # EDGESCAN_CLI=PROGRAM: another program than the edgescan-cli of the path.
 set -euo pipefail
-[ $# -eq 2 ] && [ -d "$1" ] || { echo "usage: examples/batch.sh ARCHIVE RESULTS; ARCHIVE is a folder of scans" >&2; exit 2; }
+if [ $# -ne 2 ] || [ ! -d "$1" ]; then echo "usage: examples/batch.sh ARCHIVE RESULTS; ARCHIVE is a folder of scans" >&2; exit 2; fi
 cli=$(command -v "${EDGESCAN_CLI:-edgescan-cli}") || { echo "examples/batch.sh: edgescan-cli is missing; install it, or give EDGESCAN_CLI its path" >&2; exit 1; }
 cli=$(realpath "$cli")
 results=$(realpath -m "$2")
