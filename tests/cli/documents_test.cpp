@@ -26,7 +26,7 @@ bool isText(const fs::path& path) {
 
 std::vector<fs::path> filesThatCite() {
     std::vector<fs::path> files;
-    for (const char* folder : {"core", "ui", "app", "tests", "packaging", "docs"}) {
+    for (const char* folder : {"core", "ui", "app", "tests", "packaging", "docs", "examples"}) {
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
             const bool found = entry.path().string().find("/tests/fuzz/found/") != std::string::npos; // fuzzer inputs, not text
             if (entry.is_regular_file() && isText(entry.path()) && !found) files.push_back(entry.path());
@@ -160,7 +160,7 @@ TEST(Documents, EveryGroupHasAReadme) {
         }
     }
     EXPECT_GT(groups, 15);
-    for (const char* folder : {"app", "tests", "packaging", "docs"})
+    for (const char* folder : {"app", "tests", "packaging", "docs", "examples"})
         EXPECT_TRUE(fs::is_regular_file(kRoot / folder / "README.md")) << folder;
 }
 
@@ -170,7 +170,7 @@ TEST(Documents, PathsNamedInDocumentsAreThere) {
     for (const fs::path& file : filesThatCite()) {
         if (file.extension() != kMark) continue;
         const std::string text = test::fileText(file);
-        for (const char* folder : {"`core/", "`ui/", "`app/", "`tests/", "`docs/", "`packaging/"}) {
+        for (const char* folder : {"`core/", "`ui/", "`app/", "`tests/", "`docs/", "`packaging/", "`examples/"}) {
             for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at + 1)) {
                 const std::string path = text.substr(at + 1, text.find_first_of("` \n", at + 1) - at - 1);
                 if (path.find("NAME") != std::string::npos) continue;

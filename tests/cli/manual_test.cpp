@@ -28,10 +28,11 @@ std::vector<fs::path> pagesOfTheManual() {
     return pages;
 }
 
-/// README, CHANGELOG, CONTRIBUTING and everything in docs, with the translations.
+/// README, CHANGELOG, CONTRIBUTING, SECURITY, the page of the examples, and everything in docs, with the translations.
 std::vector<fs::path> allPages() {
     const fs::path root = test::sourceFolder();
-    std::vector<fs::path> pages{root / "README.md", root / "CHANGELOG.md", root / "CONTRIBUTING.md"};
+    std::vector<fs::path> pages{root / "README.md", root / "CHANGELOG.md", root / "CONTRIBUTING.md", root / "SECURITY.md",
+                                root / "examples/README.md"};
     for (const auto& entry : fs::recursive_directory_iterator(kManual))
         if (entry.path().extension() == ".md") pages.push_back(entry.path());
     return pages;
@@ -135,7 +136,8 @@ TEST(Manual, SentencesAreShort) {
 // What the window shows, *in italics* or "in quotes", has the words that the window has.
 TEST(Manual, EveryPageIsInPlainEnglish) {
     static const std::regex label(R"(\*[^*\s][^*]*\*)");
-    std::vector<fs::path> pages{fs::path(test::sourceFolder()) / "README.md"};
+    const fs::path root = test::sourceFolder();
+    std::vector<fs::path> pages{root / "README.md", root / "SECURITY.md", root / "examples/README.md"};
     for (const auto& entry : fs::recursive_directory_iterator(kManual))
         if (entry.path().extension() == ".md" && isEnglish(entry.path())) pages.push_back(entry.path());
     EXPECT_GT(pages.size(), 40U);

@@ -106,14 +106,14 @@ TEST(Words, NoDocumentPromises) {
         ++documents;
         EXPECT_EQ(promiseIn(text), "") << path;
     };
-    for (const char* folder : {"docs", "resources", "packaging", "core", "ui", "app"}) {
+    for (const char* folder : {"docs", "resources", "packaging", "core", "ui", "app", "examples"}) {
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
             const std::string extension = entry.path().extension().string();
             if (extension == ".md" || extension == ".json" || extension == ".desktop" || extension == ".xml" || extension == ".svg")
                 check(entry.path());
         }
     }
-    for (const char* name : {"README.md", "CHANGELOG.md", "CONTRIBUTING.md"}) check(kRoot / name);
+    for (const char* name : {"README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"}) check(kRoot / name);
     EXPECT_GT(documents, 30);
 }
 

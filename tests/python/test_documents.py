@@ -1,18 +1,28 @@
-"""The page docs/reference/python.md, the docstrings, the type stubs and the types of the reports."""
+"""The page docs/reference/python.md, the folder examples, the docstrings, the type stubs and the types of the reports."""
 import ast
 import doctest
 import importlib.util
 import inspect
+import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import unittest
 
 import edgescan
 from edgescan import reports
-from support import HERE, LAB, SOURCE, bell_file, cli, recording_file, served
+from support import CLI, HERE, LAB, SOURCE, bell_file, cli, recording_file, served
+
+
+def can_run(code):
+    """Whether every package that the code imports is there; if not, it prints the code that is left out."""
+    absent = [name for name in sorted(set(re.findall(r"^(?:import|from) (\w+)", code, re.M))) if importlib.util.find_spec(name) is None]
+    if absent:
+        print(f"left out, {', '.join(absent)} is not there:\n{code}", file=sys.stderr)
+    return not absent
 
 
 class Documents(unittest.TestCase):
@@ -34,10 +44,7 @@ class Documents(unittest.TestCase):
         needs a package that is not there is left out."""
         together, own = [], []
         for block in re.findall(r"```python\n(.*?)```", (SOURCE / "docs/reference/python.md").read_text(), re.S):
-            absent = [name for name in set(re.findall(r"^(?:import|from) (\w+)", block, re.M)) if importlib.util.find_spec(name) is None]
-            if absent and runs:
-                print(f"left out, {', '.join(absent)} is not there:\n{block}", file=sys.stderr)
-            else:
+            if not runs or can_run(block):
                 (own if "__main__" in block else together).append(block)
         self.assertGreaterEqual(len(together), 8)
         return ["".join(together), *own]
@@ -56,6 +63,78 @@ class Documents(unittest.TestCase):
                 self.assertEqual(run.returncode, 0, script + run.stderr)
         for made in ("edges.ply", "OWN.json", "change.png", "report.html", "SIMULATED.json", "TRUTH/gt_class.png", "live.mcap"):
             self.assertTrue((folder / made).exists(), made)
+
+    def test_the_notebook_runs_as_a_script(self):
+        cells = json.loads((SOURCE / "examples/edges.ipynb").read_text(encoding="utf-8"))["cells"]
+        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+        self.assertGreaterEqual(len(code), 5)
+        self.assertEqual([cell for cell in cells if cell.get("outputs")], [])
+        shutil.copytree(SOURCE / "examples", HERE / "notebook")
+        run = subprocess.run([sys.executable, "-c", "\n".join(filter(can_run, code))], cwd=HERE / "notebook", capture_output=True, text=True,
+                             env=dict(os.environ, MPLBACKEND="Agg"), check=False)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for said in ("cells: jump", "edge cells", "rocks; the ten", "['edges.ply', 'edges.ply.provenance.json']"):
+            self.assertIn(said, run.stdout)
+
+    def test_the_script_of_an_archive(self):
+        archive = HERE / "archive"
+        (archive / "50% off").mkdir(parents=True)
+        for name in ("stones.json", "stones.u16"):
+            shutil.copyfile(SOURCE / "examples" / name, archive / "50% off" / name)
+
+        def script(*arguments):
+            return subprocess.run([SOURCE / "examples/batch.sh", *arguments], cwd=HERE, env=dict(os.environ, EDGESCAN_CLI=CLI),
+                                  capture_output=True, text=True, check=False)
+
+        whole = script(archive, "results")
+        self.assertEqual((whole.returncode, whole.stdout.count(": identical to ")), (0, 3), whole.stdout + whole.stderr)
+        (archive / "bad.pcd").write_text("no scan\n")
+        self.assertEqual(script(archive, "results").returncode, 4)
+        cloud = next((HERE / "results").rglob("*.ply"))
+        cloud.write_bytes(cloud.read_bytes()[:-1] + b"x")
+        altered = script(archive, "results")
+        self.assertEqual((altered.returncode, altered.stdout.count(": NOT identical to ")), (3, 1), altered.stdout + altered.stderr)
+        self.assertEqual(script(archive).returncode, 2)
+
+    def test_the_sample_has_its_credits(self):
+        page = (SOURCE / "examples/README.md").read_text(encoding="utf-8")
+        for credit in ("NASA JSC Astromaterials 3D", "Poly Haven", "EDUROCK", "Aalto University", "CC0 1.0", "CC-BY-4.0", '"Biotite"', '"Sphalerite"'):
+            self.assertIn(credit, page)
+
+    def test_workflows_call_scripts_that_exist(self):
+        for name, calls in (("ci", [".ci/run"]), ("release", ["packaging/install-packages", "packaging/make-deb", "packaging/test-deb"]),
+                            ("manual", ["packaging/apt-install", "packaging/build", "docs/make-manual"])):
+            text = (SOURCE / f".github/workflows/{name}.yml").read_text()
+            found = re.findall(r"(?<![\w/.])(?:packaging|docs|\.ci)/[\w-]+", "".join(re.findall(r"^ +(?:- )?run: .*\n", text, re.M)))
+            self.assertLessEqual(set(calls), set(found), name)
+            for script in found:
+                self.assertTrue(os.access(SOURCE / script, os.X_OK), f"{name}.yml calls {script}")
+
+    def test_every_library_has_its_licence(self):
+        page = (SOURCE / "docs/reference/third-party.md").read_text()
+        rows = {line.split("|")[1].strip().rstrip(" *") for line in page.splitlines() if line.startswith("| ")}
+        opencv, lapack = "OpenCV (core, imgproc)", "LAPACK, BLAS"
+        # As CMake names it, and its row; the C library and a tool have none.
+        row_of = {"bullet": "Bullet", "bzip2": "bzip2", "cli11": "CLI11", "edgescan_blas": lapack, "edgescan_glx": "GLX of libglvnd",
+                  "edgescan_lapack": lapack, "edgescan_opencv_": opencv, "edgescan_pcl_": "PCL", "eigen3": "Eigen", "laszip": "LASzip",
+                  "lz4": "LZ4", "lzf": "LibLZF", "nlohmann_json": "JSON for Modern C++", "opencv": opencv, "openssl": "OpenSSL (libcrypto)",
+                  "pkgconfig": None, "png": "libpng", "pugixml": "pugixml", "pybind11": "pybind11", "python3": "Python",
+                  "qt": "Qt (Core, Gui, Widgets)", "sqlite3": "SQLite", "tbb": "oneTBB", "threads": None, "tiff": "LibTIFF", "vtk": "VTK",
+                  "zlib": "zlib", "zstd": "zstd"}
+        found = set()
+        for folder, kind in ((folder, kind) for folder in ("core", "ui", "app") for kind in ("CMakeLists.txt", "*.cmake")):
+            for path in (SOURCE / "CMakeLists.txt", *(SOURCE / folder).rglob(kind)):
+                text = re.sub(r"#.*", "", path.read_text())
+                found |= {name.lower() for name in re.findall(r"(?:find_package|pkg_check_modules|find_library)\((\w+)", text)}
+                found |= {name.lower() for names in re.findall(r"foreach\(library ([A-Z0-9 ]+)\)", text) for name in names.split()}
+        found = {name.removesuffix("_library") for name in found}
+        self.assertEqual(found, set(row_of), "a library of CMake without a row in this table, or a row without a library")
+        self.assertLessEqual({row for row in row_of.values() if row}, rows)
+
+    def test_the_citation_has_the_version(self):
+        version = re.search(r"project\(EdgeScan VERSION ([0-9.]+)", (SOURCE / "CMakeLists.txt").read_text())
+        assert version
+        self.assertIn(f"\nversion: {version[1]}\n", (SOURCE / "CITATION.cff").read_text())
 
     def mypy(self, *arguments):
         if importlib.util.find_spec("mypy") is None:
