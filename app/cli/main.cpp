@@ -89,8 +89,9 @@ void runInLab(int argc, char** argv) {
     constexpr std::array<std::string_view, 3> kLab{"simulate", "emulate", "calibrate"};
     if (argc < 2 || std::ranges::find(kLab, argv[1]) == kLab.end()) return;
     std::error_code failed;
-    const std::string lab = (std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / "edgescan-lab").string();
+    std::string lab = (std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / "edgescan-lab").string();
     cli::printError(std::string(argv[1]) + " is a command of edgescan-lab now: type edgescan-lab " + argv[1] + ".");
+    argv[0] = lab.data();
     execv(lab.c_str(), argv); // where it is missing, the command is unknown
 }
 
