@@ -17,7 +17,6 @@
 #include <QFileInfo>
 
 #include <functional>
-#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -106,21 +105,11 @@ void Tuning::proposePreset(const edges::Detection& detection) {
 
 void Tuning::change(const edges::Settings& settings, bool dragging) {
     if (settings == engine_.settings()) return;
-    std::vector<const edges::Parameter*> differs;
-    for (const edges::Parameter& p : edges::parameters()) {
-        if (edges::formatValue(p, p.get(settings)) != edges::formatValue(p, p.get(engine_.settings()))) differs.push_back(&p);
-    }
-    if (differs.size() == 1 && !differs.front()->several) lastChanged_ = differs.front(); // a preset changes several
     const auto use = [this](const edges::Settings& value) {
         engine_.setSettings(value);
         return true;
     };
     undo_.push(new UndoStep<edges::Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use));
-}
-
-const edges::Parameter& Tuning::lastChanged() const {
-    const edges::Settings& settings = engine_.settings();
-    return lastChanged_ != nullptr && lastChanged_->usedBy(settings) ? *lastChanged_ : edges::sweptParameter(settings.method);
 }
 
 void Tuning::usePreset(const edges::Preset& preset) {

@@ -36,8 +36,6 @@ public:
     void reset(const QString& parameter);
     /// Settings of the command line: for this start only, not stored until the operator changes a setting.
     void startWith(const edges::Preset& preset, const edges::Settings& settings);
-    /// The number or choice that the operator changed last, if the method uses it; else the method's main threshold.
-    [[nodiscard]] const edges::Parameter& lastChanged() const;
     void askOpenPreset();
     void askSavePreset();
     /// The curve of edge counts is that of the picture.
@@ -57,7 +55,6 @@ private:
     EdgeCounter* counts_; // child
     int drag_ = 0;        // number of the current drag, for undo
     bool starting_ = false;
-    const edges::Parameter* lastChanged_ = nullptr;
     std::shared_ptr<const Scan> shownScan_;
 };
 

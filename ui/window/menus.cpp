@@ -253,7 +253,7 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
                             });
 }
 
-Command edgesMenu(Viewer& v, QMainWindow& window) {
+Command edgesMenu(Viewer& v) {
     Tuning& tuning = v.tuning;
     EdgesPanel& panel = v.panel;
     Command presets = submenu("&Presets", {});
@@ -299,7 +299,7 @@ std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCo
             editMenu(viewer, window),
             viewMenu(viewer, window, commands),
             scanMenu(viewer, window),
-            edgesMenu(viewer, window),
+            edgesMenu(viewer),
             rocksMenu(viewer, window),
             measureMenu(viewer),
             submenu("&Help", {ofDesk(command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); })),

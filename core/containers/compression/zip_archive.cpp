@@ -31,7 +31,6 @@ std::optional<T> valueIn(std::span<const std::byte> bytes, std::uint64_t at) {
 struct Directory {
     std::uint64_t at = 0, entries = 0;
     std::uint64_t behind = 0; ///< byte of what follows the entries: the record that names their number
-    std::uint64_t end = 0;    ///< of the archive
 };
 
 std::optional<Directory> directoryOf(std::span<const std::byte> file) {
@@ -40,15 +39,14 @@ std::optional<Directory> directoryOf(std::span<const std::byte> file) {
     const std::uint64_t first = file.size() - std::min<std::uint64_t>(file.size(), kEndBytes + kLongestComment);
     for (std::uint64_t at = file.size() - kEndBytes + 1; at-- > first;) {
         if (*valueIn<std::uint32_t>(file, at) != kEnd) continue;
-        const std::uint64_t end = std::min<std::uint64_t>(at + kEndBytes + *valueIn<std::uint16_t>(file, at + 20), file.size());
         const bool wide = at >= kLocatorBytes && *valueIn<std::uint32_t>(file, at - kLocatorBytes) == kLocator64;
         const std::uint64_t end64 = wide ? *valueIn<std::uint64_t>(file, at - kLocatorBytes + 8) : at;
-        Directory found{*valueIn<std::uint32_t>(file, at + 16), *valueIn<std::uint16_t>(file, at + 10), end64, end};
+        Directory found{*valueIn<std::uint32_t>(file, at + 16), *valueIn<std::uint16_t>(file, at + 10), end64};
         if (!wide || (found.at != 0xFFFFFFFF && found.entries != 0xFFFF)) return found;
         if (valueIn<std::uint32_t>(file, end64).value_or(0) != kEnd64) return std::nullopt;
         const auto entries = valueIn<std::uint64_t>(file, end64 + 32);
         const auto begin = valueIn<std::uint64_t>(file, end64 + 48);
-        return entries && begin ? std::optional(Directory{*begin, *entries, end64, end}) : std::nullopt;
+        return entries && begin ? std::optional(Directory{*begin, *entries, end64}) : std::nullopt;
     }
     return std::nullopt;
 }
@@ -109,11 +107,6 @@ Result<std::vector<ZipEntry>> zipEntries(std::span<const std::byte> file, const 
     if (at != directory->behind)
         return Error{"this ZIP archive does not begin where its directory says: other bytes are before it or in it", where, kCopyZip};
     return entries;
-}
-
-std::span<const std::byte> behindZip(std::span<const std::byte> file) {
-    const auto directory = directoryOf(file);
-    return directory ? file.subspan(directory->end) : std::span<const std::byte>();
 }
 
 Result<std::vector<std::byte>> unzip(std::span<const std::byte> file, const ZipEntry& entry, const std::string& where,

@@ -20,9 +20,6 @@ struct ZipEntry {
 /// The archive's directory. Error: it is missing, as in a file that was cut off, or it is damaged.
 Result<std::vector<ZipEntry>> zipEntries(std::span<const std::byte> file, const std::string& where);
 
-/// What follows the directory and its comment; the archive has a directory.
-[[nodiscard]] std::span<const std::byte> behindZip(std::span<const std::byte> file);
-
 /// The bytes of one entry, checked against its CRC-32. Error: as inflateOne(), encrypted, packed in another way.
 Result<std::vector<std::byte>> unzip(std::span<const std::byte> file, const ZipEntry& entry, const std::string& where,
                                      const std::function<bool(double)>& goOn);

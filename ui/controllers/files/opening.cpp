@@ -68,8 +68,8 @@ void Opening::take(const std::shared_ptr<const Scan>& scan, const std::vector<fi
         // The scan's warnings already report beams and lines out of place.
         if (!point.against.empty() && std::string_view(point.what) != files::kDisplacedPoint) against << shownSentence(point.against);
     }
-    const bool told = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // a warning about guesses is shown
-    if (against.isEmpty() && (answers || !told || !files::looksGuessed(*points_))) return;
+    const bool isWarned = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // a warning about guesses is shown
+    if (against.isEmpty() && (answers || !isWarned || !files::looksGuessed(*points_))) return;
     if (!against.isEmpty())
         notice_.showNotice(NoticeBar::Kind::Warning, (notice_.isVisible() ? notice_.text() + '\n' : QString()) + against.join('\n'));
     notice_.offer(tr("Does this look right?"), [this] { show(); });
