@@ -245,7 +245,7 @@ private slots:
     void textAt144DpiFitsOnASmallScreen() {
         QProcess screen;
         screen.start("Xvfb", {"-displayfd", "1", "-screen", "0", "1280x800x24"});
-        if (!screen.waitForStarted()) QSKIP("there is no Xvfb");
+        if (!screen.waitForStarted()) QSKIP("Xvfb is missing");
         QVERIFY(screen.waitForReadyRead(kProcessPatienceMs));
         auto environment = QProcessEnvironment::systemEnvironment();
         environment.insert("DISPLAY", ":" + QString::fromLatin1(screen.readLine()).trimmed());

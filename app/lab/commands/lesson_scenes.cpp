@@ -52,7 +52,7 @@ Result<std::vector<LessonScene>> lessonScenes(const LessonSceneFlags& asked) {
         for (lab::SceneOrder order : *orders) {
             if (!order.file.empty()) continue;
             for (order.view = 0; order.view < (lab::hasViews(family) ? asked.views : 1); ++order.view) {
-                order.carved = lab::hasViews(family) && order.view % 3 != 0;
+                order.carved = order.view % 3 != 0;
                 scenes.push_back({&family, row.kind, order});
             }
         }

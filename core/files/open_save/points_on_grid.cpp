@@ -264,7 +264,7 @@ std::vector<LaterReturn> removeLaterReturns(PointTable& table) {
     return later;
 }
 
-/// Adds later returns to the points again if there is no grid to attach them to.
+/// Puts later returns back among the points where no grid can hold them.
 void putBack(PointTable& table, const std::vector<LaterReturn>& later) {
     for (const LaterReturn& one : later) {
         table.points.push_back(one.point);

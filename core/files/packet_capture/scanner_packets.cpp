@@ -41,7 +41,6 @@ std::vector<std::size_t> startsOf(const std::vector<SentPacket>& packets) {
 
 /// Sorts them; returns how many came late.
 std::size_t orderByClock(std::vector<SentPacket>& packets) {
-    const auto later = [](const SentPacket& a, const SentPacket& b) { return a.clockNs < b.clockNs; };
     const auto steps = [&](bool back) {
         std::size_t count = 0;
         for (std::size_t n = 1; n < packets.size(); ++n)
@@ -63,7 +62,7 @@ std::size_t orderByClock(std::vector<SentPacket>& packets) {
             late += one->clockNs < newest ? 1 : 0;
             newest = std::max(newest, one->clockNs);
         }
-        std::stable_sort(from, to, later);
+        std::ranges::stable_sort(from, to, {}, &SentPacket::clockNs);
     }
     return late;
 }
@@ -105,8 +104,7 @@ ScannerPackets scannerPackets(const std::vector<UdpDatagram>& datagrams,
         if (sent.scanner == most->first) found.packets.push_back(sent.packet);
     }
     unwrap(found.packets, periodNs);
-    const auto inOrder = [](const SentPacket& a, const SentPacket& b) { return a.clockNs < b.clockNs; };
-    if (std::ranges::is_sorted(found.packets, inOrder)) return found;
+    if (std::ranges::is_sorted(found.packets, {}, &SentPacket::clockNs)) return found;
     std::vector<std::int64_t> times;
     for (const SentPacket& packet : found.packets) times.push_back(packet.timeNs);
     std::ranges::sort(times);
