@@ -125,7 +125,7 @@ Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, co
     const Scan& scan = *detection.scan;
     const FramePoints points(scan, frame);
     const Grid<std::uint32_t> labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);
-    std::vector<std::uint8_t> isListed(options.rocks->rocks.size() + 1);
+    std::vector<std::uint8_t> isListed(options.rocks->map.rocks + std::size_t{1});
     for (const rocks::Rock* rock : rocks::rocksToList(*options.rocks)) isListed[rock->label] = 1;
     for (std::uint32_t k = 0; k < scan.cells(); ++k) {
         if (isListed[labels[k]] != 0 && scan.state[k] == CellState::Valid) box.extend(points.at(k));

@@ -74,7 +74,7 @@ std::string objHulls(const std::vector<rocks::Hull>& hulls, const FramePoints& p
 
 Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::string& where) {
     if (study.map.rocks > UINT16_MAX)
-        return Error{"there are " + std::to_string(study.map.rocks) + " rocks and a picture of 16 bits numbers 65535", where,
+        return Error{"there are " + std::to_string(study.map.rocks) + " numbers of rocks and a picture of 16 bits numbers 65535", where,
                      "ask for larger rocks with --min-cells"};
     const Grid<std::uint32_t> labels = rocks::rockLabels(*study.segmentation, study.map);
     Grid<std::uint16_t> picture(labels.lines, labels.beams);
@@ -119,7 +119,7 @@ Json rocksRecord(const rocks::Study& study) {
     const Scan& scan = *study.segmentation->inputs.scan;
     Json record{{"settings", rocks::rockSettingsToJson(study.settings)},
                 {"edits", rocks::rockEditsToJson(study.edits, scan.lines(), scan.beams())},
-                {"count", study.map.rocks},
+                {"count", study.rocks.size()},
                 {"labels_sha256", labelsSha256(rocks::rockLabels(*study.segmentation, study.map))},
                 {"note", rocks::kRockCaveat}};
     if (study.listed) record["listed"] = *study.listed;

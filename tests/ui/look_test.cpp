@@ -202,7 +202,7 @@ private slots:
             return text->isVisible() && text->height() >= text->heightForWidth(text->width()) &&
                    text->geometry().bottom() <= notice.height() - 1;
         };
-        QString words = "Split: rock 5 is now rocks 18 (1.95 × 1.17 m), 21 (1.89 × 1.11 m). Numbers follow the visible area:";
+        QString words = "Split: rock 5 is now rocks 18 (1.95 × 1.17 m), 21 (1.89 × 1.11 m). Other rocks:";
         for (int n = 6; n < 40; ++n) {
             words += QString(" %1 is now %2,").arg(n).arg(n - 1);
             notice.showNotice(NoticeBar::Kind::Done, words + " and 177 more.");

@@ -74,7 +74,7 @@ std::string targetRow(const edges::Detection& detection, const RangeNoise& noise
         return row.first == inspect::kRockRow || std::ranges::find(now, row) != now.end() ||
                (scan.placement && std::string_view(row.second).starts_with("▲"));
     });
-    return "<tr><td>" + std::to_string(target.number) + "</td><td>" + htmlText(target.name) +
+    return "<tr><td>" + std::to_string(target.number) + "</td><td translate=\"no\">" + htmlText(target.name) +
            (target.note.empty() ? "" : "<br>" + htmlText(target.note)) + "</td><td>" + cellText(scan, target.cell) + "</td><td>" +
            rowsHtml(now) + "</td><td>" + rowsHtml(then) + "</td><td>" + htmlText(plainUtc(target.pinnedUtc)) + "</td></tr>\n";
 }

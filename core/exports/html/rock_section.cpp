@@ -239,14 +239,14 @@ std::string rockSection(const edges::Detection& detection, const rocks::Study& s
 }
 
 Json rockFaceData(const rocks::Study& study) {
-    Json colours = Json::array(), rocks = Json::array();
+    Json colours = Json::array(), rocks(study.map.rocks, nullptr); // by label
     for (const Rgb& colour : rocks::kRockFaceColours) colours.push_back({colour.red, colour.green, colour.blue});
     const std::vector<std::uint8_t> places = rocks::rockColours(study.map);
     for (const rocks::Rock& rock : study.rocks)
-        rocks.push_back({places[rock.label], isDoubtful(rock) ? 1 : 0,
-                         "visible " + twoDecimals(rock.longestCaliperM) + " x " + twoDecimals(rock.shortestCaliperM) + " m, ± " +
-                             twoDecimals(shownTolerance(rock.toleranceM, 2)) + " m, at " + twoDecimals(rock.distanceM) + " m; " +
-                             rocks::kRockCaveat});
+        rocks[rock.label - 1] = {places[rock.label], isDoubtful(rock) ? 1 : 0,
+                                 "visible " + twoDecimals(rock.longestCaliperM) + " x " + twoDecimals(rock.shortestCaliperM) + " m, ± " +
+                                     twoDecimals(shownTolerance(rock.toleranceM, 2)) + " m, at " + twoDecimals(rock.distanceM) + " m; " +
+                                     rocks::kRockCaveat};
     return {{"colours", colours}, {"rocks", rocks}};
 }
 

@@ -45,6 +45,11 @@ std::string fact(const std::string& name, const std::string& value) {
     return "<div><dt>" + htmlText(name) + "</dt><dd>" + htmlText(value.empty() ? kUnknown : value) + "</dd></div>\n";
 }
 
+/// What somebody wrote stays in every language.
+std::string writtenFact(const std::string& name, const std::string& value) {
+    return "<div><dt>" + htmlText(name) + "</dt><dd translate=\"no\">" + htmlText(value) + "</dd></div>\n";
+}
+
 std::string textAt(const Json& record, const char* pointer) {
     const Json::json_pointer at(pointer);
     return record.contains(at) && record.at(at).is_string() ? record.at(at).get<std::string>() : std::string();
@@ -97,7 +102,7 @@ std::string uncertaintyText(const edges::Detection& detection) {
 std::string placeOf(const Scan& scan) {
     std::string facts = "<h2>Where</h2>\n<dl class=\"facts\">\n" + fact("Position", placeText(scan)) + fact("Frame", frameText(scan));
     if (scan.placement)
-        facts += fact("Robot", scan.placement->robot.empty() ? "the pose does not say" : scan.placement->robot) +
+        facts += (scan.placement->robot.empty() ? fact("Robot", "the pose does not say") : writtenFact("Robot", scan.placement->robot)) +
                  fact("Pose", poseText(*scan.placement));
     return facts + "</dl>\n";
 }
@@ -117,8 +122,8 @@ std::string factsOf(const edges::Detection& detection, const Json& record, const
     const auto valid = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
     const auto edges = static_cast<double>(detection.edges->size());
     std::string facts = "<h2>What, when, by whom</h2>\n<dl class=\"facts\">\n";
-    if (!words.site.empty()) facts += fact("Site", words.site);
-    facts += fact("File", fileName(scan.path)) + fact("Format", scan.format);
+    if (!words.site.empty()) facts += writtenFact("Site", words.site);
+    facts += writtenFact("File", fileName(scan.path)) + fact("Format", scan.format);
     facts += fact("Grid", std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams");
     const edges::GrayScale& gray = detection.gray->scale;
     facts += fact("Distances", valid > 0 ? metres(limits.minMm) + " to " + metres(limits.maxMm) + " measured; gray levels from " +
@@ -129,8 +134,8 @@ std::string factsOf(const edges::Detection& detection, const Json& record, const
     facts += fact("Edges", std::to_string(detection.edges->size()) + " cells, " +
                                fixedText(100 * edges / std::max(1.0, static_cast<double>(valid)), 1) + " % of those measured");
     facts += fact("Method", edges::choiceLabel(*edges::findParameter("method"), detection.settings));
-    facts += fact("Report by", by.empty() ? "not said" : by) + fact("Made", plainUtc(words.madeUtc));
-    if (const std::string note = textAt(record, "/scan/note"); !note.empty()) facts += fact("Note", note);
+    facts += (by.empty() ? fact("Report by", "not said") : writtenFact("Report by", by)) + fact("Made", plainUtc(words.madeUtc));
+    if (const std::string note = textAt(record, "/scan/note"); !note.empty()) facts += writtenFact("Note", note);
     return facts + "</dl>\n" + placeOf(scan);
 }
 
@@ -314,7 +319,7 @@ std::string headOf(const PageWords& words) {
 /// What the author wrote, line by line.
 std::string remarkOf(const PageWords& words) {
     if (words.remark.empty()) return {};
-    std::string html = "<h2>Remark</h2>\n<p>";
+    std::string html = "<h2>Remark</h2>\n<p translate=\"no\">";
     for (std::size_t from = 0; from <= words.remark.size();) {
         const std::size_t end = std::min(words.remark.find('\n', from), words.remark.size());
         html += (from == 0 ? "" : "<br>\n") + htmlText(words.remark.substr(from, end - from));

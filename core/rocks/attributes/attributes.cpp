@@ -24,6 +24,11 @@ constexpr double kTolerance = 2.0; // times the resolution: this covers 89 % of 
 constexpr float kLeastDepthMm = 100.0F;
 constexpr double kPushedBack = 0.3; // share of b: distance from the centre of the visible points to the estimated centre of the rock
 
+// Of the row with this label, or of the next one.
+std::size_t indexOf(std::span<const Rock> rocks, std::uint32_t label) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(rocks, label, {}, &Rock::label) - rocks.begin());
+}
+
 /// By label: the row of the earlier rock with the same segments; null if there was none.
 std::vector<const Rock*> sameAsBefore(const RegionMap& map, const EarlierRows* before) {
     std::vector<const Rock*> same(static_cast<std::size_t>(map.rocks) + 1, nullptr);
@@ -41,7 +46,7 @@ std::vector<const Rock*> sameAsBefore(const RegionMap& map, const EarlierRows* b
     for (std::uint32_t label = 1; label <= map.rocks; ++label) {
         const std::uint32_t then = thenOf(label);
         if (shared[label] == 0 || then == 0 || then > before->map.rocks || segmentsNow[label] != segmentsThen[then]) continue;
-        same[label] = &before->rocks[then - 1];
+        same[label] = rockOf(before->rocks, then);
     }
     return same;
 }
@@ -57,7 +62,9 @@ public:
     [[nodiscard]] std::vector<Rock> rows(int first, int last) const {
         std::vector<Rock> rocks;
         Buffers buffers;
-        for (int n = first; n < last; ++n) rocks.push_back(row(static_cast<std::uint32_t>(n + 1), buffers));
+        for (auto label = static_cast<std::uint32_t>(first) + 1; label <= static_cast<std::uint32_t>(last); ++label) {
+            if (map_.regions[label].sums.cells > 0) rocks.push_back(row(label, buffers));
+        }
         return rocks;
     }
 
@@ -203,14 +210,15 @@ private:
 };
 
 void addNeighbours(const RegionMap& map, std::vector<Rock>& rocks) {
+    const auto rowOf = [&](std::uint32_t label) -> Rock& { return rocks[indexOf(rocks, label)]; };
     for (const RegionBorder& border : map.borders) {
         const bool contact = touch(border);
         if (border.b > map.rocks) { // borders are ascending and b is the larger label
-            if (contact && border.a <= map.rocks) rocks[border.a - 1].touchesOther = true;
+            if (contact && border.a <= map.rocks) rowOf(border.a).touchesOther = true;
             continue;
         }
-        Rock& a = rocks[border.a - 1];
-        Rock& b = rocks[border.b - 1];
+        Rock& a = rowOf(border.a);
+        Rock& b = rowOf(border.b);
         if (contact) {
             a.contacts.push_back(b.label);
             b.contacts.push_back(a.label);
@@ -236,8 +244,8 @@ void addArches(std::vector<Rock>& rocks, const Eigen::Vector3d& sensor, const Ei
         const Eigen::Vector3d here = middleOf(rock, sensor);
         for (std::size_t m = 0; m < rock.contacts.size(); ++m) {
             for (std::size_t n = m + 1; n < rock.contacts.size(); ++n) {
-                const Eigen::Vector3d one = middleOf(rocks[rock.contacts[m] - 1], sensor);
-                const Eigen::Vector3d other = middleOf(rocks[rock.contacts[n] - 1], sensor);
+                const Eigen::Vector3d one = middleOf(*rockOf(rocks, rock.contacts[m]), sensor);
+                const Eigen::Vector3d other = middleOf(*rockOf(rocks, rock.contacts[n]), sensor);
                 const Eigen::Vector3d p = one - here;
                 const Eigen::Vector3d q = other - here;
                 const double angle = std::atan2(p.cross(q).norm(), p.dot(q)) * 180.0 / std::numbers::pi;
@@ -254,6 +262,11 @@ void addArches(std::vector<Rock>& rocks, const Eigen::Vector3d& sensor, const Ei
 }
 
 } // namespace
+
+const Rock* rockOf(std::span<const Rock> rocks, std::uint32_t label) {
+    const std::size_t n = indexOf(rocks, label);
+    return n < rocks.size() && rocks[n].label == label ? &rocks[n] : nullptr;
+}
 
 UpDirection upOf(const Scan& scan) {
     if (!scan.placement || scan.cells() == 0) return {};

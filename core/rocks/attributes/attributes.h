@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace edgescan::rocks {
@@ -71,6 +72,9 @@ struct EarlierRows {
     const RegionMap& map;
     const std::vector<Rock>& rocks;
 };
+
+/// The row with this label, of rows in the order of their labels; null: there is none.
+[[nodiscard]] const Rock* rockOf(std::span<const Rock> rocks, std::uint32_t label);
 
 /// One row per rock of the map, in the order of the labels. `before` may be null. Rocks with the same segments as in `before` are not
 /// measured again; the rows are the same without it.

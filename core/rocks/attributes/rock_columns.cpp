@@ -34,7 +34,7 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
     const bool local = frame == CoordinateFrame::MineLocal;
     // clang-format off
     return {{
-        {"rock", "Rock", "The label: 1 is the largest visible area",
+        {"rock", "Rock", "The number: without edits, 1 is the largest visible area",
          [](Row r) -> RockValue { return r.rock->label; }, [](Row r) { return std::to_string(r.rock->label) + (r.rock->apart.empty() ? "" : " ▲"); }, true},
         {"line", nullptr, "Scan line of the measured cell closest to its centre",
          [](Row r) -> RockValue { return static_cast<std::uint32_t>(r.line); }, nullptr, false},

@@ -15,6 +15,7 @@ namespace edgescan::rocks {
 /// changes the segments.
 struct Study {
     std::shared_ptr<const Segmentation> segmentation;
+    std::shared_ptr<const Segmentation> uncut; ///< without the strokes of the edits
     std::shared_ptr<const MergeTree> tree;
     RegionMap map;
     std::vector<Rock> rocks;

@@ -1,9 +1,13 @@
 // Converts edits to constraints on segments.
 #include "core/rocks/selection/edits.h"
 
+#include "core/rocks/selection/region_changes.h"
+
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace edgescan::rocks {
 namespace {
@@ -25,6 +29,46 @@ void addFirstCells(std::span<const std::uint32_t> group, const std::vector<std::
     for (const std::uint32_t n : group) {
         if (firstCell[n] != UINT32_MAX) join.cells.push_back(firstCell[n]);
     }
+}
+
+// By rock of `map`: the number of the rock of `plain` with which it shares the most cells, and no other rock more; 0: there is none.
+std::vector<std::uint32_t> sharedNumbers(const RegionMap& map, const RegionMap& plain, const SharedCells& shared) {
+    std::vector<std::pair<SharedCells::key_type, std::uint64_t>> ordered;
+    for (const auto& each : shared) {
+        const auto& [before, now] = each.first;
+        if (before != 0 && before <= plain.rocks && now != 0 && now <= map.rocks) ordered.push_back(each);
+    }
+    std::ranges::stable_sort(ordered, std::greater(), [](const auto& each) { return each.second; });
+    std::vector<std::uint32_t> numbers(static_cast<std::size_t>(map.rocks) + 1, 0);
+    std::vector<std::uint8_t> isGiven(static_cast<std::size_t>(plain.rocks) + 1, 0);
+    for (const auto& [both, cells] : ordered) {
+        if (isGiven[both.first] != 0 || numbers[both.second] != 0) continue;
+        numbers[both.second] = both.first;
+        isGiven[both.first] = 1;
+    }
+    return numbers;
+}
+
+// By edit: the rocks at its cells, and along a stroke those on both sides; ascending.
+std::vector<std::vector<std::uint32_t>> rocksTouched(const RegionMap& map, const Segmentation& segments, std::span<const Edit> edits) {
+    std::vector<std::vector<std::uint32_t>> touched(edits.size());
+    const auto width = static_cast<std::uint32_t>(segments.segment.beams);
+    for (std::size_t n = 0; n < edits.size(); ++n) {
+        const auto add = [&](std::uint32_t k) {
+            const std::uint32_t region = map.regionOfSegment[segmentAt(segments, k)];
+            if (region != 0 && region <= map.rocks) touched[n].push_back(region);
+        };
+        if (edits[n].kind == EditKind::Cut) {
+            for (const std::uint32_t k : strokeCells(edits[n].cells, segments.segment.lines, segments.segment.beams)) {
+                for (const std::uint32_t near : {k, k - 1, k + 1, k - width, k + width}) add(near);
+            }
+        } else {
+            for (const std::uint32_t k : edits[n].cells) add(k);
+        }
+        std::ranges::sort(touched[n]);
+        touched[n].erase(std::ranges::unique(touched[n]).begin(), touched[n].end());
+    }
+    return touched;
 }
 
 } // namespace
@@ -103,6 +147,34 @@ std::vector<RockCall> rockCallsOf(const Segmentation& segments, std::span<const 
         if (segment != kNoSegment) called.push_back({segment, edit.kind != EditKind::NotRock});
     }
     return called;
+}
+
+RegionMap withKeptNumbers(RegionMap map, const Segmentation& segments, const RegionMap& plain, const Segmentation& uncut,
+                          std::span<const Edit> edits) {
+    std::vector<std::uint32_t> numbers = sharedNumbers(map, plain, sharedCells(uncut, plain, segments, map));
+    std::uint32_t next = plain.rocks;
+    const std::vector<std::vector<std::uint32_t>> touched = rocksTouched(map, segments, edits);
+    std::vector<std::size_t> last(numbers.size(), 0); // the last edit that touches the rock
+    for (std::size_t n = 0; n < touched.size(); ++n) {
+        for (const std::uint32_t rock : touched[n]) last[rock] = n;
+    }
+    // A later edit made the other pieces that it touches, too.
+    for (std::size_t n = 0; n < touched.size(); ++n) {
+        bool isFirst = true;
+        for (const std::uint32_t rock : touched[n]) {
+            if (numbers[rock] == 0 && (std::exchange(isFirst, false) || last[rock] == n)) numbers[rock] = ++next;
+        }
+    }
+    for (std::uint32_t rock = 1; rock <= map.rocks; ++rock) {
+        if (numbers[rock] == 0) numbers[rock] = ++next;
+    }
+    const std::uint32_t highest = *std::ranges::max_element(numbers);
+    std::vector<std::uint32_t> order(static_cast<std::size_t>(highest) + 1, 0);
+    for (std::uint32_t rock = 1; rock <= map.rocks; ++rock) order[numbers[rock]] = rock;
+    for (auto region = map.rocks + 1; region < map.regions.size(); ++region) order.push_back(region);
+    renumber(map, order);
+    map.rocks = highest;
+    return map;
 }
 
 std::optional<Edit> joinOf(const Segmentation& segments, const RegionMap& map, std::span<const std::uint32_t> cells) {

@@ -50,6 +50,11 @@ struct Edit {
 [[nodiscard]] std::vector<SegmentPair> pairsOf(const Segmentation& segments, std::span<const Edit> edits);
 [[nodiscard]] std::vector<RockCall> rockCallsOf(const Segmentation& segments, std::span<const Edit> edits);
 
+/// The map with the numbers that its rocks have in `plain`, the map of the segments `uncut` without edits: the rock that shares the most
+/// cells keeps a number. The others get the next ones behind those of `plain`, in the order of the edits that made them.
+[[nodiscard]] RegionMap withKeptNumbers(RegionMap map, const Segmentation& segments, const RegionMap& plain, const Segmentation& uncut,
+                                        std::span<const Edit> edits);
+
 /// All pieces of the regions at these cells are one rock. It names a cell of each segment: at the same level nothing of the regions is
 /// outside the joined one. Empty for fewer than two regions.
 [[nodiscard]] std::optional<Edit> joinOf(const Segmentation& segments, const RegionMap& map, std::span<const std::uint32_t> cells);

@@ -8,29 +8,8 @@
 namespace edgescan::rocks {
 namespace {
 
-/// Measured cells in a region before and a region after; 0: no region.
-using Shared = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t>;
-
-Shared sharedCells(const Segmentation& segmentsBefore, const RegionMap& before, const Segmentation& segmentsAfter, const RegionMap& after) {
-    Shared shared;
-    if (&segmentsBefore == &segmentsAfter) {
-        for (std::size_t n = 1; n < segmentsAfter.sums.size(); ++n)
-            shared[{before.regionOfSegment[n], after.regionOfSegment[n]}] += segmentsAfter.sums[n].cells;
-    } else {
-        Shared::key_type run{};
-        std::uint64_t cells = 0; // of the run: neighbours nearly always share a pair
-        for (std::size_t k = 0; k < segmentsAfter.segment.size(); ++k, ++cells) {
-            const Shared::key_type here{before.regionOfSegment[segmentsBefore.segment[k]], after.regionOfSegment[segmentsAfter.segment[k]]};
-            if (here != run) shared[std::exchange(run, here)] += std::exchange(cells, 0);
-        }
-        shared[run] += cells;
-    }
-    shared.erase({0, 0});
-    return shared;
-}
-
 /// How many regions of the other map share cells with each region.
-std::vector<int> countedPartners(const Shared& shared, std::size_t regions, bool ofAfter) {
+std::vector<int> countedPartners(const SharedCells& shared, std::size_t regions, bool ofAfter) {
     std::vector<int> partners(regions, 0);
     for (const auto& [pair, cells] : shared) ++partners[ofAfter ? pair.second : pair.first];
     return partners;
@@ -40,9 +19,29 @@ bool isSame(const Region& before, const Region& after) { return before.kind == a
 
 } // namespace
 
+SharedCells sharedCells(const Segmentation& segmentsBefore, const RegionMap& before, const Segmentation& segmentsAfter,
+                        const RegionMap& after) {
+    SharedCells shared;
+    if (&segmentsBefore == &segmentsAfter) {
+        for (std::size_t n = 1; n < segmentsAfter.sums.size(); ++n)
+            shared[{before.regionOfSegment[n], after.regionOfSegment[n]}] += segmentsAfter.sums[n].cells;
+    } else {
+        SharedCells::key_type run{};
+        std::uint64_t cells = 0; // of the run: neighbours nearly always share a pair
+        for (std::size_t k = 0; k < segmentsAfter.segment.size(); ++k, ++cells) {
+            const SharedCells::key_type here{before.regionOfSegment[segmentsBefore.segment[k]],
+                                             after.regionOfSegment[segmentsAfter.segment[k]]};
+            if (here != run) shared[std::exchange(run, here)] += std::exchange(cells, 0);
+        }
+        shared[run] += cells;
+    }
+    shared.erase({0, 0});
+    return shared;
+}
+
 RegionChanges regionChanges(const Segmentation& segmentsBefore, const RegionMap& before, const Segmentation& segmentsAfter,
                             const RegionMap& after) {
-    const Shared shared = sharedCells(segmentsBefore, before, segmentsAfter, after);
+    const SharedCells shared = sharedCells(segmentsBefore, before, segmentsAfter, after);
     const std::vector<int> parts = countedPartners(shared, before.regions.size(), false);
     const std::vector<int> sources = countedPartners(shared, after.regions.size(), true);
     struct Parts {
@@ -57,7 +56,6 @@ RegionChanges regionChanges(const Segmentation& segmentsBefore, const RegionMap&
         if (a == 0 || b == 0 || parts[a] != 1 || sources[b] != 1 || !isSame(before.regions[a], after.regions[b])) changes.any = true;
         if (a == 0 || b == 0) continue;
         const bool wasRock = a <= before.rocks, isRock = b <= after.rocks;
-        if (wasRock && isRock && parts[a] == 1 && sources[b] == 1 && a != b) changes.renumbered.push_back({a, b});
         if (!wasRock || parts[a] < 2) continue;
         Parts& of = broken[a];
         if (isRock)

@@ -118,7 +118,7 @@ void countSweepSides(const Segmentation& segments, RegionMap& map) {
     visitSide(0, segment.lines, segment.beams - kMargin, kMargin);
 }
 
-// Rocks first, then the largest first; renumbers the map's regions.
+// Rocks first, then the largest first.
 void putInOrder(RegionMap& map) {
     std::vector<std::uint32_t> order(map.regions.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -126,20 +126,7 @@ void putInOrder(RegionMap& map) {
         return std::tuple(map.regions[n].kind, -map.regions[n].sums.areaM2, map.regions[n].firstSegment);
     };
     std::sort(order.begin() + 1, order.end(), [&](std::uint32_t x, std::uint32_t y) { return key(x) < key(y); });
-    std::vector<std::uint32_t> place(order.size());
-    std::vector<Region> regions;
-    for (std::uint32_t n = 0; n < order.size(); ++n) {
-        place[order[n]] = n;
-        regions.push_back(map.regions[order[n]]);
-    }
-    map.regions = std::move(regions);
-    for (std::uint32_t& region : map.regionOfSegment) region = place[region];
-    for (RegionBorder& border : map.borders) {
-        border.a = place[border.a];
-        border.b = place[border.b];
-        if (border.a > border.b) border = border.reversed();
-    }
-    map.borders = summedBorders(std::move(map.borders));
+    renumber(map, order);
     map.rocks = static_cast<std::uint32_t>(
         std::count_if(map.regions.begin() + 1, map.regions.end(), [](const Region& r) { return r.kind == RegionKind::Rock; }));
 }
@@ -164,6 +151,24 @@ const char* regionKindName(RegionKind kind) {
         break;
     }
     return "outside";
+}
+
+void renumber(RegionMap& map, std::span<const std::uint32_t> order) {
+    std::vector<std::uint32_t> place(map.regions.size());
+    std::vector<Region> regions(order.size());
+    for (std::uint32_t n = 1; n < order.size(); ++n) {
+        if (order[n] == 0) continue;
+        place[order[n]] = n;
+        regions[n] = map.regions[order[n]];
+    }
+    map.regions = std::move(regions);
+    for (std::uint32_t& region : map.regionOfSegment) region = place[region];
+    for (RegionBorder& border : map.borders) {
+        border.a = place[border.a];
+        border.b = place[border.b];
+        if (border.a > border.b) border = border.reversed();
+    }
+    map.borders = summedBorders(std::move(map.borders));
 }
 
 bool isTooFar(const Region& region, const RockSettings& settings) {

@@ -49,9 +49,10 @@ using RegionBorder = SegmentBorder;
 
 struct RegionMap {
     RockSettings settings;
-    /// index 0 is empty; rocks first, the largest visible area first; then the other regions in the same order
+    /// index 0 is empty; rocks first, the largest visible area first; then the other regions in the same order. After edits a rock keeps
+    /// its number (withKeptNumbers()), and a number without a rock has a region without cells.
     std::vector<Region> regions;
-    std::uint32_t rocks = 0;                    ///< regions 1 .. rocks are rocks
+    std::uint32_t rocks = 0;                    ///< the highest number of a rock
     std::vector<std::uint32_t> regionOfSegment; ///< by segment: an index of `regions`, or 0
     std::vector<RegionBorder> borders;          ///< a, b: indices of `regions`, a < b; ascending
 };
@@ -67,6 +68,9 @@ struct RockCall {
 /// Step 5 at one level and step 7. Of several decisions about a region the last one is valid.
 [[nodiscard]] RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings,
                                 std::span<const RockCall> called = {});
+
+/// Region order[n] gets the number n, from 1 on; 0: no region gets it.
+void renumber(RegionMap& map, std::span<const std::uint32_t> order);
 
 /// What R weighs: bulge, near share, metres above the largest expected size, edge share, depth ratio, flatness, box share.
 inline constexpr std::size_t kScoreInputs = 7;
@@ -87,7 +91,7 @@ inline constexpr double kLeastConfidence = 0.25;
 /// The side in front, border.a or border.b; 0 if there are too few jumps, or if both sides are nearer in places.
 [[nodiscard]] std::uint32_t nearerSide(const RegionBorder& border);
 
-/// Lines x beams: 0 = not a rock, otherwise rocks 1 .. map.rocks, the largest visible area first.
+/// Lines x beams: 0 = not a rock, otherwise the number of a rock, 1 .. map.rocks.
 [[nodiscard]] Grid<std::uint32_t> rockLabels(const Segmentation& segments, const RegionMap& map);
 
 /// Lines x beams: indices of map.regions of any kind; 0 where a cell does not belong to a region.

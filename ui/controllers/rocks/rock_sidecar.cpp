@@ -115,6 +115,8 @@ void RockSidecar::writeInBackground() {
         [this, disk = disk_, writing = *std::exchange(waiting_, std::nullopt)]() -> std::function<void()> {
             auto written = disk->write(writing);
             return [this, disk, writing, written = std::move(written)] {
+                failing_ = !written;
+                if (!written && !waiting_) waiting_ = writing; // with the next one, or at the end
                 if (!written) return emit failed(tr("Edits of rocks are not stored: %1").arg(exactText(written.error().sentence())));
                 if (writing.scan != scan_ || *written == writing.preset) return;
                 disk->files.begin(writing.path, *written); // what the next edits begin with

@@ -29,6 +29,9 @@ public:
     /// Path of the sidecar; empty: none.
     [[nodiscard]] const std::string& path() const { return path_; }
 
+    /// Edits wait that could not be written.
+    [[nodiscard]] bool failing() const { return failing_; }
+
 signals:
     /// After follow(), if there was a file.
     void found(const edgescan::rocks::Preset& preset);
@@ -57,6 +60,7 @@ private:
     std::uint64_t number_ = 0; // of follow()
     std::optional<Writing> waiting_;
     bool writing_ = false;
+    bool failing_ = false; // the last writing failed
     std::uint64_t writings_ = 0;
     std::shared_ptr<Disk> disk_;
     QTimer soon_;

@@ -61,6 +61,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
         select(std::move(cells));
         if (views_.cloud().outline()) bringIntoSight(views_.cloud(), *views_.cloud().outline());
     });
+    connect(&table_, &RockTable::filterChanged, this, &Rocks::ask);
     connect(&table_, &RockTable::jumpRequested, this, &Rocks::lookAt);
     connect(&table_, &RockTable::exportRequested, this, &Rocks::askExport);
     connect(&table_, &RockTable::menuRequested, this, [this](std::uint32_t label, const QPoint& position) {
@@ -169,7 +170,7 @@ void Rocks::followPicture() {
 void Rocks::ask() {
     if (!on_ || !engine_.picture()) return;
     asked_ = engine_.picture()->detection;
-    finder_.ask({asked_, settings_, edits_});
+    finder_.ask({asked_, settings_, edits_, table_.filter()});
 }
 
 void Rocks::useSettings(const rocks::RockSettings& settings) {
@@ -242,7 +243,10 @@ void Rocks::showFaces() {
         overlay.facesFaded = ofAnotherPicture();
         overlay.points->colours = picture_->points;
         overlay.points->beams = picture_->labels.beams;
-        overlay.caption = rockCount(picture_->study.rocks.size()) + " · ";
+        const std::vector<rocks::Rock>& all = picture_->study.rocks;
+        const auto shown = std::ranges::count_if(all, [this](const rocks::Rock& rock) { return picture_->filter.shows(rock); });
+        const bool isEach = static_cast<std::size_t>(shown) == all.size();
+        overlay.caption = (isEach ? rockCount(all.size()) : tr("%1 of %2").arg(shown).arg(rockCount(all.size()))) + " · ";
     }
     if (engine_.picture()) overlay.caption += (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
     views_.put(std::move(overlay));
@@ -388,8 +392,9 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
 }
 
 void Rocks::lookAt(std::uint32_t label) {
-    if (!picture_ || label == 0 || label > picture_->study.rocks.size()) return;
-    const std::size_t cell = picture_->rock(label)->cell;
+    const rocks::Rock* rock = picture_ ? picture_->rock(label) : nullptr;
+    if (rock == nullptr) return;
+    const std::size_t cell = rock->cell;
     views_.pin(std::nullopt); // the rock is chosen instead of a target, which may be on it
     select({cell});
     ViewPort& images = *views_.gray().viewPort();

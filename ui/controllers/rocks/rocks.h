@@ -101,6 +101,8 @@ public:
 
     /// The operator's edits stay with the scan when settings change; each is one undo step.
     [[nodiscard]] const std::vector<rocks::Edit>& edits() const { return edits_; }
+    /// The disk refused the newest ones.
+    [[nodiscard]] bool unsaved() const { return sidecar_.failing(); }
     [[nodiscard]] OperatorEdits operatorEdits() const { return {edits_, settings_.region}; }
     void setOperatorEdits(const OperatorEdits& byHand);
     /// The sidecar file with the edits; empty without edits or if it cannot be stored.

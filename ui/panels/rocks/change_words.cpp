@@ -14,8 +14,6 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr std::size_t kMostNamed = 3; // pairs of numbers in one sentence
-
 QString lostWords(const rocks::RegionChanges::Lost& lost, const RockPicture& picture) {
     const rocks::Region& region = picture.study.map.regions[lost.region];
     const rocks::RockSettings& settings = picture.study.settings;
@@ -84,20 +82,7 @@ QString editWords(rocks::EditKind kind, const RockPicture& before, const RockPic
 }
 
 QString changeWords(const rocks::RegionChanges& changes, const RockPicture& picture) {
-    QStringList sentences;
-    if (!changes.lost.empty()) sentences << lostWords(changes.lost.front(), picture);
-    QStringList pairs;
-    for (const rocks::RegionChanges::Renumbered& rock : changes.renumbered) {
-        if (pairs.size() < static_cast<int>(kMostNamed)) pairs << QObject::tr("%1 is now %2").arg(rock.before).arg(rock.after);
-    }
-    const std::size_t more = changes.renumbered.size() - static_cast<std::size_t>(pairs.size());
-    if (more > 0)
-        sentences << QObject::tr("Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.")
-                         .arg(pairs.join(", "))
-                         .arg(more);
-    else if (!pairs.isEmpty())
-        sentences << QObject::tr("Numbers follow the visible area, so other rocks have new ones: %1.").arg(pairs.join(", "));
-    return sentences.join(' ');
+    return changes.lost.empty() ? QString() : lostWords(changes.lost.front(), picture);
 }
 
 QString apartWords(const std::vector<std::uint32_t>& cells, const RockPicture& before, const RockPicture& after) {

@@ -22,7 +22,8 @@ std::shared_ptr<const RockPicture> RockFinder::run(const RockQuestion& question)
         }
         if (!detection_) return last_ = nullptr;
         last_ =
-            rockPicture(question.detection, rocks::studyRocks(inputs_, question.settings, question.edits, last_ ? &last_->study : nullptr));
+            rockPicture(question.detection, rocks::studyRocks(inputs_, question.settings, question.edits, last_ ? &last_->study : nullptr),
+                        question.filter);
     } catch (...) { // an interrupted computation starts again from the beginning
         detection_ = nullptr;
         last_ = nullptr;

@@ -15,6 +15,7 @@ struct RockQuestion {
     std::shared_ptr<const edges::Detection> detection;
     rocks::RockSettings settings;
     std::vector<rocks::Edit> edits;
+    RockFilter filter;
 };
 
 /// GUI thread only. Only the newest question is answered.

@@ -41,17 +41,21 @@ Paints paintsOf(const RockPicture& picture) {
     Paints paints;
     constexpr int gray = kOutsideRocks & 0xffU;
     paints.plain.push_back({qRgba(0, 0, 0, 0), qRgb(gray, gray, gray)});
+    paints.plain.resize(picture.study.map.rocks + std::size_t{1}, paints.plain.front());
     paints.stripe = paints.plain;
     for (const rocks::Rock& rock : picture.study.rocks) {
+        if (!picture.filter.shows(rock)) continue;
         const QColor colour = rockColour(picture.colours[rock.label]);
         const auto painted = [](const QColor& c) { return Paint{qPremultiply(qRgba(c.red(), c.green(), c.blue(), kFaceAlpha)), c.rgb()}; };
-        paints.plain.push_back(painted(colour));
-        paints.stripe.push_back(painted(isDoubtful(rock) ? colour.darker(300) : colour));
+        paints.plain[rock.label] = painted(colour);
+        paints.stripe[rock.label] = painted(isDoubtful(rock) ? colour.darker(300) : colour);
     }
     return paints;
 }
 
 } // namespace
+
+bool RockFilter::shows(const rocks::Rock& rock) const { return rock.shortestCaliperM >= smallestM && (!sureOnly || !isDoubtful(rock)); }
 
 const rocks::Rock* RockPicture::rockAt(std::size_t cell) const { return rock(labelAt(cell)); }
 
@@ -70,10 +74,12 @@ const rocks::Region* RockPicture::regionAt(std::size_t cell) const {
     return region == 0 ? nullptr : &study.map.regions[region];
 }
 
-std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const edges::Detection>& detection, rocks::Study study) {
+std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const edges::Detection>& detection, rocks::Study study,
+                                               const RockFilter& filter) {
     auto picture = std::make_shared<RockPicture>();
     picture->detection = detection;
     picture->study = std::move(study);
+    picture->filter = filter;
     picture->labels = rocks::rockLabels(*picture->study.segmentation, picture->study.map);
     picture->colours = rocks::rockColours(picture->study.map);
     const Grid<std::uint32_t>& labels = picture->labels;

@@ -22,12 +22,22 @@ inline constexpr std::uint32_t kOutsideRocks = 0xff5c5c5cU;
 /// Names that the operator gave to targets, by the cell of the target.
 using RockNames = std::vector<std::pair<std::size_t, QString>>;
 
+/// The rocks that the table lists and the views colour.
+struct RockFilter {
+    double smallestM = 0.0; ///< least visible width b, metres
+    bool sureOnly = false;  ///< none with an uncertain outline
+
+    [[nodiscard]] bool shows(const rocks::Rock& rock) const;
+    bool operator==(const RockFilter&) const = default;
+};
+
 /// Immutable after construction. In the window all members are replaced together.
 struct RockPicture {
     std::shared_ptr<const edges::Detection> detection;
     rocks::Study study;
-    Grid<std::uint32_t> labels;        ///< lines x beams: 0 = not a rock, else index into study.rocks + 1
+    Grid<std::uint32_t> labels;        ///< lines x beams: 0 = not a rock, else Rock::label
     std::vector<std::uint8_t> colours; ///< per label: index into kRockFaceColours
+    RockFilter filter;                 ///< other rocks have no face
     std::shared_ptr<const QImage>
         faces; ///< beams x lines: translucent, dark between rocks, hatched for uncertain outlines, striped outside the region
     std::shared_ptr<const std::vector<std::uint32_t>> points; ///< per cell, four bytes: red, green, blue, 255; gray outside rocks
@@ -35,14 +45,15 @@ struct RockPicture {
     [[nodiscard]] std::uint32_t labelAt(std::size_t cell) const { return cell < labels.size() ? labels[cell] : 0; }
     /// The rock at the cell; null outside rocks.
     [[nodiscard]] const rocks::Rock* rockAt(std::size_t cell) const;
-    [[nodiscard]] const rocks::Rock* rock(std::uint32_t label) const { return label == 0 ? nullptr : &study.rocks[label - 1]; }
+    [[nodiscard]] const rocks::Rock* rock(std::uint32_t label) const { return rocks::rockOf(study.rocks, label); }
     /// All names on the rock, as in the files (RockRows); empty without one.
     [[nodiscard]] QString nameOf(std::uint32_t label, const RockNames& names) const;
     /// The region at the cell, rock or not; null for cells that were not measured or belong to no segment.
     [[nodiscard]] const rocks::Region* regionAt(std::size_t cell) const;
 };
 
-[[nodiscard]] std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const edges::Detection>& detection, rocks::Study study);
+[[nodiscard]] std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const edges::Detection>& detection, rocks::Study study,
+                                                             const RockFilter& filter = {});
 
 /// The outline of a rock: sides of cells, with ends at corners of cells (x = beam, y = line); and the cells along it, ascending.
 struct RockOutline {

@@ -61,10 +61,10 @@ RockTable::RockTable(QWidget* parent)
     smallest_->setSingleStep(0.1);
     smallest_->setDecimals(2);
     smallest_->setSuffix(tr(" m"));
-    const QString smallestHelp = tr("Rocks with a smaller visible width b are left out of the table, not of the pictures");
+    const QString smallestHelp = tr("Rocks with a smaller visible width b are left out of the table, and in the views only their outline is drawn");
     auto* least = new QLabel(tr("b at least"));
     for (QWidget* each : std::initializer_list<QWidget*>{least, smallest_}) each->setToolTip(smallestHelp);
-    sureOnly_->setToolTip(tr("Rocks with a confidence p below 0.85, which are hatched, are left out of the table"));
+    sureOnly_->setToolTip(tr("Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only their outline is drawn"));
 
     count_->setWordWrap(true);
     count_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -86,14 +86,13 @@ RockTable::RockTable(QWidget* parent)
     sides_->setCollapsible(0, false);
     column->addWidget(sides_, 1);
 
-    connect(smallest_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double metres) {
-        shown_->setSmallest(metres);
+    const auto follow = [this] {
+        shown_->setFilter({smallest_->value(), sureOnly_->isChecked()});
         showCount();
-    });
-    connect(sureOnly_, &QCheckBox::toggled, this, [this](bool on) {
-        shown_->setSureOnly(on);
-        showCount();
-    });
+        emit filterChanged();
+    };
+    connect(smallest_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, follow);
+    connect(sureOnly_, &QCheckBox::toggled, this, follow);
     connect(export_, &QPushButton::clicked, this, &RockTable::askWhichToExport);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RockTable::emitChosen);
     for (QTableView* view : {table_, numbers_}) {
@@ -223,7 +222,7 @@ std::optional<std::vector<std::uint32_t>> RockTable::listed() const {
     bool inOrder = shown_->rowCount() == model_->rowCount();
     for (int row = 0; row < shown_->rowCount(); ++row) {
         labels.push_back(labelOf(shown_->index(row, 0)));
-        inOrder = inOrder && labels.back() == static_cast<std::uint32_t>(row + 1);
+        inOrder = inOrder && labels.back() == model_->picture()->study.rocks[static_cast<std::size_t>(row)].label;
     }
     return inOrder ? std::nullopt : std::optional(std::move(labels));
 }

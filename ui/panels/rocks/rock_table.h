@@ -36,6 +36,8 @@ public:
     /// Labels of the shown rows in their order; nothing: all rocks in the order of their numbers.
     [[nodiscard]] std::optional<std::vector<std::uint32_t>> listed() const;
 
+    [[nodiscard]] const RockFilter& filter() const { return shown_->filter(); }
+
     [[nodiscard]] QTableView* table() const { return table_; }
     [[nodiscard]] QTableView* numbers() const { return numbers_; }
     [[nodiscard]] QDoubleSpinBox* smallest() const { return smallest_; }
@@ -47,6 +49,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 120}; }
 
 signals:
+    void filterChanged();
     /// The operator selected these rows; labels.
     void chosen(const std::vector<std::uint32_t>& labels);
     /// The operator double-clicked a row.

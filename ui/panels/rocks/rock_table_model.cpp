@@ -114,20 +114,14 @@ QVariant RockTableModel::headerData(int section, Qt::Orientation orientation, in
 
 ShownRocks::ShownRocks(QObject* parent) : QSortFilterProxyModel(parent) { setSortRole(RockTableModel::kNumberRole); }
 
-void ShownRocks::setSmallest(double wideM) {
-    smallestM_ = wideM;
-    invalidateFilter();
-}
-
-void ShownRocks::setSureOnly(bool on) {
-    sureOnly_ = on;
+void ShownRocks::setFilter(const RockFilter& filter) {
+    filter_ = filter;
     invalidateFilter();
 }
 
 bool ShownRocks::filterAcceptsRow(int row, const QModelIndex&) const {
     const auto& picture = static_cast<const RockTableModel*>(sourceModel())->picture();
-    const rocks::Rock& rock = picture->study.rocks[static_cast<std::size_t>(row)];
-    return rock.shortestCaliperM >= smallestM_ && (!sureOnly_ || !isDoubtful(rock));
+    return filter_.shows(picture->study.rocks[static_cast<std::size_t>(row)]);
 }
 
 } // namespace edgescan::ui

@@ -45,16 +45,14 @@ class ShownRocks : public QSortFilterProxyModel {
     Q_OBJECT
 public:
     explicit ShownRocks(QObject* parent = nullptr);
-    /// Smallest visible width b, metres.
-    void setSmallest(double wideM);
-    void setSureOnly(bool on);
+    void setFilter(const RockFilter& filter);
+    [[nodiscard]] const RockFilter& filter() const { return filter_; }
 
 protected:
     [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
 
 private:
-    double smallestM_ = 0.0;
-    bool sureOnly_ = false;
+    RockFilter filter_;
 };
 
 /// The face of a rock as a small square, hatched if its outline is uncertain.
