@@ -53,6 +53,8 @@ std::vector<std::uint32_t> Comparing::someOfRegion() const {
 }
 
 void Comparing::goToRegion(int by) {
+    if (comparison_ && !comparison_->change.earlier.how.measurable())
+        return notice_.showHint(tr("The surfaces of the two scans do not fit, so no areas of change are given."));
     if (!comparison_ || comparison_->change.regions.empty()) {
         notice_.showHint(tr("No surface came nearer or went farther: keep a scan as A and open another one."));
         return;

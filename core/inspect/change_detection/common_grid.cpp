@@ -13,7 +13,6 @@ namespace edgescan::inspect {
 namespace {
 
 constexpr double kReachM = 0.5;        // m: largest distance of surfaces that are matched
-constexpr double kMostOffM = 0.03;     // m: with a larger distance the surfaces do not fit
 constexpr double kSameCellSteps = 0.5; // a smaller correction than half a cell does not move cells
 constexpr double kWithinSteps = 0.75;  // distance to a direction in steps: half the diagonal of a cell
 constexpr double kSameEdge = 1.02;     // ratio of the ranges of one cell that belong to one surface
@@ -170,9 +169,9 @@ void judge(RegistrationResult& how, double off) {
     else if (how.surfaces && off > kSameCellSteps)
         say("the surfaces of the two scans do not lie where their poses put them: " + tenthsOfMm(how.surfaces->residualBeforeM) +
             " apart, and " + tenthsOfMm(how.surfaces->residualM) + " if one is moved by " + fixedText(off, 1) + " cells.");
-    if (how.surfaces && how.surfaces->residualM > kMostOffM)
+    if (!how.measurable())
         say("the surfaces of the two scans lie " + tenthsOfMm(how.surfaces->residualM) +
-            " apart at best, so most of the place changed or they are not scans of one place.");
+            " apart at best, so most of the place changed or they are not scans of one place. No areas of change are given.");
 }
 
 } // namespace

@@ -38,6 +38,9 @@ struct RegistrationResult {
     std::optional<RigidTransform> moved;   ///< by which the earlier scan's points were moved in the common frame; empty: not at all
     bool outOfSpec = false;                ///< the warnings give the reasons
     std::vector<std::string> warnings;
+
+    /// Otherwise the surfaces do not fit, and areas or lengths of change would be those of the registration.
+    [[nodiscard]] bool measurable() const { return !surfaces || surfaces->residualM <= kMostResidualM; }
 };
 
 /// The earlier scan on the grid of the later one.

@@ -237,7 +237,7 @@ Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier
     change.noise = {noiseByRange(inverseRange(*later.scan)), noiseByRange(inverseRange(*earlier.scan)), 0.0};
     takeAgreement(change, *later.scan);
     change.ranges = rangeChanges(*later.scan, before, change.noise);
-    change.regions = changedRegions(*later.scan, change.ranges, change.noise);
+    if (change.earlier.how.measurable()) change.regions = changedRegions(*later.scan, change.ranges, change.noise);
     return change;
 }
 

@@ -12,6 +12,8 @@ struct ScanAlignment {
     std::size_t pairs = 0;                         ///< points with a neighbour within reach
 };
 
+inline constexpr double kMostResidualM = 0.03; ///< with a larger residual the surfaces of two scans do not fit
+
 /// Error: too few points are within `reachM` of each other, or they do not determine all six degrees of freedom.
 Result<ScanAlignment> alignScans(const PlacedScan& fixed, const PlacedScan& moved, double reachM);
 

@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::array<double, 2> kReachesM{1.0, 0.3}; // the first brings wrong poses near, the second leaves out what only one scan sees
 constexpr double kLeastSpread = 1e-3;                // of pairs: second principal axis divided by first
-constexpr double kMostOffM = 0.03;                   // with a larger residual the surfaces do not fit
 
 /// The other scan's points in the first one's scanner frame, by their places in the mine. One transform: that of the first scan's middle
 /// cell, because a moving base has a pose per line.
@@ -53,7 +52,7 @@ Result<ScanAlignment> bySurfaces(const PlacedScan& fixed, const PlacedScan& star
 void judge(Station& station, const std::string& name) {
     if (!station.fit)
         station.warnings.push_back("OUT OF SPEC: whether the surfaces of \"" + name + "\" fit cannot be seen.");
-    else if (station.fit->residualM > kMostOffM)
+    else if (station.fit->residualM > kMostResidualM)
         station.warnings.push_back("OUT OF SPEC: the surfaces of \"" + name + "\" are " + fixedText(1000 * station.fit->residualM, 1) +
                                    " mm from those of the first scan at best.");
 }

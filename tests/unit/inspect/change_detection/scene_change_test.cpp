@@ -220,5 +220,28 @@ TEST(LineUp, RefusesWhereOnlyOneScanHasAPlace) {
     EXPECT_EQ(same->edges, edges.mask);
 }
 
+// Two bells that are not one place fit nowhere: metres of change would be those of the registration.
+TEST(SceneChange, AreasAreGivenOnlyWhereTheSurfacesFit) {
+    const auto later = bell(0, false);
+    sim::SimulationSettings other;
+    other.lines = 150;
+    other.beams = 190;
+    other.seed = 77;
+    const auto elsewhere = std::make_shared<const Scan>(sim::simulate(other)->scan);
+    const auto change = sceneChange(edgesOf(later), edgesOf(elsewhere));
+    ASSERT_TRUE(change) << change.error().sentence();
+    ASSERT_GT(change->earlier.how.surfaces->residualM, kMostResidualM);
+    EXPECT_GT(change->ranges.nearer + change->ranges.farther, 50U);
+    EXPECT_TRUE(change->regions.empty());
+    const std::string text = changeText(*later, *change);
+    EXPECT_NE(text.find("No areas of change are given."), std::string::npos) << text;
+    EXPECT_EQ(text.find("regions of"), std::string::npos) << text;
+    EXPECT_TRUE(changeReport(*later, *change)["regions"].empty());
+    const auto blasted = sceneChange(edgesOf(bell(1, true)), edgesOf(later));
+    ASSERT_TRUE(blasted);
+    EXPECT_LT(blasted->earlier.how.surfaces->residualM, kMostResidualM);
+    EXPECT_FALSE(blasted->regions.empty());
+}
+
 } // namespace
 } // namespace edgescan::inspect
