@@ -157,8 +157,9 @@ TEST(Exits, EveryNumberHasLimitsAndIsRefusedByName) {
             std::string others = rest(command);
             if (const auto same = others.find(flag.flag + " "); same != std::string::npos)
                 others.erase(same, others.find(' ', same + flag.flag.size() + 1) - same);
-            std::vector<std::string> values{"nan", "1e308"};
-            if (tried.insert(flag.flag).second) // commands share flags
+            std::vector<std::string> values{"nan"};
+            if (tried.insert(flag.flag).second) values.emplace_back("1e308"); // commands share flags
+            if (numbers == 1 || flag.flag == "--sensor")                      // one parser reads them all
                 values.insert(values.end(), {"inf", "-inf", "-1e308", "1e999", "", "1,5", "12x", "99999999999999999999999"});
             for (std::string value : values) {
                 const bool list = flag.flag == "--sensor" || flag.flag == "--thresholds";
@@ -227,7 +228,9 @@ TEST(Exits, EverySwitchTakesTrueOrFalse) {
         for (const std::string& command : commands) {
             for (const std::string& flag : switchesIn(runProgram(program, command + " --help").out)) {
                 std::vector<std::string> values{"0"};
-                if (switches.insert(flag).second) values.insert(values.end(), {"-1", "1", "1e308", "on", "off", "True", "''", "yes", "2"});
+                const bool first = switches.insert(flag).second;
+                if (switches.size() == 3 && first) // one parser reads them all
+                    values.insert(values.end(), {"-1", "1", "1e308", "on", "off", "True", "''", "yes", "2"});
                 for (const std::string& value : values) {
                     const auto run = runProgram(program, command + " " + flag + "=" + value);
                     EXPECT_EQ(run.code, 2) << program << " " << command << " " << flag << "=" << value << run.out;
@@ -236,11 +239,10 @@ TEST(Exits, EverySwitchTakesTrueOrFalse) {
                     EXPECT_NE(run.err.find(flag + (answers ? ": takes no value" : ": \"")), std::string::npos) << run.err;
                     EXPECT_EQ(run.err.find("is not true or false") == std::string::npos, answers) << run.err;
                 }
-                if (values.size() == 1 || flag == "--help" || flag == "--version" || program == "edgescan") continue;
-                for (const char* value : {"true", "false"}) { // the other flag is refused, so nothing runs
-                    const auto run = runProgram(program, command + " " + flag + "=" + value + " --no-such-flag");
-                    EXPECT_EQ(run.err.find("is not true or false"), std::string::npos) << run.err;
-                }
+                if (!first || flag == "--help" || flag == "--version" || program == "edgescan") continue;
+                // The unknown flag is refused, so nothing runs.
+                const auto run = runProgram(program, command + " " + flag + "=true " + flag + "=false --no-such-flag");
+                EXPECT_EQ(run.err.find("is not true or false"), std::string::npos) << run.err;
             }
         }
     }

@@ -39,6 +39,7 @@ public:
         process_ = fork();
         if (process_ != 0) return;
         prctl(PR_SET_PDEATHSIG, SIGKILL);
+        ::signal(SIGINT, SIG_DFL); // a shell in the background passes on that it is ignored
         execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
         _exit(127);
     }
