@@ -252,7 +252,7 @@
 <message><source>OUT OF SPEC: the base moved while "%1" was taken: one place fits it badly.</source><translation>FUERA DE TOLERANCIA: la base se movió mientras se tomaba "%1": un solo lugar encaja mal.</translation></message>
 <message><source>OUT OF SPEC: without a pose of both, the two scans are lined up by their surfaces alone.</source><translation>FUERA DE TOLERANCIA: sin pose de ambos, los dos escaneos se alinean solo por sus superficies.</translation></message>
 <message><source>OUT OF SPEC: the surfaces of the two scans do not lie where their poses put them: %1 apart, and %2 if one is moved by </source><translation>FUERA DE TOLERANCIA: las superficies de los dos escaneos no están donde las ponen sus poses: a %1, y a %2 si uno se mueve </translation></message>
-<message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place.</source><translation>FUERA DE TOLERANCIA: las superficies de los dos escaneos están en el mejor caso a %1: casi todo cambió o no son escaneos de un mismo lugar.</translation></message>
+<message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place. No areas of change are given.</source><translation>FUERA DE TOLERANCIA: las superficies de los dos escaneos están en el mejor caso a %1: casi todo cambió o no son escaneos de un mismo lugar. No se dan áreas de cambio.</translation></message>
 <message><source>OUT OF SPEC: whether the poses fit cannot be seen, </source><translation>FUERA DE TOLERANCIA: no se puede ver si las poses encajan, </translation></message>
 <message><source>OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by </source><translation>FUERA DE TOLERANCIA: las poses no encajan con las superficies, así que el escaneo anterior se movió por sus superficies, </translation></message>
 <message><source>The file lists only points: %1 lines, %2 beams and mounting </source><translation>El archivo solo contiene puntos: %1 líneas, %2 haces y el montaje </translation></message>
@@ -376,6 +376,7 @@
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
+<message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Las superficies de los dos escaneos no encajan, así que no se dan áreas de cambio.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
 <message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
 now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2, la mayor en área: %3 por %4 m ± %5 m,
@@ -398,9 +399,10 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>Reading %1 as A</source><translation>Leyendo %1 como A</translation></message>
 <message><source>the demo</source><translation>la demo</translation></message>
 <message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
-<message><source>Compare with an earlier scan</source><translation>Comparar con un escaneo anterior</translation></message>
+<message><source>Choose the earlier scan, A; the scan on the screen is the later one, B</source><translation>Elija el escaneo anterior, A; el de la pantalla es el posterior, B</translation></message>
+<message><source>A and B are exchanged when both are files: keep a scan as A and open another one.</source><translation>A y B se intercambian si ambos son archivos: conserve un escaneo como A y abra otro.</translation></message>
 <message><source>A was not restored: %1 has changed since.</source><translation>A no se recuperó: el contenido de %1 cambió desde entonces.</translation></message>
-<message><source>Compare with Scan</source><translation>Comparar con un escaneo</translation></message>
+<message><source>Compare with Earlier Scan</source><translation>Comparar con un escaneo anterior</translation></message>
 <message><source>Comparing with A</source><translation>Comparando con A</translation></message>
 <message><source>Line Up by Surfaces</source><translation>Alinear por las superficies</translation></message>
 <message><source>gained, lost and kept</source><translation>ganados, perdidos y conservados</translation></message>
@@ -479,6 +481,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>▲ not read</source><translation>▲ no leída</translation></message>
 <message><source>being read</source><translation>leyendo</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ sin colocar respecto a la activa</translation></message>
+<message><source>Target %1: %2 mm apart</source><translation>Objetivo %1: a %2 mm</translation></message>
 <message><source>sweep %1: %2 lines</source><translation>barrido %1: %2 líneas</translation></message>
 <message><source>sweep %1: %2/%3 lines, complete</source><translation>barrido %1: %2/%3 líneas, completo</translation></message>
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>barrido %1: %2/%3 líneas, parcial</translation></message>
@@ -510,6 +513,164 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>%1 has ended.</source><translation>%1 terminó.</translation></message>
 <message><source>Held. Follow shows the next ones, until Hold.</source><translation>Retenido. Seguir muestra los siguientes, hasta Retener.</translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
+<message><source>Scan %1</source><translation>Escaneo %1</translation></message>
+<message><source>Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was not measured.</source><translation>Los bordes y las rocas son candidatos: solo geometría, un punto de vista. Lo que está oculto detrás de una superficie no se midió.</translation></message>
+<message><source>Warnings</source><translation>Advertencias</translation></message>
+<message><source>None was raised when this file was read.</source><translation>No hubo ninguna al leer este archivo.</translation></message>
+<message><source>and %1 more in the record.</source><translation>y %1 más en el registro.</translation></message>
+<message><source>Remark</source><translation>Observación</translation></message>
+<message><source>What, when, by whom</source><translation>Qué, cuándo, por quién</translation></message>
+<message><source>Site</source><translation>Lugar</translation></message>
+<message><source>File</source><translation>Archivo</translation></message>
+<message><source>Format</source><translation>Formato</translation></message>
+<message><source>Grid</source><translation>Cuadrícula</translation></message>
+<message><source>%1 lines x %2 beams</source><translation>%1 líneas x %2 haces</translation></message>
+<message><source>Distances</source><translation>Distancias</translation></message>
+<message><source>%1 to %2 measured; gray levels from %3 to %4</source><translation>medidas de %1 a %2; niveles de gris de %3 a %4</translation></message>
+<message><source>none was measured</source><translation>no se midió ninguna</translation></message>
+<message><source>Scanned</source><translation>Escaneado</translation></message>
+<message><source>the file does not say</source><translation>el archivo no lo dice</translation></message>
+<message><source>%1 (as the pose says)</source><translation>%1 (según la pose)</translation></message>
+<message><source>Scanner</source><translation>Escáner</translation></message>
+<message><source>serial %1</source><translation>número de serie %1</translation></message>
+<message><source>firmware %1</source><translation>firmware %1</translation></message>
+<message><source>Uncertainty</source><translation>Incertidumbre</translation></message>
+<message><source>ranges ± %1 m at %2 m, ± %3 m at %4 m (two standard deviations)</source><translation>distancias ± %1 m a %2 m, ± %3 m a %4 m (dos desviaciones típicas)</translation></message>
+<message><source>%1; the pose does not say its own</source><translation>%1; la pose no indica la suya</translation></message>
+<message><source>Edges</source><translation>Bordes</translation></message>
+<message><source>%1 cells, %2 % of those measured</source><translation>%1 celdas, %2 % de las medidas</translation></message>
+<message><source>Method</source><translation>Método</translation></message>
+<message><source>Report by</source><translation>Informe de</translation></message>
+<message><source>not said</source><translation>no indicado</translation></message>
+<message><source>Made</source><translation>Hecho</translation></message>
+<message><source>Where</source><translation>Dónde</translation></message>
+<message><source>Position</source><translation>Posición</translation></message>
+<message><source>not known: no pose</source><translation>desconocida: sin pose</translation></message>
+<message><source>E %1, N %2, RL %3 m (scanner)</source><translation>E %1, N %2, RL %3 m (escáner)</translation></message>
+<message><source>Frame</source><translation>Marco</translation></message>
+<message><source>scanner's own frame; no pose was given</source><translation>el del escáner; no se dio ninguna pose</translation></message>
+<message><source>mine grid%1</source><translation>rejilla de la mina%1</translation></message>
+<message><source>Robot</source><translation>Robot</translation></message>
+<message><source>the pose does not say</source><translation>la pose no lo dice</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>at a time that it does not say</source><translation>a una hora que no indica</translation></message>
+<message><source>%1, the start of the scan is not known</source><translation>%1, el inicio del escaneo no se conoce</translation></message>
+<message><source>%1 s before the start of the scan</source><translation>%1 s antes del inicio del escaneo</translation></message>
+<message><source>%1 s after the start of the scan</source><translation>%1 s después del inicio del escaneo</translation></message>
+<message><source>Turning view</source><translation>Vista giratoria</translation></message>
+<message><source>Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2.</source><translation>Arrastre para girar, rueda o dos dedos para acercarse, clic en un punto para ver sus números. Teclas: las flechas giran, + y - acercan, Mayús y flechas desplazan, Intro elige lo que está en el centro, Inicio vuelve. Mostrados, elegidos por igual: %1 y %2.</translation></message>
+<message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
+<message><source>%1 points</source><translation>%1 puntos</translation></message>
+<message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
+<message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
+<message><source>Pictures</source><translation>Imágenes</translation></message>
+<message><source>equal ratios</source><translation>razones iguales</translation></message>
+<message><source>Gray levels: black is %1 and nearer, or nothing came back; white is %2 and farther. Across: %3; down: %4.</source><translation>Niveles de gris: negro es %1 y más cerca, o nada volvió; blanco es %2 y más lejos. A lo ancho: %3; hacia abajo: %4.</translation></message>
+<message><source>Edges. Across: %1; down: %2.</source><translation>Bordes. A lo ancho: %1; hacia abajo: %2.</translation></message>
+<message><source>%1 beams, %2 to %3 degrees</source><translation>%1 haces, %2 a %3 grados</translation></message>
+<message><source>%1 lines, %2 to %3 degrees</source><translation>%1 líneas, %2 a %3 grados</translation></message>
+<message><source>%1 beams</source><translation>%1 haces</translation></message>
+<message><source>edge (%1)</source><translation>borde (%1)</translation></message>
+<message><source>jump (%1)</source><translation>salto (%1)</translation></message>
+<message><source>convex fold (%1)</source><translation>pliegue convexo (%1)</translation></message>
+<message><source>concave fold (%1)</source><translation>pliegue cóncavo (%1)</translation></message>
+<message><source>data border (%1)</source><translation>límite de datos (%1)</translation></message>
+<message><source>outline before a void (%1)</source><translation>contorno ante un vacío (%1)</translation></message>
+<message><source>void rim (%1)</source><translation>borde de vacío (%1)</translation></message>
+<message><source>%1 of the edge cells are likely the border of a rock (30 % likely and more), %2 are folds within a rock, %3 are unknown.</source><translation>%1 de las celdas de borde son probablemente el límite de una roca (30 % y más), %2 son pliegues dentro de una roca, %3 se desconocen.</translation></message>
+<message><source>%1 m at the middle of the cloud</source><translation>%1 m en el centro de la nube</translation></message>
+<message><source>The points, edges in their colours.</source><translation>Los puntos, los bordes en sus colores.</translation></message>
+<message><source>Rocks</source><translation>Rocas</translation></message>
+<message><source>%1 rocks, each a candidate - geometry only, one viewpoint.</source><translation>%1 rocas, cada una candidata: solo geometría, un punto de vista.</translation></message>
+<message><source>Sizes of the visible rocks</source><translation>Tamaños de las rocas visibles</translation></message>
+<message><source>visible width b [m]</source><translation>ancho visible b [m]</translation></message>
+<message><source>rocks that are not wider</source><translation>rocas que no son más anchas</translation></message>
+<message><source>largest %1</source><translation>mayor %1</translation></message>
+<message><source>%1 % over %2</source><translation>%1 % sobre %2</translation></message>
+<message><source>The rocks with the largest visible width b</source><translation>Las rocas de mayor ancho visible b</translation></message>
+<message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>En una pantalla estrecha solo las rocas de la tabla tienen sus números.</translation></message>
+<message><source>Completeness</source><translation>Integridad</translation></message>
+<message><source>INCOMPLETE</source><translation>INCOMPLETO</translation></message>
+<message><source>%1 of %2 lines.</source><translation>%1 de %2 líneas.</translation></message>
+<message><source>Cells</source><translation>Celdas</translation></message>
+<message><source>Number</source><translation>Número</translation></message>
+<message><source>Share</source><translation>Parte</translation></message>
+<message><source>measured</source><translation>medidas</translation></message>
+<message><source>status of the scanner</source><translation>estado del escáner</translation></message>
+<message><source>outside the range window</source><translation>fuera de la ventana de distancias</translation></message>
+<message><source>lost line</source><translation>línea perdida</translation></message>
+<message><source>all</source><translation>todas</translation></message>
+<message><source>Settings</source><translation>Ajustes</translation></message>
+<message><source>Parameter</source><translation>Parámetro</translation></message>
+<message><source>Value</source><translation>Valor</translation></message>
+<message><source>auto: %1</source><translation>auto: %1</translation></message>
+<message><source>%1 degrees</source><translation>%1 grados</translation></message>
+<message><source>%1 cells</source><translation>%1 celdas</translation></message>
+<message><source>%1 steps</source><translation>%1 pasos</translation></message>
+<message><source>%1 % of range</source><translation>%1 % de la distancia</translation></message>
+<message><source>%1 % of high</source><translation>%1 % del alto</translation></message>
+<message><source>changed from the default</source><translation>distinto del valor usual</translation></message>
+<message><source>Made again</source><translation>Hacerlo de nuevo</translation></message>
+<message><source>The command that makes this report as a page for browsers:</source><translation>La orden que hace este informe como página para navegadores:</translation></message>
+<message><source>SHA-256 of the file</source><translation>SHA-256 del archivo</translation></message>
+<message><source>SHA-256 of the grid</source><translation>SHA-256 de la rejilla</translation></message>
+<message><source>SHA-256 of the edge mask</source><translation>SHA-256 de la máscara de bordes</translation></message>
+<message><source>none</source><translation>ninguno</translation></message>
+<message><source>Program</source><translation>Programa</translation></message>
+<message><source>EdgeScan %1, commit %2</source><translation>EdgeScan %1, commit %2</translation></message>
+<message><source>The whole record</source><translation>El registro completo</translation></message>
+<message><source>Targets and measures</source><translation>Objetivos y medidas</translation></message>
+<message><source>Target</source><translation>Objetivo</translation></message>
+<message><source>Name and note</source><translation>Nombre y nota</translation></message>
+<message><source>Cell</source><translation>Celda</translation></message>
+<message><source>Where, and its edge now</source><translation>Dónde, y su borde ahora</translation></message>
+<message><source>Also on its card when it was pinned</source><translation>También en su ficha cuando se fijó</translation></message>
+<message><source>Pinned</source><translation>Fijado</translation></message>
+<message><source>Measured</source><translation>Mediciones</translation></message>
+<message><source>Result, ± two standard deviations</source><translation>Resultado, ± dos desviaciones típicas</translation></message>
+<message><source>From</source><translation>De</translation></message>
+<message><source>no cell of this scan</source><translation>no es una celda de este escaneo</translation></message>
+<message><source>its cells hold no points now</source><translation>sus celdas no tienen puntos ahora</translation></message>
+<message><source>Distance: %1</source><translation>Distancia: %1</translation></message>
+<message><source>Dip / direction: %1</source><translation>Buzamiento / dirección: %1</translation></message>
+<message><source>Edge: %1</source><translation>Borde: %1</translation></message>
+<message><source>%1, strength %2</source><translation>%1, fuerza %2</translation></message>
+<message><source>no plane fits</source><translation>ningún plano se ajusta</translation></message>
+<message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
+<message><source>nothing was measured in this cell</source><translation>en esta celda no se midió nada</translation></message>
+<message><source>Before and after</source><translation>Antes y después</translation></message>
+<message><source>▲ OUT OF SPEC: the warnings below say why.</source><translation>▲ FUERA DE TOLERANCIA: las advertencias de abajo dicen por qué.</translation></message>
+<message><source>Before: %1. Surfaces and edges that this scan shows otherwise; what is hidden in one of the two is not a change.</source><translation>Antes: %1. Superficies y bordes que este escaneo muestra de otro modo; lo que está oculto en uno de los dos no es un cambio.</translation></message>
+<message><source>+ edge gained, or surface nearer</source><translation>+ borde ganado, o superficie más cerca</translation></message>
+<message><source>− edge lost, or surface farther</source><translation>− borde perdido, o superficie más lejos</translation></message>
+<message><source>= edge kept</source><translation>= borde conservado</translation></message>
+<message><source>%1 has an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 tiene un contorno incierto (rayado); %2 piezas son demasiado pequeñas para mostrarse como rocas</translation></message>
+<message><source>%1 have an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 tienen un contorno incierto (rayado); %2 piezas son demasiado pequeñas para mostrarse como rocas</translation></message>
+<message><source>, %1 are outside the region of interest</source><translation>, %1 están fuera de la región de interés</translation></message>
+<message><source>; %1 change was made by hand</source><translation>; %1 cambio se hizo a mano</translation></message>
+<message><source>; %1 changes were made by hand</source><translation>; %1 cambios se hicieron a mano</translation></message>
+<message><source>Level %1 of -4 (fine) to 4 (coarse).</source><translation>Nivel %1 de -4 (fino) a 4 (grueso).</translation></message>
+<message><source>Visible width b: P20 %1 m, P50 %2 m, P80 %3 m (20, 50 and 80 % of the rocks are not wider), largest %4 m</source><translation>Ancho visible b: P20 %1 m, P50 %2 m, P80 %3 m (20, 50 y 80 % de las rocas no son más anchas), mayor %4 m</translation></message>
+<message><source>; %1 % over the site's %2 m</source><translation>; %1 % sobre los %2 m del lugar</translation></message>
+<message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>por número de rocas visibles; por las partes ocultas es más fina que la pila, en un 40 % y más</translation></message>
+<message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Rocas como caras, las inciertas rayadas. Los colores solo separan vecinas. Los números son los de la tabla, el dibujo y los archivos.</translation></message>
+<message><source>The same on the points.</source><translation>Lo mismo sobre los puntos.</translation></message>
+<message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 números de rocas menores no caben y faltan.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks;</source><translation>Las %1 mayores (ancho visible b) de %2 rocas;</translation></message>
+<message><source>lists all.</source><translation>las lista todas.</translation></message>
+<message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL: media de los puntos visibles, en la rejilla de la mina</translation></message>
+<message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z: media de los puntos visibles, en el sistema del escáner.</translation></message>
+<message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a y b: luces visibles transversales a la línea de visión; las partes ocultas no cuentan. Distancia: mediana de sus distancias. Área: visible, transversal a los haces. Delante: parte del contorno donde la roca es el lado más cercano. Contactos y altura libre: al menos. Arco: mayor ángulo en la roca entre dos que toca; ↓ cuelga bajo la línea entre ellas. p: probabilidad de que el contorno sea correcto; ▲ menor que 0,85, rayado.</translation></message>
+<message><source>Number with ▲: merged by hand of parts that do not touch.</source><translation>Número con ▲: unida a mano de partes que no se tocan.</translation></message>
+<message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Los objetivos por sus números, y lo que se midió. Negro es cerca, o nada volvió.</translation></message>
+<message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valor no cabe en la imagen; la tabla los tiene todos.</translation></message>
+<message><source>%1 values have no room in the picture; the table has all.</source><translation>%1 valores no caben en la imagen; la tabla los tiene todos.</translation></message>
+<message><source>; other cells: points moved to the grid of the later scan</source><translation>; otras celdas: puntos llevados a la rejilla del escaneo posterior</translation></message>
+<message><source>edges: %1 + gained, %2 - lost, %3 kept, %4 not seen by the other</source><translation>bordes: %1 + ganados, %2 - perdidos, %3 conservados, %4 no vistos por el otro</translation></message>
+<message><source>cells: %1 nearer, %2 farther, %3 same, %4 no range now, %5 no range before</source><translation>celdas: %1 más cerca, %2 más lejos, %3 iguales, %4 sin distancia ahora, %5 sin distancia antes</translation></message>
+<message><source>median difference</source><translation>diferencia mediana</translation></message>
+<message><source>a change is more than %1 standard deviations: %2 mm at 5 m, %3 mm at 10 m</source><translation>un cambio es más de %1 desviaciones típicas: %2 mm a 5 m, %3 mm a 10 m</translation></message>
+<message><source>%1 regions of %2 cells and more, visible surface from one viewpoint</source><translation>%1 regiones de %2 celdas y más, superficie visible desde un punto de vista</translation></message>
 <message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Aún no hay una vista %1: Ctrl+%1 guarda la actual.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Todavía no hay nada que informar: primero abra un escaneo.</translation></message>
@@ -548,8 +709,6 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>a section</source><translation>una sección</translation></message>
 <message><source>a section of %1</source><translation>una sección de %1</translation></message>
 <message><source>%1 edge points</source><translation>%1 puntos de borde</translation></message>
-<message><source>%1 points</source><translation>%1 puntos</translation></message>
-<message><source>%1 cells</source><translation>%1 celdas</translation></message>
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Todavía no hay nada seleccionado: primero trace un recuadro (B) o un lazo (L) sobre una vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
@@ -568,6 +727,9 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Keep Repeated Values</source><translation>Conservar los valores repetidos</translation></message>
 <message><source>Repeated Values as No Return</source><translation>Valores repetidos como sin retorno</translation></message>
 <message><source>How the Scan Is Read</source><translation>Cómo se lee el escaneo</translation></message>
+<message><source>%1 was moved or removed. Its picture stays on the screen.</source><translation>%1 se movió o se eliminó. Su imagen queda en la pantalla.</translation></message>
+<message><source>%1 was written again. The picture shows what was in it before.</source><translation>%1 se escribió de nuevo. La imagen muestra lo que contenía antes.</translation></message>
+<message><source>Read again</source><translation>Leer de nuevo</translation></message>
 <message><source>Straighten beams</source><translation>Enderezar los haces</translation></message>
 <message><source>Keep as measured</source><translation>Conservar como medido</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Ningún archivo todavía; las demos no figuran aquí</translation></message>
@@ -782,11 +944,13 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>name of target %1</source><translation>nombre del objetivo %1</translation></message>
 <message><source>note of target %1</source><translation>nota del objetivo %1</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
+<message><source>Your targets are not stored: %1</source><translation>Sus objetivos no se guardaron: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Aún sin guardar. Los objetivos de un barrido en vivo se guardan cuando abre su grabación; los de una parte de una grabación, cuando se muestra su barrido entero.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
+<message><source>Another window has this scan open, too. Targets and edits of rocks of both are stored together.</source><translation>Otra ventana también tiene abierto este escaneo. Los objetivos y las ediciones de rocas de ambas se guardan juntos.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>new target %1</source><translation>nuevo objetivo %1</translation></message>
 <message><source>Target %1 is locked and stays: unlock it to remove it.</source><translation>El objetivo %1 está bloqueado y se queda: desbloquéelo para quitarlo.</translation></message>
@@ -928,7 +1092,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
 <message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
 <message><source>What</source><translation>Contenido</translation></message>
-<message><source>Format</source><translation>Formato</translation></message>
 <message><source>It draws edge lines: choose the edge points above.</source><translation>Dibuja líneas de bordes: elija arriba los puntos de borde.</translation></message>
 <message><source>Targets are written as a table or a drawing.</source><translation>Los objetivos se escriben como tabla o dibujo.</translation></message>
 <message><source>The file holds x, y and z in metres from the scanner.</source><translation>El archivo contiene x, y y z en metros desde el escáner.</translation></message>
@@ -975,7 +1138,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>two elevations</source><translation>dos elevaciones</translation></message>
 <message><source>pitch and roll</source><translation>cabeceo y alabeo</translation></message>
 <message><source>Pose and Mounting</source><translation>Pose y montaje</translation></message>
-<message><source>Pose</source><translation>Pose</translation></message>
 <message><source>Mounting</source><translation>Montaje</translation></message>
 <message><source>&amp;Store with the Scan</source><translation>&amp;Guardar con el escaneo</translation></message>
 <message><source>&amp;Remove Pose</source><translation>&amp;Quitar la pose</translation></message>
@@ -998,33 +1160,24 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>as in the file</source><translation>como en el archivo</translation></message>
 <message><source>Choose…</source><translation>Elegir…</translation></message>
 <message><source>in the report</source><translation>en el informe</translation></message>
-<message><source>none</source><translation>ninguno</translation></message>
 <message><source>HTML: a page for any browser</source><translation>HTML: una página para cualquier navegador</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir y archivar</translation></message>
-<message><source>Site</source><translation>Lugar</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
-<message><source>Remark</source><translation>Observación</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
-<message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
-<message><source>File</source><translation>Archivo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Líneas de escaneo</translation></message>
 <message><source>Beams</source><translation>Haces</translation></message>
-<message><source>Cells</source><translation>Celdas</translation></message>
 <message><source>with a range</source><translation>con distancia</translation></message>
 <message><source>Ranges [m]</source><translation>Distancias [m]</translation></message>
 <message><source>smallest</source><translation>la menor</translation></message>
 <message><source>largest</source><translation>la mayor</translation></message>
 <message><source>Unit of the file [mm]</source><translation>Unidad del archivo [mm]</translation></message>
-<message><source>Frame</source><translation>Marco</translation></message>
-<message><source>Warnings</source><translation>Advertencias</translation></message>
 <message><source>Geometry</source><translation>Geometría</translation></message>
 <message><source>Mounting of the stepper</source><translation>Montaje del motor paso a paso</translation></message>
 <message><source>Beam angles [°]</source><translation>Ángulos de los haces [°]</translation></message>
 <message><source>Line angles [°]</source><translation>Ángulos de las líneas [°]</translation></message>
 <message><source>Intensity</source><translation>Intensidad</translation></message>
-<message><source>Measured</source><translation>Mediciones</translation></message>
 <message><source>Maker</source><translation>Fabricante</translation></message>
 <message><source>Model</source><translation>Modelo</translation></message>
 <message><source>Serial number</source><translation>Número de serie</translation></message>
@@ -1048,9 +1201,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Scanner at [m]</source><translation>Escáner en [m]</translation></message>
 <message><source>Origin E, N, RL [m]</source><translation>Origen E, N, RL [m]</translation></message>
 <message><source>Scale of the grid</source><translation>Escala de la cuadrícula</translation></message>
-<message><source>Grid</source><translation>Cuadrícula</translation></message>
 <message><source>Source</source><translation>Origen</translation></message>
-<message><source>Robot</source><translation>Robot</translation></message>
 <message><source>Begin of the scan</source><translation>Inicio del escaneo</translation></message>
 <message><source>End of the scan</source><translation>Fin del escaneo</translation></message>
 <message><source>Time of the pose</source><translation>Hora de la pose</translation></message>
@@ -1099,7 +1250,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>sweep %1: %2</source><translation>barrido %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Líneas cuyos telegramas no llegaron: guiones en las imágenes</translation></message>
 <message><source>Port</source><translation>Puerto</translation></message>
-<message><source>Scanner</source><translation>Escáner</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
 <message><source>Record</source><translation>Grabar</translation></message>
 <message><source>Write every telegram to a new file, unchanged, as it arrives</source><translation>Escribir cada telegrama en un archivo nuevo, sin tocarlo, a medida que llega</translation></message>
@@ -1165,9 +1315,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionadas: las rocas %1 son ahora la roca %2.</translation></message>
 <message><source>Cut: rock %1 is now rocks %2.</source><translation>Cortada: la roca %1 es ahora las rocas %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: la roca %1 es ahora las rocas %2.</translation></message>
-<message><source>%1 is now %2</source><translation>%1 es ahora %2</translation></message>
-<message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1 y %2 más.</translation></message>
-<message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1.</translation></message>
 <message><source>Rocks %1 and %2 do not touch: their nearest cells are %3 m apart.</source><translation>Las rocas %1 y %2 no se tocan: sus celdas más próximas están a %3 m una de otra.</translation></message>
 <message><source>Rock %1 and a part that was not a rock do not touch: their nearest cells are %2 m apart.</source><translation>La roca %1 y una parte que no era una roca no se tocan: sus celdas más próximas están a %2 m una de otra.</translation></message>
 <message><source>They are merged as rock %1.</source><translation>Están fusionadas como roca %1.</translation></message>
@@ -1224,9 +1371,9 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
-<message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
+<message><source>Rocks with a smaller visible width b are left out of the table, and in the views only their outline is drawn</source><translation>Las rocas de menor ancho visible b no están en la tabla, y en las vistas solo se dibuja su contorno</translation></message>
 <message><source>b at least</source><translation>b al menos</translation></message>
-<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con confianza p inferior a 0.85, que están rayadas, se omiten en la tabla</translation></message>
+<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only their outline is drawn</source><translation>Las rocas con una confianza p menor que 0,85, que están rayadas, no están en la tabla, y en las vistas solo se dibuja su contorno</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
 <message><source>, %1 of them uncertain (hatched)</source><translation>, %1 de ellas inciertas (achuradas)</translation></message>
 <message><source>&amp;Shown Rocks (%1)…</source><translation>&amp;Rocas mostradas (%1)…</translation></message>
@@ -1290,7 +1437,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>End the tour</source><translation>Terminar el recorrido</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
-<message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
 <message><source>Your note on it, stored with its name</source><translation>Su nota sobre él, guardada con su nombre</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
@@ -1299,7 +1445,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
-<message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Metros en el sistema del escaneo</translation></message>
 <message><source>E, N, RL</source><translation>E, N, RL</translation></message>
@@ -1310,7 +1455,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Resolves</source><translation>Resolución</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
 <message><source>Surface</source><translation>Superficie</translation></message>
-<message><source>no plane fits</source><translation>ningún plano se ajusta</translation></message>
 <message><source>%1° ± %2° off the beam</source><translation>a %1° ± %2° del haz</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre su normal y el haz: 0° mira de frente al escáner. Un plano por %1 celdas, relieve %2</translation></message>
 <message><source>Dip / direction</source><translation>Manteo / dirección</translation></message>
@@ -1318,7 +1462,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>From the boom</source><translation>Al brazo</translation></message>
 <message><source>%1 · surface %2° off square</source><translation>%1 · superficie a %2° de la perpendicular</translation></message>
 <message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Hasta la recta del pivote del brazo a la cabeza, donde estaban al medir; 0°: el brazo apunta de frente a la superficie</translation></message>
-<message><source>Cell</source><translation>Celda</translation></message>
 <message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>
 <message><source>, strength %1</source><translation>, fuerza %1</translation></message>
@@ -1359,12 +1502,10 @@ RL %3 m</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
 <message><source>Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, del menor al mayor en escala logarítmica. Rayado: el tramo más ancho en que desaparece un quinto de ellas como máximo. La línea vertical es el umbral en uso.</translation></message>
 <message><source>counting the edge cells …</source><translation>contando las celdas de borde …</translation></message>
-<message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
 <message><source>Without %1:</source><translation>Sin %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sin %1 clases:</translation></message>
 <message><source>other classes take the cells</source><translation>otras clases toman las celdas</translation></message>
-<message><source>Edges</source><translation>Bordes</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
 <message><source>How likely an edge is the border of a rock; where that is unknown, it is drawn like one.</source><translation>La probabilidad de que un borde sea el contorno de una roca; donde se desconoce, se dibuja como un contorno.</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
@@ -1531,15 +1672,20 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
 <message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
+<message><source>Your targets and your edits of rocks are not stored.</source><translation>Sus objetivos y sus ediciones de rocas no están guardados.</translation></message>
+<message><source>Your targets are not stored.</source><translation>Sus objetivos no están guardados.</translation></message>
+<message><source>Your edits of rocks are not stored.</source><translation>Sus ediciones de rocas no están guardadas.</translation></message>
 <message><source>This ends the program.</source><translation>Esto termina el programa.</translation></message>
 <message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Al cerrar termina la grabación. Lo grabado hasta ahora queda en su archivo.</translation></message>
 <message><source>Closing waits until it is complete.</source><translation>El cierre espera hasta que esté completo.</translation></message>
+<message><source>The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.</source><translation>El disco los rechazó. EdgeScan lo intenta otra vez al cerrarse; lo que entonces no pueda escribir se pierde.</translation></message>
 <message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para salir solo del modo cabina, cancele y mantenga un segundo el botón «Mantener: salir».</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
 <message><source>Close EdgeScan</source><translation>Cerrar EdgeScan</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
-<message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
+<message><source>&amp;Compare with Earlier Scan…</source><translation>Co&amp;mparar con un escaneo anterior…</translation></message>
+<message><source>Exchange A and &amp;B</source><translation>Intercambiar A y &amp;B</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demostración antes y después de una tronadura</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
@@ -1649,9 +1795,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
 <message><source>gray %1 to %2 m</source><translation>gris %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>hasta la línea %1</translation></message>
-<message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>
-<message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
 <message><source>growing</source><translation>creciendo</translation></message>
 <message><source>%1 % of the points drawn</source><translation>%1 % de puntos dibujados</translation></message>
 <message><source>turntable</source><translation>plato giratorio</translation></message>
@@ -1746,7 +1890,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Raw grid</source><translation>Cuadrícula sin procesar</translation></message>
 <message><source>Recording</source><translation>Grabación</translation></message>
 <message><source>Surpac strings</source><translation>Líneas de Surpac</translation></message>
-<message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Cómo se encuentran los bordes: saltos y pliegues de la superficie, partes de estos, o Canny en niveles de gris como en la tesis, o uno de los otros detectores que la tesis compara.</translation></message>
 <message><source>Edges shown</source><translation>Bordes mostrados</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Solo se muestran y exportan los bordes que probablemente son el contorno de una roca; los pliegues dentro de una roca se omiten.</translation></message>
@@ -1940,7 +2083,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contornos en coordenadas mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
+<message><source>The number: without edits, 1 is the largest visible area</source><translation>El número: sin ediciones, 1 es la mayor área visible</translation></message>
 <message><source>visible length a [m]</source><translation>largo visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Mayor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>
 <message><source>size: visible width b [m]</source><translation>tamaño: ancho visible b [m]</translation></message>

@@ -252,7 +252,7 @@
 <message><source>OUT OF SPEC: the base moved while "%1" was taken: one place fits it badly.</source><translation>HORS TOLÉRANCE : la base a bougé pendant la prise de « %1 » : une seule place lui convient mal.</translation></message>
 <message><source>OUT OF SPEC: without a pose of both, the two scans are lined up by their surfaces alone.</source><translation>HORS TOLÉRANCE : sans pose des deux, les deux scans sont alignés par leurs seules surfaces.</translation></message>
 <message><source>OUT OF SPEC: the surfaces of the two scans do not lie where their poses put them: %1 apart, and %2 if one is moved by </source><translation>HORS TOLÉRANCE : les surfaces des deux scans ne sont pas là où leurs poses les placent : %1 d'écart, et %2 si l'un est déplacé de </translation></message>
-<message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place.</source><translation>HORS TOLÉRANCE : les surfaces des deux scans sont au mieux à %1 l'une de l'autre : presque tout a changé, ou ce ne sont pas des scans d'un même lieu.</translation></message>
+<message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place. No areas of change are given.</source><translation>HORS TOLÉRANCE : les surfaces des deux scans sont au mieux à %1 l'une de l'autre : presque tout a changé, ou ce ne sont pas des scans d'un même lieu. Aucune surface de changement n'est donnée.</translation></message>
 <message><source>OUT OF SPEC: whether the poses fit cannot be seen, </source><translation>HORS TOLÉRANCE : on ne peut pas voir si les poses concordent, </translation></message>
 <message><source>OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by </source><translation>HORS TOLÉRANCE : les poses ne concordent pas avec les surfaces ; le scan antérieur a donc été déplacé d'après ses surfaces, de </translation></message>
 <message><source>The file lists only points: %1 lines, %2 beams and mounting </source><translation>Le fichier ne contient que des points : %1 lignes, %2 faisceaux et le montage </translation></message>
@@ -376,6 +376,7 @@
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
+<message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Les surfaces des deux scans ne concordent pas : aucune surface de changement n'est donnée.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
 <message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
 now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2, la plus grande en surface : %3 de %4 m ± %5 m,
@@ -398,9 +399,10 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>Reading %1 as A</source><translation>Lecture de %1 comme A</translation></message>
 <message><source>the demo</source><translation>la démo</translation></message>
 <message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
-<message><source>Compare with an earlier scan</source><translation>Comparer avec un scan antérieur</translation></message>
+<message><source>Choose the earlier scan, A; the scan on the screen is the later one, B</source><translation>Choisissez le scan antérieur, A ; celui de l'écran est le plus récent, B</translation></message>
+<message><source>A and B are exchanged when both are files: keep a scan as A and open another one.</source><translation>A et B s'échangent si les deux sont des fichiers : gardez un scan comme A et ouvrez-en un autre.</translation></message>
 <message><source>A was not restored: %1 has changed since.</source><translation>A n'a pas été repris : le contenu de %1 a changé depuis.</translation></message>
-<message><source>Compare with Scan</source><translation>Comparer avec un scan</translation></message>
+<message><source>Compare with Earlier Scan</source><translation>Comparer avec un scan antérieur</translation></message>
 <message><source>Comparing with A</source><translation>Comparaison avec A</translation></message>
 <message><source>Line Up by Surfaces</source><translation>Aligner sur les surfaces</translation></message>
 <message><source>gained, lost and kept</source><translation>gagnées, perdues et gardées</translation></message>
@@ -479,6 +481,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>▲ not read</source><translation>▲ non lue</translation></message>
 <message><source>being read</source><translation>en cours de lecture</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ non placée par rapport à l'active</translation></message>
+<message><source>Target %1: %2 mm apart</source><translation>Cible %1 : à %2 mm</translation></message>
 <message><source>sweep %1: %2 lines</source><translation>balayage %1 : %2 lignes</translation></message>
 <message><source>sweep %1: %2/%3 lines, complete</source><translation>balayage %1 : %2/%3 lignes, complet</translation></message>
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>balayage %1 : %2/%3 lignes, partiel</translation></message>
@@ -510,6 +513,164 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>%1 has ended.</source><translation>%1 s'est terminé.</translation></message>
 <message><source>Held. Follow shows the next ones, until Hold.</source><translation>Figé. Suivre montre les suivants, jusqu'à Figer.</translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
+<message><source>Scan %1</source><translation>Scan %1</translation></message>
+<message><source>Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was not measured.</source><translation>Les bords et les roches sont des candidats : géométrie seule, un point de vue. Ce qui est caché derrière une surface n'a pas été mesuré.</translation></message>
+<message><source>Warnings</source><translation>Avertissements</translation></message>
+<message><source>None was raised when this file was read.</source><translation>Aucun à la lecture de ce fichier.</translation></message>
+<message><source>and %1 more in the record.</source><translation>et %1 de plus dans l'enregistrement.</translation></message>
+<message><source>Remark</source><translation>Remarque</translation></message>
+<message><source>What, when, by whom</source><translation>Quoi, quand, par qui</translation></message>
+<message><source>Site</source><translation>Site</translation></message>
+<message><source>File</source><translation>Fichier</translation></message>
+<message><source>Format</source><translation>Format</translation></message>
+<message><source>Grid</source><translation>Grille</translation></message>
+<message><source>%1 lines x %2 beams</source><translation>%1 lignes x %2 faisceaux</translation></message>
+<message><source>Distances</source><translation>Distances</translation></message>
+<message><source>%1 to %2 measured; gray levels from %3 to %4</source><translation>mesurées de %1 à %2 ; niveaux de gris de %3 à %4</translation></message>
+<message><source>none was measured</source><translation>aucune mesurée</translation></message>
+<message><source>Scanned</source><translation>Scanné</translation></message>
+<message><source>the file does not say</source><translation>le fichier ne le dit pas</translation></message>
+<message><source>%1 (as the pose says)</source><translation>%1 (selon la pose)</translation></message>
+<message><source>Scanner</source><translation>Scanner</translation></message>
+<message><source>serial %1</source><translation>numéro de série %1</translation></message>
+<message><source>firmware %1</source><translation>micrologiciel %1</translation></message>
+<message><source>Uncertainty</source><translation>Incertitude</translation></message>
+<message><source>ranges ± %1 m at %2 m, ± %3 m at %4 m (two standard deviations)</source><translation>distances ± %1 m à %2 m, ± %3 m à %4 m (deux écarts-types)</translation></message>
+<message><source>%1; the pose does not say its own</source><translation>%1 ; la pose n'indique pas la sienne</translation></message>
+<message><source>Edges</source><translation>Arêtes</translation></message>
+<message><source>%1 cells, %2 % of those measured</source><translation>%1 cellules, %2 % des cellules mesurées</translation></message>
+<message><source>Method</source><translation>Méthode</translation></message>
+<message><source>Report by</source><translation>Rapport de</translation></message>
+<message><source>not said</source><translation>non indiqué</translation></message>
+<message><source>Made</source><translation>Fait</translation></message>
+<message><source>Where</source><translation>Où</translation></message>
+<message><source>Position</source><translation>Position</translation></message>
+<message><source>not known: no pose</source><translation>inconnue : pas de pose</translation></message>
+<message><source>E %1, N %2, RL %3 m (scanner)</source><translation>E %1, N %2, RL %3 m (scanner)</translation></message>
+<message><source>Frame</source><translation>Repère</translation></message>
+<message><source>scanner's own frame; no pose was given</source><translation>celui du scanner ; aucune pose n'a été donnée</translation></message>
+<message><source>mine grid%1</source><translation>grille de la mine%1</translation></message>
+<message><source>Robot</source><translation>Robot</translation></message>
+<message><source>the pose does not say</source><translation>la pose ne le dit pas</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>at a time that it does not say</source><translation>à une heure qu'elle n'indique pas</translation></message>
+<message><source>%1, the start of the scan is not known</source><translation>%1, le début du scan n'est pas connu</translation></message>
+<message><source>%1 s before the start of the scan</source><translation>%1 s avant le début du scan</translation></message>
+<message><source>%1 s after the start of the scan</source><translation>%1 s après le début du scan</translation></message>
+<message><source>Turning view</source><translation>Vue tournante</translation></message>
+<message><source>Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2.</source><translation>Glissez pour tourner, molette ou deux doigts pour approcher, cliquez sur un point pour ses nombres. Touches : les flèches tournent, + et - approchent, Maj et flèches déplacent, Entrée choisit ce qui est au milieu, Début revient. Montrés, choisis régulièrement : %1 et %2.</translation></message>
+<message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
+<message><source>%1 points</source><translation>%1 points</translation></message>
+<message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
+<message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
+<message><source>Pictures</source><translation>Images</translation></message>
+<message><source>equal ratios</source><translation>rapports égaux</translation></message>
+<message><source>Gray levels: black is %1 and nearer, or nothing came back; white is %2 and farther. Across: %3; down: %4.</source><translation>Niveaux de gris : noir est %1 et plus près, ou rien n'est revenu ; blanc est %2 et plus loin. En largeur : %3 ; vers le bas : %4.</translation></message>
+<message><source>Edges. Across: %1; down: %2.</source><translation>Bords. En largeur : %1 ; vers le bas : %2.</translation></message>
+<message><source>%1 beams, %2 to %3 degrees</source><translation>%1 faisceaux, %2 à %3 degrés</translation></message>
+<message><source>%1 lines, %2 to %3 degrees</source><translation>%1 lignes, %2 à %3 degrés</translation></message>
+<message><source>%1 beams</source><translation>%1 faisceaux</translation></message>
+<message><source>edge (%1)</source><translation>bord (%1)</translation></message>
+<message><source>jump (%1)</source><translation>saut (%1)</translation></message>
+<message><source>convex fold (%1)</source><translation>pli convexe (%1)</translation></message>
+<message><source>concave fold (%1)</source><translation>pli concave (%1)</translation></message>
+<message><source>data border (%1)</source><translation>limite des données (%1)</translation></message>
+<message><source>outline before a void (%1)</source><translation>contour devant un vide (%1)</translation></message>
+<message><source>void rim (%1)</source><translation>bord de vide (%1)</translation></message>
+<message><source>%1 of the edge cells are likely the border of a rock (30 % likely and more), %2 are folds within a rock, %3 are unknown.</source><translation>%1 des cellules de bord sont probablement le bord d'une roche (30 % et plus), %2 sont des plis dans une roche, %3 sont inconnues.</translation></message>
+<message><source>%1 m at the middle of the cloud</source><translation>%1 m au milieu du nuage</translation></message>
+<message><source>The points, edges in their colours.</source><translation>Les points, les bords dans leurs couleurs.</translation></message>
+<message><source>Rocks</source><translation>Blocs</translation></message>
+<message><source>%1 rocks, each a candidate - geometry only, one viewpoint.</source><translation>%1 roches, chacune candidate : géométrie seule, un point de vue.</translation></message>
+<message><source>Sizes of the visible rocks</source><translation>Tailles des roches visibles</translation></message>
+<message><source>visible width b [m]</source><translation>largeur visible b [m]</translation></message>
+<message><source>rocks that are not wider</source><translation>roches qui ne sont pas plus larges</translation></message>
+<message><source>largest %1</source><translation>plus grande %1</translation></message>
+<message><source>%1 % over %2</source><translation>%1 % au-dessus de %2</translation></message>
+<message><source>The rocks with the largest visible width b</source><translation>Les roches de plus grande largeur visible b</translation></message>
+<message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>Sur un écran étroit seules les roches du tableau ont leurs numéros.</translation></message>
+<message><source>Completeness</source><translation>Complétude</translation></message>
+<message><source>INCOMPLETE</source><translation>INCOMPLET</translation></message>
+<message><source>%1 of %2 lines.</source><translation>%1 lignes sur %2.</translation></message>
+<message><source>Cells</source><translation>Cellules</translation></message>
+<message><source>Number</source><translation>Nombre</translation></message>
+<message><source>Share</source><translation>Part</translation></message>
+<message><source>measured</source><translation>mesurées</translation></message>
+<message><source>status of the scanner</source><translation>état du scanner</translation></message>
+<message><source>outside the range window</source><translation>hors de la fenêtre de distances</translation></message>
+<message><source>lost line</source><translation>ligne perdue</translation></message>
+<message><source>all</source><translation>toutes</translation></message>
+<message><source>Settings</source><translation>Réglages</translation></message>
+<message><source>Parameter</source><translation>Paramètre</translation></message>
+<message><source>Value</source><translation>Valeur</translation></message>
+<message><source>auto: %1</source><translation>auto : %1</translation></message>
+<message><source>%1 degrees</source><translation>%1 degrés</translation></message>
+<message><source>%1 cells</source><translation>%1 cellules</translation></message>
+<message><source>%1 steps</source><translation>%1 pas</translation></message>
+<message><source>%1 % of range</source><translation>%1 % de la distance</translation></message>
+<message><source>%1 % of high</source><translation>%1 % du haut</translation></message>
+<message><source>changed from the default</source><translation>différent de la valeur usuelle</translation></message>
+<message><source>Made again</source><translation>Le refaire</translation></message>
+<message><source>The command that makes this report as a page for browsers:</source><translation>La commande qui fait ce rapport comme page pour navigateurs :</translation></message>
+<message><source>SHA-256 of the file</source><translation>SHA-256 du fichier</translation></message>
+<message><source>SHA-256 of the grid</source><translation>SHA-256 de la grille</translation></message>
+<message><source>SHA-256 of the edge mask</source><translation>SHA-256 du masque de bords</translation></message>
+<message><source>none</source><translation>aucune</translation></message>
+<message><source>Program</source><translation>Programme</translation></message>
+<message><source>EdgeScan %1, commit %2</source><translation>EdgeScan %1, commit %2</translation></message>
+<message><source>The whole record</source><translation>L'enregistrement complet</translation></message>
+<message><source>Targets and measures</source><translation>Cibles et mesures</translation></message>
+<message><source>Target</source><translation>Cible</translation></message>
+<message><source>Name and note</source><translation>Nom et note</translation></message>
+<message><source>Cell</source><translation>Cellule</translation></message>
+<message><source>Where, and its edge now</source><translation>Où, et son bord maintenant</translation></message>
+<message><source>Also on its card when it was pinned</source><translation>Aussi sur sa fiche quand elle fut épinglée</translation></message>
+<message><source>Pinned</source><translation>Épinglée</translation></message>
+<message><source>Measured</source><translation>Mesures</translation></message>
+<message><source>Result, ± two standard deviations</source><translation>Résultat, ± deux écarts-types</translation></message>
+<message><source>From</source><translation>De</translation></message>
+<message><source>no cell of this scan</source><translation>pas une cellule de ce scan</translation></message>
+<message><source>its cells hold no points now</source><translation>ses cellules n'ont pas de points maintenant</translation></message>
+<message><source>Distance: %1</source><translation>Distance : %1</translation></message>
+<message><source>Dip / direction: %1</source><translation>Pendage / direction : %1</translation></message>
+<message><source>Edge: %1</source><translation>Bord : %1</translation></message>
+<message><source>%1, strength %2</source><translation>%1, force %2</translation></message>
+<message><source>no plane fits</source><translation>aucun plan ne convient</translation></message>
+<message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
+<message><source>nothing was measured in this cell</source><translation>rien n'a été mesuré dans cette cellule</translation></message>
+<message><source>Before and after</source><translation>Avant et après</translation></message>
+<message><source>▲ OUT OF SPEC: the warnings below say why.</source><translation>▲ HORS TOLÉRANCE : les avertissements ci-dessous disent pourquoi.</translation></message>
+<message><source>Before: %1. Surfaces and edges that this scan shows otherwise; what is hidden in one of the two is not a change.</source><translation>Avant : %1. Surfaces et bords que ce scan montre autrement ; ce qui est caché dans l'un des deux n'est pas un changement.</translation></message>
+<message><source>+ edge gained, or surface nearer</source><translation>+ bord gagné, ou surface plus proche</translation></message>
+<message><source>− edge lost, or surface farther</source><translation>− bord perdu, ou surface plus loin</translation></message>
+<message><source>= edge kept</source><translation>= bord conservé</translation></message>
+<message><source>%1 has an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 a un contour incertain (hachuré) ; %2 morceaux sont trop petits pour être montrés comme roches</translation></message>
+<message><source>%1 have an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 ont un contour incertain (hachuré) ; %2 morceaux sont trop petits pour être montrés comme roches</translation></message>
+<message><source>, %1 are outside the region of interest</source><translation>, %1 sont hors de la région d'intérêt</translation></message>
+<message><source>; %1 change was made by hand</source><translation> ; %1 changement fut fait à la main</translation></message>
+<message><source>; %1 changes were made by hand</source><translation> ; %1 changements furent faits à la main</translation></message>
+<message><source>Level %1 of -4 (fine) to 4 (coarse).</source><translation>Niveau %1 de -4 (fin) à 4 (grossier).</translation></message>
+<message><source>Visible width b: P20 %1 m, P50 %2 m, P80 %3 m (20, 50 and 80 % of the rocks are not wider), largest %4 m</source><translation>Largeur visible b : P20 %1 m, P50 %2 m, P80 %3 m (20, 50 et 80 % des roches ne sont pas plus larges), la plus grande %4 m</translation></message>
+<message><source>; %1 % over the site's %2 m</source><translation> ; %1 % au-dessus des %2 m du site</translation></message>
+<message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>par nombre de roches visibles ; à cause des parties cachées elle est plus fine que le tas, de 40 % et plus</translation></message>
+<message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Roches en faces, les incertaines hachurées. Les couleurs séparent seulement les voisines. Les numéros sont ceux du tableau, du dessin et des fichiers.</translation></message>
+<message><source>The same on the points.</source><translation>De même sur les points.</translation></message>
+<message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 numéros de roches plus petites manquent, faute de place.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks;</source><translation>Les %1 plus grandes (largeur visible b) de %2 roches ;</translation></message>
+<message><source>lists all.</source><translation>les liste toutes.</translation></message>
+<message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL : moyenne des points visibles, dans la grille de la mine</translation></message>
+<message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z : moyenne des points visibles, dans le repère du scanner.</translation></message>
+<message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a et b : étendues visibles en travers de la ligne de visée ; les parties cachées ne comptent pas. Distance : médiane de ses distances. Aire : visible, en travers des faisceaux. Devant : part du contour où la roche est le côté le plus proche. Contacts et hauteur libre : au moins. Arc : plus grand angle à la roche entre deux qu'elle touche ; ↓ elle pend sous la ligne entre elles. p : chance que le contour soit juste ; ▲ inférieure à 0,85, hachuré.</translation></message>
+<message><source>Number with ▲: merged by hand of parts that do not touch.</source><translation>Numéro avec ▲ : réunie à la main de parties qui ne se touchent pas.</translation></message>
+<message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Les cibles par leurs numéros, et ce qui a été mesuré. Noir est proche, ou rien n'est revenu.</translation></message>
+<message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valeur n'a pas de place dans l'image ; le tableau les a toutes.</translation></message>
+<message><source>%1 values have no room in the picture; the table has all.</source><translation>%1 valeurs n'ont pas de place dans l'image ; le tableau les a toutes.</translation></message>
+<message><source>; other cells: points moved to the grid of the later scan</source><translation> ; autres cellules : points portés sur la grille du scan le plus récent</translation></message>
+<message><source>edges: %1 + gained, %2 - lost, %3 kept, %4 not seen by the other</source><translation>bords : %1 + gagnés, %2 - perdus, %3 conservés, %4 non vus par l'autre</translation></message>
+<message><source>cells: %1 nearer, %2 farther, %3 same, %4 no range now, %5 no range before</source><translation>cellules : %1 plus proches, %2 plus loin, %3 égales, %4 sans distance maintenant, %5 sans distance avant</translation></message>
+<message><source>median difference</source><translation>différence médiane</translation></message>
+<message><source>a change is more than %1 standard deviations: %2 mm at 5 m, %3 mm at 10 m</source><translation>un changement dépasse %1 écarts-types : %2 mm à 5 m, %3 mm à 10 m</translation></message>
+<message><source>%1 regions of %2 cells and more, visible surface from one viewpoint</source><translation>%1 régions de %2 cellules et plus, surface visible d'un point de vue</translation></message>
 <message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Il n'y a pas encore de vue %1 : Ctrl+%1 enregistre l'actuelle.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Il n'y a encore rien à rapporter : ouvrez d'abord un scan.</translation></message>
@@ -548,8 +709,6 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>a section</source><translation>une coupe</translation></message>
 <message><source>a section of %1</source><translation>une coupe de %1</translation></message>
 <message><source>%1 edge points</source><translation>%1 points d'arête</translation></message>
-<message><source>%1 points</source><translation>%1 points</translation></message>
-<message><source>%1 cells</source><translation>%1 cellules</translation></message>
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Rien n'est encore sélectionné : tracez d'abord une boîte (B) ou un lasso (L) sur une vue.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
@@ -568,6 +727,9 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Keep Repeated Values</source><translation>Garder les valeurs répétées</translation></message>
 <message><source>Repeated Values as No Return</source><translation>Valeurs répétées comme sans retour</translation></message>
 <message><source>How the Scan Is Read</source><translation>Comment le scan est lu</translation></message>
+<message><source>%1 was moved or removed. Its picture stays on the screen.</source><translation>%1 a été déplacé ou supprimé. Son image reste à l'écran.</translation></message>
+<message><source>%1 was written again. The picture shows what was in it before.</source><translation>%1 a été réécrit. L'image montre ce qu'il contenait avant.</translation></message>
+<message><source>Read again</source><translation>Relire</translation></message>
 <message><source>Straighten beams</source><translation>Redresser les faisceaux</translation></message>
 <message><source>Keep as measured</source><translation>Garder comme mesuré</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Aucun fichier pour l'instant ; les démos ne figurent pas ici</translation></message>
@@ -782,11 +944,13 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>name of target %1</source><translation>nom de la cible %1</translation></message>
 <message><source>note of target %1</source><translation>note de la cible %1</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
+<message><source>Your targets are not stored: %1</source><translation>Vos cibles ne sont pas enregistrées : %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Pas encore enregistrées. Les cibles d'un balayage en direct sont enregistrées quand vous ouvrez son enregistrement, celles d'une partie d'un enregistrement quand son balayage entier est affiché.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
+<message><source>Another window has this scan open, too. Targets and edits of rocks of both are stored together.</source><translation>Une autre fenêtre a aussi ouvert ce scan. Les cibles et les modifications de roches des deux sont enregistrées ensemble.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>new target %1</source><translation>nouvelle cible %1</translation></message>
 <message><source>Target %1 is locked and stays: unlock it to remove it.</source><translation>La cible %1 est verrouillée et reste : déverrouillez-la pour la retirer.</translation></message>
@@ -928,7 +1092,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
 <message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
 <message><source>What</source><translation>Contenu</translation></message>
-<message><source>Format</source><translation>Format</translation></message>
 <message><source>It draws edge lines: choose the edge points above.</source><translation>Il dessine des lignes d'arêtes : choisissez les points d'arête ci-dessus.</translation></message>
 <message><source>Targets are written as a table or a drawing.</source><translation>Les cibles s'écrivent comme tableau ou dessin.</translation></message>
 <message><source>The file holds x, y and z in metres from the scanner.</source><translation>Le fichier contient x, y et z en mètres depuis le scanner.</translation></message>
@@ -975,7 +1138,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>two elevations</source><translation>deux élévations</translation></message>
 <message><source>pitch and roll</source><translation>tangage et roulis</translation></message>
 <message><source>Pose and Mounting</source><translation>Pose et montage</translation></message>
-<message><source>Pose</source><translation>Pose</translation></message>
 <message><source>Mounting</source><translation>Montage</translation></message>
 <message><source>&amp;Store with the Scan</source><translation>&amp;Enregistrer avec le scan</translation></message>
 <message><source>&amp;Remove Pose</source><translation>En&amp;lever la pose</translation></message>
@@ -998,33 +1160,24 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>as in the file</source><translation>comme dans le fichier</translation></message>
 <message><source>Choose…</source><translation>Choisir…</translation></message>
 <message><source>in the report</source><translation>dans le rapport</translation></message>
-<message><source>none</source><translation>aucune</translation></message>
 <message><source>HTML: a page for any browser</source><translation>HTML : une page pour tout navigateur</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF : des pages à imprimer et à classer</translation></message>
-<message><source>Site</source><translation>Site</translation></message>
 <message><source>Author</source><translation>Auteur</translation></message>
-<message><source>Remark</source><translation>Remarque</translation></message>
 <message><source>Logo (PNG)</source><translation>Logo (PNG)</translation></message>
-<message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>Logo</source><translation>Logo</translation></message>
-<message><source>File</source><translation>Fichier</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Lignes de scan</translation></message>
 <message><source>Beams</source><translation>Faisceaux</translation></message>
-<message><source>Cells</source><translation>Cellules</translation></message>
 <message><source>with a range</source><translation>avec une distance</translation></message>
 <message><source>Ranges [m]</source><translation>Distances [m]</translation></message>
 <message><source>smallest</source><translation>la plus petite</translation></message>
 <message><source>largest</source><translation>la plus grande</translation></message>
 <message><source>Unit of the file [mm]</source><translation>Unité du fichier [mm]</translation></message>
-<message><source>Frame</source><translation>Repère</translation></message>
-<message><source>Warnings</source><translation>Avertissements</translation></message>
 <message><source>Geometry</source><translation>Géométrie</translation></message>
 <message><source>Mounting of the stepper</source><translation>Montage du moteur pas à pas</translation></message>
 <message><source>Beam angles [°]</source><translation>Angles des faisceaux [°]</translation></message>
 <message><source>Line angles [°]</source><translation>Angles des lignes [°]</translation></message>
 <message><source>Intensity</source><translation>Intensité</translation></message>
-<message><source>Measured</source><translation>Mesures</translation></message>
 <message><source>Maker</source><translation>Fabricant</translation></message>
 <message><source>Model</source><translation>Modèle</translation></message>
 <message><source>Serial number</source><translation>Numéro de série</translation></message>
@@ -1048,9 +1201,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Scanner at [m]</source><translation>Scanner à [m]</translation></message>
 <message><source>Origin E, N, RL [m]</source><translation>Origine E, N, RL [m]</translation></message>
 <message><source>Scale of the grid</source><translation>Échelle de la grille</translation></message>
-<message><source>Grid</source><translation>Grille</translation></message>
 <message><source>Source</source><translation>Source</translation></message>
-<message><source>Robot</source><translation>Robot</translation></message>
 <message><source>Begin of the scan</source><translation>Début du scan</translation></message>
 <message><source>End of the scan</source><translation>Fin du scan</translation></message>
 <message><source>Time of the pose</source><translation>Heure de la pose</translation></message>
@@ -1099,7 +1250,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>sweep %1: %2</source><translation>balayage %1 : %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Lignes dont les télégrammes ne sont pas arrivés : des tirets dans les images</translation></message>
 <message><source>Port</source><translation>Port</translation></message>
-<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
 <message><source>Record</source><translation>Enregistrer</translation></message>
 <message><source>Write every telegram to a new file, unchanged, as it arrives</source><translation>Écrire chaque télégramme dans un nouveau fichier, tel quel, dès son arrivée</translation></message>
@@ -1165,9 +1315,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionnés : les blocs %1 sont maintenant le bloc %2.</translation></message>
 <message><source>Cut: rock %1 is now rocks %2.</source><translation>Coupé : le bloc %1 est maintenant les blocs %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Divisé : le bloc %1 est maintenant les blocs %2.</translation></message>
-<message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>
-<message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>
-<message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1.</translation></message>
 <message><source>Rocks %1 and %2 do not touch: their nearest cells are %3 m apart.</source><translation>Les blocs %1 et %2 ne se touchent pas : leurs cellules les plus proches sont à %3 m l'une de l'autre.</translation></message>
 <message><source>Rock %1 and a part that was not a rock do not touch: their nearest cells are %2 m apart.</source><translation>Le bloc %1 et une partie qui n'était pas un bloc ne se touchent pas : leurs cellules les plus proches sont à %2 m l'une de l'autre.</translation></message>
 <message><source>They are merged as rock %1.</source><translation>Ils sont fusionnés comme bloc %1.</translation></message>
@@ -1224,9 +1371,9 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
 <message><source>hide uncertain</source><translation>masquer incertains</translation></message>
 <message><source>Export…</source><translation>Exporter…</translation></message>
-<message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
+<message><source>Rocks with a smaller visible width b are left out of the table, and in the views only their outline is drawn</source><translation>Les roches de plus petite largeur visible b ne sont pas dans le tableau, et les vues n'en dessinent que le contour</translation></message>
 <message><source>b at least</source><translation>b au moins</translation></message>
-<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs d'une confiance p inférieure à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
+<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only their outline is drawn</source><translation>Les roches de confiance p inférieure à 0,85, hachurées, ne sont pas dans le tableau, et les vues n'en dessinent que le contour</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
 <message><source>, %1 of them uncertain (hatched)</source><translation>, dont %1 incertains (hachurés)</translation></message>
 <message><source>&amp;Shown Rocks (%1)…</source><translation>&amp;Blocs affichés (%1)…</translation></message>
@@ -1290,7 +1437,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>End the tour</source><translation>Terminer la visite</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
 <message><source>Measure</source><translation>Mesurer</translation></message>
-<message><source>Target</source><translation>Cible</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
 <message><source>Your note on it, stored with its name</source><translation>Votre remarque sur elle, enregistrée avec son nom</translation></message>
 <message><source>Lock</source><translation>Verrouiller</translation></message>
@@ -1299,7 +1445,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
 <message><source>Locked</source><translation>Verrouillée</translation></message>
 <message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
-<message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Mètres dans le repère du scan</translation></message>
 <message><source>E, N, RL</source><translation>E, N, RL</translation></message>
@@ -1310,7 +1455,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Resolves</source><translation>Résolution</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
 <message><source>Surface</source><translation>Surface</translation></message>
-<message><source>no plane fits</source><translation>aucun plan ne convient</translation></message>
 <message><source>%1° ± %2° off the beam</source><translation>à %1° ± %2° du faisceau</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre sa normale et le faisceau : 0° fait face au scanner. Un plan par %1 cellules, relief %2</translation></message>
 <message><source>Dip / direction</source><translation>Pendage / direction</translation></message>
@@ -1318,7 +1462,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>From the boom</source><translation>Au bras</translation></message>
 <message><source>%1 · surface %2° off square</source><translation>%1 · surface à %2° de la perpendiculaire</translation></message>
 <message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Jusqu'à la droite du pivot du bras à la tête, là où ils étaient lors de la mesure ; 0° : le bras pointe droit sur la surface</translation></message>
-<message><source>Cell</source><translation>Cellule</translation></message>
 <message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>
 <message><source>, strength %1</source><translation>, force %1</translation></message>
@@ -1359,12 +1502,10 @@ RL %3 m</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
 <message><source>Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, du plus petit au plus grand sur une échelle logarithmique. Hachuré : le plus large intervalle sur lequel un cinquième d'entre elles au plus disparaît. Le trait vertical est le seuil utilisé.</translation></message>
 <message><source>counting the edge cells …</source><translation>comptage des cellules d'arête …</translation></message>
-<message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
 <message><source>Without %1:</source><translation>Sans %1 :</translation></message>
 <message><source>Without %1 classes:</source><translation>Sans %1 classes :</translation></message>
 <message><source>other classes take the cells</source><translation>d'autres classes prennent les cellules</translation></message>
-<message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>How likely an edge is the border of a rock; where that is unknown, it is drawn like one.</source><translation>La probabilité qu'une arête soit le contour d'une roche ; où elle est inconnue, l'arête est dessinée comme un contour.</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
@@ -1531,15 +1672,20 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
 <message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
+<message><source>Your targets and your edits of rocks are not stored.</source><translation>Vos cibles et vos modifications de roches ne sont pas enregistrées.</translation></message>
+<message><source>Your targets are not stored.</source><translation>Vos cibles ne sont pas enregistrées.</translation></message>
+<message><source>Your edits of rocks are not stored.</source><translation>Vos modifications de roches ne sont pas enregistrées.</translation></message>
 <message><source>This ends the program.</source><translation>Ceci termine le programme.</translation></message>
 <message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Fermer met fin à l'enregistrement. Ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
 <message><source>Closing waits until it is complete.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
+<message><source>The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.</source><translation>Le disque les a refusées. EdgeScan réessaie en se fermant ; ce qu'il ne peut pas écrire alors est perdu.</translation></message>
 <message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Pour quitter seulement le mode cabine, annulez, puis maintenez une seconde le bouton « Tenir : quitter ».</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
 <message><source>Close EdgeScan</source><translation>Fermer EdgeScan</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
-<message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
+<message><source>&amp;Compare with Earlier Scan…</source><translation>&amp;Comparer avec un scan antérieur…</translation></message>
+<message><source>Exchange A and &amp;B</source><translation>Échanger A et &amp;B</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Démo avant et après un tir</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
@@ -1649,9 +1795,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
 <message><source>gray %1 to %2 m</source><translation>gris %1 à %2 m</translation></message>
 <message><source>up to line %1</source><translation>jusqu'à la ligne %1</translation></message>
-<message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
 <message><source>by class</source><translation>par classe</translation></message>
-<message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
 <message><source>growing</source><translation>en cours</translation></message>
 <message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
 <message><source>turntable</source><translation>plateau tournant</translation></message>
@@ -1746,7 +1890,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Raw grid</source><translation>Grille brute</translation></message>
 <message><source>Recording</source><translation>Enregistrement</translation></message>
 <message><source>Surpac strings</source><translation>Polylignes Surpac</translation></message>
-<message><source>Method</source><translation>Méthode</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Comment les arêtes sont trouvées : sauts et plis de la surface, parties de ceux-ci, ou Canny sur niveaux de gris comme dans la thèse, ou un des autres détecteurs que la thèse compare.</translation></message>
 <message><source>Edges shown</source><translation>Arêtes affichées</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Seules les arêtes qui sont probablement le contour d'une roche sont affichées et exportées ; les plis dans une roche sont omis.</translation></message>
@@ -1940,7 +2083,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contours en coordonnées de la mine</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
+<message><source>The number: without edits, 1 is the largest visible area</source><translation>Le numéro : sans modifications, 1 est la plus grande surface visible</translation></message>
 <message><source>visible length a [m]</source><translation>longueur visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Plus grande étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>
 <message><source>size: visible width b [m]</source><translation>taille : largeur visible b [m]</translation></message>

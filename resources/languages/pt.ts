@@ -252,7 +252,7 @@
 <message><source>OUT OF SPEC: the base moved while "%1" was taken: one place fits it badly.</source><translation>FORA DE TOLERÂNCIA: a base moveu-se enquanto "%1" era medida: um só lugar encaixa mal.</translation></message>
 <message><source>OUT OF SPEC: without a pose of both, the two scans are lined up by their surfaces alone.</source><translation>FORA DE TOLERÂNCIA: sem pose das duas, as duas varreduras são alinhadas só pelas suas superfícies.</translation></message>
 <message><source>OUT OF SPEC: the surfaces of the two scans do not lie where their poses put them: %1 apart, and %2 if one is moved by </source><translation>FORA DE TOLERÂNCIA: as superfícies das duas varreduras não estão onde as suas poses as põem: a %1, e a %2 se uma for movida por </translation></message>
-<message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place.</source><translation>FORA DE TOLERÂNCIA: as superfícies das duas varreduras estão, no melhor caso, a %1: quase tudo mudou ou não são varreduras de um mesmo lugar.</translation></message>
+<message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place. No areas of change are given.</source><translation>FORA DE TOLERÂNCIA: as superfícies das duas varreduras estão, no melhor caso, a %1: quase tudo mudou ou não são varreduras de um mesmo lugar. Não se dão áreas de mudança.</translation></message>
 <message><source>OUT OF SPEC: whether the poses fit cannot be seen, </source><translation>FORA DE TOLERÂNCIA: não se pode ver se as poses encaixam, </translation></message>
 <message><source>OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by </source><translation>FORA DE TOLERÂNCIA: as poses não encaixam nas superfícies, portanto a varredura anterior foi movida pelas suas superfícies, por </translation></message>
 <message><source>The file lists only points: %1 lines, %2 beams and mounting </source><translation>O arquivo contém só pontos: %1 linhas, %2 feixes e a montagem </translation></message>
@@ -376,6 +376,7 @@
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
+<message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>As superfícies das duas varreduras não se ajustam, por isso não se dão áreas de mudança.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
 <message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
 now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2, a maior em área: %3 por %4 m ± %5 m,
@@ -398,9 +399,10 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>Reading %1 as A</source><translation>Lendo %1 como A</translation></message>
 <message><source>the demo</source><translation>a demo</translation></message>
 <message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
-<message><source>Compare with an earlier scan</source><translation>Comparar com uma varredura anterior</translation></message>
+<message><source>Choose the earlier scan, A; the scan on the screen is the later one, B</source><translation>Escolha a varredura anterior, A; a da tela é a posterior, B</translation></message>
+<message><source>A and B are exchanged when both are files: keep a scan as A and open another one.</source><translation>A e B são trocados se ambos são arquivos: mantenha uma varredura como A e abra outra.</translation></message>
 <message><source>A was not restored: %1 has changed since.</source><translation>A não foi recuperado: o conteúdo de %1 mudou desde então.</translation></message>
-<message><source>Compare with Scan</source><translation>Comparar com uma varredura</translation></message>
+<message><source>Compare with Earlier Scan</source><translation>Comparar com uma varredura anterior</translation></message>
 <message><source>Comparing with A</source><translation>Comparando com A</translation></message>
 <message><source>Line Up by Surfaces</source><translation>Alinhar pelas superfícies</translation></message>
 <message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
@@ -479,6 +481,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>▲ not read</source><translation>▲ não lida</translation></message>
 <message><source>being read</source><translation>sendo lida</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ não posicionada em relação à ativa</translation></message>
+<message><source>Target %1: %2 mm apart</source><translation>Alvo %1: a %2 mm</translation></message>
 <message><source>sweep %1: %2 lines</source><translation>varredura %1: %2 linhas</translation></message>
 <message><source>sweep %1: %2/%3 lines, complete</source><translation>varredura %1: %2/%3 linhas, completa</translation></message>
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>varredura %1: %2/%3 linhas, parcial</translation></message>
@@ -510,6 +513,164 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>%1 has ended.</source><translation>%1 terminou.</translation></message>
 <message><source>Held. Follow shows the next ones, until Hold.</source><translation>Retida. Seguir mostra as seguintes, até Reter.</translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
+<message><source>Scan %1</source><translation>Varredura %1</translation></message>
+<message><source>Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was not measured.</source><translation>As bordas e as rochas são candidatas: só geometria, um ponto de vista. O que está oculto atrás de uma superfície não foi medido.</translation></message>
+<message><source>Warnings</source><translation>Avisos</translation></message>
+<message><source>None was raised when this file was read.</source><translation>Nenhum ao ler este arquivo.</translation></message>
+<message><source>and %1 more in the record.</source><translation>e mais %1 no registro.</translation></message>
+<message><source>Remark</source><translation>Observação</translation></message>
+<message><source>What, when, by whom</source><translation>O quê, quando, por quem</translation></message>
+<message><source>Site</source><translation>Local</translation></message>
+<message><source>File</source><translation>Arquivo</translation></message>
+<message><source>Format</source><translation>Formato</translation></message>
+<message><source>Grid</source><translation>Grade</translation></message>
+<message><source>%1 lines x %2 beams</source><translation>%1 linhas x %2 feixes</translation></message>
+<message><source>Distances</source><translation>Distâncias</translation></message>
+<message><source>%1 to %2 measured; gray levels from %3 to %4</source><translation>medidas de %1 a %2; níveis de cinza de %3 a %4</translation></message>
+<message><source>none was measured</source><translation>nenhuma foi medida</translation></message>
+<message><source>Scanned</source><translation>Escaneado</translation></message>
+<message><source>the file does not say</source><translation>o arquivo não diz</translation></message>
+<message><source>%1 (as the pose says)</source><translation>%1 (segundo a pose)</translation></message>
+<message><source>Scanner</source><translation>Scanner</translation></message>
+<message><source>serial %1</source><translation>número de série %1</translation></message>
+<message><source>firmware %1</source><translation>firmware %1</translation></message>
+<message><source>Uncertainty</source><translation>Incerteza</translation></message>
+<message><source>ranges ± %1 m at %2 m, ± %3 m at %4 m (two standard deviations)</source><translation>distâncias ± %1 m a %2 m, ± %3 m a %4 m (dois desvios-padrão)</translation></message>
+<message><source>%1; the pose does not say its own</source><translation>%1; a pose não indica a sua</translation></message>
+<message><source>Edges</source><translation>Bordas</translation></message>
+<message><source>%1 cells, %2 % of those measured</source><translation>%1 células, %2 % das medidas</translation></message>
+<message><source>Method</source><translation>Método</translation></message>
+<message><source>Report by</source><translation>Relatório de</translation></message>
+<message><source>not said</source><translation>não informado</translation></message>
+<message><source>Made</source><translation>Feito</translation></message>
+<message><source>Where</source><translation>Onde</translation></message>
+<message><source>Position</source><translation>Posição</translation></message>
+<message><source>not known: no pose</source><translation>desconhecida: sem pose</translation></message>
+<message><source>E %1, N %2, RL %3 m (scanner)</source><translation>E %1, N %2, RL %3 m (scanner)</translation></message>
+<message><source>Frame</source><translation>Referencial</translation></message>
+<message><source>scanner's own frame; no pose was given</source><translation>o do scanner; nenhuma pose foi dada</translation></message>
+<message><source>mine grid%1</source><translation>grade da mina%1</translation></message>
+<message><source>Robot</source><translation>Robô</translation></message>
+<message><source>the pose does not say</source><translation>a pose não diz</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>at a time that it does not say</source><translation>em uma hora que ela não informa</translation></message>
+<message><source>%1, the start of the scan is not known</source><translation>%1, o início da varredura não é conhecido</translation></message>
+<message><source>%1 s before the start of the scan</source><translation>%1 s antes do início da varredura</translation></message>
+<message><source>%1 s after the start of the scan</source><translation>%1 s depois do início da varredura</translation></message>
+<message><source>Turning view</source><translation>Vista giratória</translation></message>
+<message><source>Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2.</source><translation>Arraste para girar, roda ou dois dedos para aproximar, clique em um ponto para ver seus números. Teclas: as setas giram, + e - aproximam, Shift e setas deslocam, Enter escolhe o que está no meio, Home volta. Mostrados, escolhidos por igual: %1 e %2.</translation></message>
+<message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
+<message><source>%1 points</source><translation>%1 pontos</translation></message>
+<message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
+<message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
+<message><source>Pictures</source><translation>Imagens</translation></message>
+<message><source>equal ratios</source><translation>razões iguais</translation></message>
+<message><source>Gray levels: black is %1 and nearer, or nothing came back; white is %2 and farther. Across: %3; down: %4.</source><translation>Níveis de cinza: preto é %1 e mais perto, ou nada voltou; branco é %2 e mais longe. Na largura: %3; para baixo: %4.</translation></message>
+<message><source>Edges. Across: %1; down: %2.</source><translation>Bordas. Na largura: %1; para baixo: %2.</translation></message>
+<message><source>%1 beams, %2 to %3 degrees</source><translation>%1 feixes, %2 a %3 graus</translation></message>
+<message><source>%1 lines, %2 to %3 degrees</source><translation>%1 linhas, %2 a %3 graus</translation></message>
+<message><source>%1 beams</source><translation>%1 feixes</translation></message>
+<message><source>edge (%1)</source><translation>borda (%1)</translation></message>
+<message><source>jump (%1)</source><translation>salto (%1)</translation></message>
+<message><source>convex fold (%1)</source><translation>dobra convexa (%1)</translation></message>
+<message><source>concave fold (%1)</source><translation>dobra côncava (%1)</translation></message>
+<message><source>data border (%1)</source><translation>limite dos dados (%1)</translation></message>
+<message><source>outline before a void (%1)</source><translation>contorno diante de um vazio (%1)</translation></message>
+<message><source>void rim (%1)</source><translation>borda de vazio (%1)</translation></message>
+<message><source>%1 of the edge cells are likely the border of a rock (30 % likely and more), %2 are folds within a rock, %3 are unknown.</source><translation>%1 das células de borda são provavelmente o limite de uma rocha (30 % e mais), %2 são dobras dentro de uma rocha, %3 são desconhecidas.</translation></message>
+<message><source>%1 m at the middle of the cloud</source><translation>%1 m no meio da nuvem</translation></message>
+<message><source>The points, edges in their colours.</source><translation>Os pontos, as bordas em suas cores.</translation></message>
+<message><source>Rocks</source><translation>Rochas</translation></message>
+<message><source>%1 rocks, each a candidate - geometry only, one viewpoint.</source><translation>%1 rochas, cada uma candidata: só geometria, um ponto de vista.</translation></message>
+<message><source>Sizes of the visible rocks</source><translation>Tamanhos das rochas visíveis</translation></message>
+<message><source>visible width b [m]</source><translation>largura visível b [m]</translation></message>
+<message><source>rocks that are not wider</source><translation>rochas que não são mais largas</translation></message>
+<message><source>largest %1</source><translation>maior %1</translation></message>
+<message><source>%1 % over %2</source><translation>%1 % acima de %2</translation></message>
+<message><source>The rocks with the largest visible width b</source><translation>As rochas de maior largura visível b</translation></message>
+<message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>Em uma tela estreita só as rochas da tabela têm seus números.</translation></message>
+<message><source>Completeness</source><translation>Completude</translation></message>
+<message><source>INCOMPLETE</source><translation>INCOMPLETO</translation></message>
+<message><source>%1 of %2 lines.</source><translation>%1 de %2 linhas.</translation></message>
+<message><source>Cells</source><translation>Células</translation></message>
+<message><source>Number</source><translation>Número</translation></message>
+<message><source>Share</source><translation>Parte</translation></message>
+<message><source>measured</source><translation>medidas</translation></message>
+<message><source>status of the scanner</source><translation>estado do scanner</translation></message>
+<message><source>outside the range window</source><translation>fora da janela de distâncias</translation></message>
+<message><source>lost line</source><translation>linha perdida</translation></message>
+<message><source>all</source><translation>todas</translation></message>
+<message><source>Settings</source><translation>Ajustes</translation></message>
+<message><source>Parameter</source><translation>Parâmetro</translation></message>
+<message><source>Value</source><translation>Valor</translation></message>
+<message><source>auto: %1</source><translation>auto: %1</translation></message>
+<message><source>%1 degrees</source><translation>%1 graus</translation></message>
+<message><source>%1 cells</source><translation>%1 células</translation></message>
+<message><source>%1 steps</source><translation>%1 passos</translation></message>
+<message><source>%1 % of range</source><translation>%1 % da distância</translation></message>
+<message><source>%1 % of high</source><translation>%1 % do alto</translation></message>
+<message><source>changed from the default</source><translation>diferente do valor usual</translation></message>
+<message><source>Made again</source><translation>Fazer de novo</translation></message>
+<message><source>The command that makes this report as a page for browsers:</source><translation>O comando que faz este relatório como página para navegadores:</translation></message>
+<message><source>SHA-256 of the file</source><translation>SHA-256 do arquivo</translation></message>
+<message><source>SHA-256 of the grid</source><translation>SHA-256 da grade</translation></message>
+<message><source>SHA-256 of the edge mask</source><translation>SHA-256 da máscara de bordas</translation></message>
+<message><source>none</source><translation>nenhuma</translation></message>
+<message><source>Program</source><translation>Programa</translation></message>
+<message><source>EdgeScan %1, commit %2</source><translation>EdgeScan %1, commit %2</translation></message>
+<message><source>The whole record</source><translation>O registro completo</translation></message>
+<message><source>Targets and measures</source><translation>Alvos e medidas</translation></message>
+<message><source>Target</source><translation>Alvo</translation></message>
+<message><source>Name and note</source><translation>Nome e nota</translation></message>
+<message><source>Cell</source><translation>Célula</translation></message>
+<message><source>Where, and its edge now</source><translation>Onde, e sua borda agora</translation></message>
+<message><source>Also on its card when it was pinned</source><translation>Também em sua ficha quando foi fixado</translation></message>
+<message><source>Pinned</source><translation>Fixado</translation></message>
+<message><source>Measured</source><translation>Medições</translation></message>
+<message><source>Result, ± two standard deviations</source><translation>Resultado, ± dois desvios-padrão</translation></message>
+<message><source>From</source><translation>De</translation></message>
+<message><source>no cell of this scan</source><translation>não é uma célula desta varredura</translation></message>
+<message><source>its cells hold no points now</source><translation>suas células não têm pontos agora</translation></message>
+<message><source>Distance: %1</source><translation>Distância: %1</translation></message>
+<message><source>Dip / direction: %1</source><translation>Mergulho / direção: %1</translation></message>
+<message><source>Edge: %1</source><translation>Borda: %1</translation></message>
+<message><source>%1, strength %2</source><translation>%1, força %2</translation></message>
+<message><source>no plane fits</source><translation>nenhum plano se ajusta</translation></message>
+<message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
+<message><source>nothing was measured in this cell</source><translation>nada foi medido nesta célula</translation></message>
+<message><source>Before and after</source><translation>Antes e depois</translation></message>
+<message><source>▲ OUT OF SPEC: the warnings below say why.</source><translation>▲ FORA DE TOLERÂNCIA: os avisos abaixo dizem por quê.</translation></message>
+<message><source>Before: %1. Surfaces and edges that this scan shows otherwise; what is hidden in one of the two is not a change.</source><translation>Antes: %1. Superfícies e bordas que esta varredura mostra de outro modo; o que está oculto em uma das duas não é uma mudança.</translation></message>
+<message><source>+ edge gained, or surface nearer</source><translation>+ borda ganha, ou superfície mais perto</translation></message>
+<message><source>− edge lost, or surface farther</source><translation>− borda perdida, ou superfície mais longe</translation></message>
+<message><source>= edge kept</source><translation>= borda mantida</translation></message>
+<message><source>%1 has an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 tem um contorno incerto (hachurado); %2 peças são pequenas demais para serem mostradas como rochas</translation></message>
+<message><source>%1 have an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 têm um contorno incerto (hachurado); %2 peças são pequenas demais para serem mostradas como rochas</translation></message>
+<message><source>, %1 are outside the region of interest</source><translation>, %1 estão fora da região de interesse</translation></message>
+<message><source>; %1 change was made by hand</source><translation>; %1 mudança foi feita à mão</translation></message>
+<message><source>; %1 changes were made by hand</source><translation>; %1 mudanças foram feitas à mão</translation></message>
+<message><source>Level %1 of -4 (fine) to 4 (coarse).</source><translation>Nível %1 de -4 (fino) a 4 (grosso).</translation></message>
+<message><source>Visible width b: P20 %1 m, P50 %2 m, P80 %3 m (20, 50 and 80 % of the rocks are not wider), largest %4 m</source><translation>Largura visível b: P20 %1 m, P50 %2 m, P80 %3 m (20, 50 e 80 % das rochas não são mais largas), maior %4 m</translation></message>
+<message><source>; %1 % over the site's %2 m</source><translation>; %1 % acima dos %2 m do local</translation></message>
+<message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>por número de rochas visíveis; pelas partes ocultas é mais fina que a pilha, em 40 % e mais</translation></message>
+<message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Rochas como faces, as incertas hachuradas. As cores só separam vizinhas. Os números são os da tabela, do desenho e dos arquivos.</translation></message>
+<message><source>The same on the points.</source><translation>O mesmo sobre os pontos.</translation></message>
+<message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 números de rochas menores não cabem e faltam.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks;</source><translation>As %1 maiores (largura visível b) de %2 rochas;</translation></message>
+<message><source>lists all.</source><translation>lista todas.</translation></message>
+<message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL: média dos pontos visíveis, na grade da mina</translation></message>
+<message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z: média dos pontos visíveis, no referencial do scanner.</translation></message>
+<message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a e b: extensões visíveis transversais à linha de visada; as partes ocultas não contam. Distância: mediana de suas distâncias. Área: visível, transversal aos feixes. Na frente: parte do contorno onde a rocha é o lado mais próximo. Contatos e altura livre: no mínimo. Arco: maior ângulo na rocha entre duas que ela toca; ↓ ela pende abaixo da linha entre elas. p: chance de o contorno estar certo; ▲ menor que 0,85, hachurado.</translation></message>
+<message><source>Number with ▲: merged by hand of parts that do not touch.</source><translation>Número com ▲: unida à mão de partes que não se tocam.</translation></message>
+<message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Os alvos por seus números, e o que foi medido. Preto é perto, ou nada voltou.</translation></message>
+<message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valor não cabe na imagem; a tabela tem todos.</translation></message>
+<message><source>%1 values have no room in the picture; the table has all.</source><translation>%1 valores não cabem na imagem; a tabela tem todos.</translation></message>
+<message><source>; other cells: points moved to the grid of the later scan</source><translation>; outras células: pontos levados à grade da varredura posterior</translation></message>
+<message><source>edges: %1 + gained, %2 - lost, %3 kept, %4 not seen by the other</source><translation>bordas: %1 + ganhas, %2 - perdidas, %3 mantidas, %4 não vistas pela outra</translation></message>
+<message><source>cells: %1 nearer, %2 farther, %3 same, %4 no range now, %5 no range before</source><translation>células: %1 mais perto, %2 mais longe, %3 iguais, %4 sem distância agora, %5 sem distância antes</translation></message>
+<message><source>median difference</source><translation>diferença mediana</translation></message>
+<message><source>a change is more than %1 standard deviations: %2 mm at 5 m, %3 mm at 10 m</source><translation>uma mudança é mais de %1 desvios-padrão: %2 mm a 5 m, %3 mm a 10 m</translation></message>
+<message><source>%1 regions of %2 cells and more, visible surface from one viewpoint</source><translation>%1 regiões de %2 células e mais, superfície visível de um ponto de vista</translation></message>
 <message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Ainda não há vista %1: Ctrl+%1 salva a atual.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Ainda não há nada para relatar: primeiro abra uma varredura.</translation></message>
@@ -548,8 +709,6 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>a section</source><translation>uma secção</translation></message>
 <message><source>a section of %1</source><translation>uma secção de %1</translation></message>
 <message><source>%1 edge points</source><translation>%1 pontos de borda</translation></message>
-<message><source>%1 points</source><translation>%1 pontos</translation></message>
-<message><source>%1 cells</source><translation>%1 células</translation></message>
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Ainda não há nada selecionado: primeiro trace uma caixa (B) ou um laço (L) sobre uma vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
@@ -568,6 +727,9 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Keep Repeated Values</source><translation>Manter os valores repetidos</translation></message>
 <message><source>Repeated Values as No Return</source><translation>Valores repetidos como sem retorno</translation></message>
 <message><source>How the Scan Is Read</source><translation>Como a varredura é lida</translation></message>
+<message><source>%1 was moved or removed. Its picture stays on the screen.</source><translation>%1 foi movido ou removido. Sua imagem fica na tela.</translation></message>
+<message><source>%1 was written again. The picture shows what was in it before.</source><translation>%1 foi gravado de novo. A imagem mostra o que havia nele antes.</translation></message>
+<message><source>Read again</source><translation>Ler de novo</translation></message>
 <message><source>Straighten beams</source><translation>Endireitar os feixes</translation></message>
 <message><source>Keep as measured</source><translation>Manter como medido</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Nenhum arquivo ainda; as demos não constam aqui</translation></message>
@@ -782,11 +944,13 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>name of target %1</source><translation>nome do alvo %1</translation></message>
 <message><source>note of target %1</source><translation>nota do alvo %1</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
+<message><source>Your targets are not stored: %1</source><translation>Seus alvos não foram guardados: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Ainda não guardados. Os alvos de uma varredura ao vivo são guardados quando você abre a gravação; os de uma parte de uma gravação, quando a varredura inteira é mostrada.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
+<message><source>Another window has this scan open, too. Targets and edits of rocks of both are stored together.</source><translation>Outra janela também tem esta varredura aberta. Os alvos e as edições de rochas de ambas são guardados juntos.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>new target %1</source><translation>novo alvo %1</translation></message>
 <message><source>Target %1 is locked and stays: unlock it to remove it.</source><translation>O alvo %1 está bloqueado e fica: desbloqueie-o para removê-lo.</translation></message>
@@ -928,7 +1092,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
 <message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
 <message><source>What</source><translation>Conteúdo</translation></message>
-<message><source>Format</source><translation>Formato</translation></message>
 <message><source>It draws edge lines: choose the edge points above.</source><translation>Desenha linhas de bordas: escolha acima os pontos de borda.</translation></message>
 <message><source>Targets are written as a table or a drawing.</source><translation>Os alvos são escritos como tabela ou desenho.</translation></message>
 <message><source>The file holds x, y and z in metres from the scanner.</source><translation>O arquivo contém x, y e z em metros a partir do scanner.</translation></message>
@@ -975,7 +1138,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>two elevations</source><translation>duas elevações</translation></message>
 <message><source>pitch and roll</source><translation>arfagem e rolagem</translation></message>
 <message><source>Pose and Mounting</source><translation>Pose e montagem</translation></message>
-<message><source>Pose</source><translation>Pose</translation></message>
 <message><source>Mounting</source><translation>Montagem</translation></message>
 <message><source>&amp;Store with the Scan</source><translation>&amp;Guardar com a varredura</translation></message>
 <message><source>&amp;Remove Pose</source><translation>&amp;Remover a pose</translation></message>
@@ -998,33 +1160,24 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
 <message><source>Choose…</source><translation>Escolher…</translation></message>
 <message><source>in the report</source><translation>no relatório</translation></message>
-<message><source>none</source><translation>nenhuma</translation></message>
 <message><source>HTML: a page for any browser</source><translation>HTML: uma página para qualquer navegador</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir e arquivar</translation></message>
-<message><source>Site</source><translation>Local</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
-<message><source>Remark</source><translation>Observação</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
-<message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
-<message><source>File</source><translation>Arquivo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Linhas da varredura</translation></message>
 <message><source>Beams</source><translation>Feixes</translation></message>
-<message><source>Cells</source><translation>Células</translation></message>
 <message><source>with a range</source><translation>com distância</translation></message>
 <message><source>Ranges [m]</source><translation>Distâncias [m]</translation></message>
 <message><source>smallest</source><translation>a menor</translation></message>
 <message><source>largest</source><translation>a maior</translation></message>
 <message><source>Unit of the file [mm]</source><translation>Unidade do arquivo [mm]</translation></message>
-<message><source>Frame</source><translation>Referencial</translation></message>
-<message><source>Warnings</source><translation>Avisos</translation></message>
 <message><source>Geometry</source><translation>Geometria</translation></message>
 <message><source>Mounting of the stepper</source><translation>Montagem do motor de passo</translation></message>
 <message><source>Beam angles [°]</source><translation>Ângulos dos feixes [°]</translation></message>
 <message><source>Line angles [°]</source><translation>Ângulos das linhas [°]</translation></message>
 <message><source>Intensity</source><translation>Intensidade</translation></message>
-<message><source>Measured</source><translation>Medições</translation></message>
 <message><source>Maker</source><translation>Fabricante</translation></message>
 <message><source>Model</source><translation>Modelo</translation></message>
 <message><source>Serial number</source><translation>Número de série</translation></message>
@@ -1048,9 +1201,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Scanner at [m]</source><translation>Scanner em [m]</translation></message>
 <message><source>Origin E, N, RL [m]</source><translation>Origem E, N, RL [m]</translation></message>
 <message><source>Scale of the grid</source><translation>Escala da grade</translation></message>
-<message><source>Grid</source><translation>Grade</translation></message>
 <message><source>Source</source><translation>Origem</translation></message>
-<message><source>Robot</source><translation>Robô</translation></message>
 <message><source>Begin of the scan</source><translation>Início da varredura</translation></message>
 <message><source>End of the scan</source><translation>Fim da varredura</translation></message>
 <message><source>Time of the pose</source><translation>Hora da pose</translation></message>
@@ -1099,7 +1250,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>sweep %1: %2</source><translation>varredura %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Linhas cujos telegramas não chegaram: traços nas imagens</translation></message>
 <message><source>Port</source><translation>Porta</translation></message>
-<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
 <message><source>Record</source><translation>Gravar</translation></message>
 <message><source>Write every telegram to a new file, unchanged, as it arrives</source><translation>Escrever cada telegrama em um arquivo novo, sem tocar nele, à medida que chega</translation></message>
@@ -1165,9 +1315,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Mescladas: as rochas %1 são agora a rocha %2.</translation></message>
 <message><source>Cut: rock %1 is now rocks %2.</source><translation>Cortada: a rocha %1 agora é as rochas %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: a rocha %1 agora é as rochas %2.</translation></message>
-<message><source>%1 is now %2</source><translation>%1 agora é %2</translation></message>
-<message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1 e mais %2.</translation></message>
-<message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1.</translation></message>
 <message><source>Rocks %1 and %2 do not touch: their nearest cells are %3 m apart.</source><translation>As rochas %1 e %2 não se tocam: as suas células mais próximas estão a %3 m uma da outra.</translation></message>
 <message><source>Rock %1 and a part that was not a rock do not touch: their nearest cells are %2 m apart.</source><translation>A rocha %1 e uma parte que não era rocha não se tocam: as suas células mais próximas estão a %2 m uma da outra.</translation></message>
 <message><source>They are merged as rock %1.</source><translation>Estão mescladas como rocha %1.</translation></message>
@@ -1224,9 +1371,9 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
-<message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
+<message><source>Rocks with a smaller visible width b are left out of the table, and in the views only their outline is drawn</source><translation>As rochas de menor largura visível b não estão na tabela, e nas vistas só o seu contorno é desenhado</translation></message>
 <message><source>b at least</source><translation>b pelo menos</translation></message>
-<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com confiança p abaixo de 0.85, que estão tracejadas, ficam fora da tabela</translation></message>
+<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only their outline is drawn</source><translation>As rochas com confiança p menor que 0,85, hachuradas, não estão na tabela, e nas vistas só o seu contorno é desenhado</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
 <message><source>, %1 of them uncertain (hatched)</source><translation>, %1 delas incertas (hachuradas)</translation></message>
 <message><source>&amp;Shown Rocks (%1)…</source><translation>&amp;Rochas mostradas (%1)…</translation></message>
@@ -1290,7 +1437,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
-<message><source>Target</source><translation>Alvo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
 <message><source>Your note on it, stored with its name</source><translation>A sua nota sobre ele, guardada com o seu nome</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
@@ -1299,7 +1445,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
-<message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Metros no sistema da varredura</translation></message>
 <message><source>E, N, RL</source><translation>E, N, RL</translation></message>
@@ -1310,7 +1455,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Resolves</source><translation>Resolução</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
 <message><source>Surface</source><translation>Superfície</translation></message>
-<message><source>no plane fits</source><translation>nenhum plano se ajusta</translation></message>
 <message><source>%1° ± %2° off the beam</source><translation>a %1° ± %2° do feixe</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre a sua normal e o feixe: 0° está de frente para o scanner. Um plano por %1 células, relevo %2</translation></message>
 <message><source>Dip / direction</source><translation>Mergulho / direção</translation></message>
@@ -1318,7 +1462,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>From the boom</source><translation>Ao braço</translation></message>
 <message><source>%1 · surface %2° off square</source><translation>%1 · superfície a %2° da perpendicular</translation></message>
 <message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Até a reta do pivô do braço à cabeça, onde estavam na medição; 0°: o braço aponta de frente para a superfície</translation></message>
-<message><source>Cell</source><translation>Célula</translation></message>
 <message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
 <message><source>, strength %1</source><translation>, força %1</translation></message>
@@ -1359,12 +1502,10 @@ RL %3 m</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
 <message><source>Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de células de borda em cada limiar, do menor ao maior em escala logarítmica. Hachurado: o trecho mais largo em que desaparece no máximo um quinto delas. A linha vertical é o limiar em uso.</translation></message>
 <message><source>counting the edge cells …</source><translation>contando as células de borda …</translation></message>
-<message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
 <message><source>Without %1:</source><translation>Sem %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sem %1 classes:</translation></message>
 <message><source>other classes take the cells</source><translation>outras classes tomam as células</translation></message>
-<message><source>Edges</source><translation>Bordas</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>How likely an edge is the border of a rock; where that is unknown, it is drawn like one.</source><translation>A probabilidade de uma borda ser o contorno de uma rocha; onde é desconhecida, desenha-se como um contorno.</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sem uma classe, os outros números também mudam: uma célula tem uma só classe, e uma célula fraca conta onde continua uma forte de qualquer classe.</translation></message>
@@ -1531,15 +1672,20 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
 <message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
+<message><source>Your targets and your edits of rocks are not stored.</source><translation>Seus alvos e suas edições de rochas não estão guardados.</translation></message>
+<message><source>Your targets are not stored.</source><translation>Seus alvos não estão guardados.</translation></message>
+<message><source>Your edits of rocks are not stored.</source><translation>Suas edições de rochas não estão guardadas.</translation></message>
 <message><source>This ends the program.</source><translation>Isto termina o programa.</translation></message>
 <message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Ao fechar, a gravação termina. O que foi gravado até agora fica no seu arquivo.</translation></message>
 <message><source>Closing waits until it is complete.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
+<message><source>The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.</source><translation>O disco os recusou. O EdgeScan tenta de novo ao fechar; o que então não puder gravar se perde.</translation></message>
 <message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para sair só do modo cabine, cancele e segure um segundo o botão “Segurar: sair”.</translation></message>
 <message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
 <message><source>Close EdgeScan</source><translation>Fechar o EdgeScan</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
-<message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
+<message><source>&amp;Compare with Earlier Scan…</source><translation>&amp;Comparar com uma varredura anterior…</translation></message>
+<message><source>Exchange A and &amp;B</source><translation>Trocar A e &amp;B</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demonstração antes e depois de um desmonte</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
@@ -1649,9 +1795,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
 <message><source>gray %1 to %2 m</source><translation>cinza %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>até a linha %1</translation></message>
-<message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
 <message><source>by class</source><translation>por classe</translation></message>
-<message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
 <message><source>growing</source><translation>a crescer</translation></message>
 <message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
 <message><source>turntable</source><translation>mesa giratória</translation></message>
@@ -1746,7 +1890,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Raw grid</source><translation>Grade bruta</translation></message>
 <message><source>Recording</source><translation>Gravação</translation></message>
 <message><source>Surpac strings</source><translation>Linhas do Surpac</translation></message>
-<message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Como as bordas são encontradas: saltos e dobras da superfície, partes destes, ou Canny em níveis de cinza como na tese, ou um dos outros detectores que a tese compara.</translation></message>
 <message><source>Edges shown</source><translation>Bordas mostradas</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Só se mostram e exportam as bordas que provavelmente são o contorno de uma rocha; as dobras dentro de uma rocha ficam de fora.</translation></message>
@@ -1940,7 +2083,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contornos em coordenadas da mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
+<message><source>The number: without edits, 1 is the largest visible area</source><translation>O número: sem edições, 1 é a maior área visível</translation></message>
 <message><source>visible length a [m]</source><translation>comprimento visível a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Maior extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>
 <message><source>size: visible width b [m]</source><translation>tamanho: largura visível b [m]</translation></message>

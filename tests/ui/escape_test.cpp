@@ -93,6 +93,27 @@ private slots:
     }
 
     // Whatever opened it closes it again; then letters are for the view.
+    // After a number was typed the next letter is a command.
+    void lettersAreKeysAgainAfterANumber() {
+        WindowFixture on;
+        showRocks(on, false);
+        int fields = 0;
+        for (auto* field : on.window.findChildren<QAbstractSpinBox*>()) {
+            if (!field->isVisible() || !field->isEnabled()) continue;
+            ++fields;
+            for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Escape}) {
+                field->setFocus();
+                QTRY_VERIFY(field->hasFocus());
+                press(*field, key);
+                QVERIFY2(!field->hasFocus(), qPrintable(field->objectName()));
+                QVERIFY(on.viewer.rocks.shown());
+            }
+        }
+        QVERIFY2(fields > 3, qPrintable(QString::number(fields)));
+        press(on.window, Qt::Key_K);
+        QTRY_VERIFY(!on.viewer.rocks.shown());
+    }
+
     void theRowOfTheAddressClosesAsItOpened() {
         WindowFixture on;
         QVERIFY(on.showWith(boxes_) && on.activate());

@@ -442,6 +442,33 @@ private slots:
         QVERIFY(eventually([&] { return window.viewer().engine.picture() != before && !window.viewer().engine.working(); }));
         QCOMPARE(QString::fromStdString(window.viewer().engine.picture()->detection->scan->path), QString::fromStdString(real_));
     }
+
+    // The picture shows what was read; a file that another program writes meanwhile is said, and is read again by one click.
+    void aFileThatIsWrittenAgainIsSaid() {
+        const std::string path = (folder_ / "watched.json").string();
+        const auto write = [&](int boxes) { return bool(files::saveScan(test::boxesScan(24, 30, boxes), path)); };
+        QVERIFY(write(3));
+        WindowFixture on;
+        QVERIFY(on.showWith(path));
+        const auto before = on.viewer.engine.picture();
+        for (int n = 0; n < 2; ++n) { // each writing replaces the file
+            QVERIFY(write(4 + n));
+            QTRY_VERIFY2(on.viewer.notice.text().startsWith("watched.json was written again."), qPrintable(on.viewer.notice.text()));
+            if (n == 0) {
+                QCOMPARE(on.viewer.engine.picture(), before);
+                on.viewer.notice.hide();
+            }
+        }
+        QAbstractButton* again = nullptr;
+        for (auto* each : on.viewer.notice.findChildren<QAbstractButton*>()) again = each->text() == "Read again" ? each : again;
+        QVERIFY(again != nullptr);
+        again->click();
+        QVERIFY(eventually([&] { return on.viewer.engine.picture() != before; }) && on.settled());
+        QVERIFY(on.picture().detection->scan->rangeMm == test::boxesScan(24, 30, 5).rangeMm);
+        std::filesystem::remove(path);
+        QTRY_VERIFY2(on.viewer.notice.text().startsWith("watched.json was moved or removed."), qPrintable(on.viewer.notice.text()));
+        QVERIFY(on.viewer.engine.picture() != nullptr);
+    }
 };
 
 int files_window_test(int argc, char** argv) { return runWindowTest<FilesWindowTest>(argc, argv); }

@@ -35,6 +35,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollBar>
@@ -45,6 +46,7 @@
 #include <QToolTip>
 
 #include <cmath>
+#include <fstream>
 #include <set>
 
 using namespace edgescan;
@@ -121,7 +123,9 @@ private slots:
             QVERIFY(showWith(one, boxes_));
             {
                 WindowFixture two(ini);
+                QVERIFY(!one.viewer.notice.text().contains("Another window"));
                 QVERIFY(showWith(two, boxes_));
+                QVERIFY2(two.viewer.notice.text().contains("Another window has this scan open"), qPrintable(two.viewer.notice.text()));
                 click(two.viewer.views.gray(), 60, 80);
                 QVERIFY(known(two));
                 theirs = targets(two).front().cell;
@@ -137,6 +141,43 @@ private slots:
             QTest::keyClick(&one.window, Qt::Key_Y, Qt::ControlModifier);
             QVERIFY(known(one));
             QCOMPARE(static_cast<int>(targets(one).size()), 2);
+        }
+        WindowFixture again(ini);
+        QVERIFY(showWith(again, boxes_));
+        QCOMPARE(static_cast<int>(targets(again).size()), 2);
+    }
+
+    // What the disk refused is asked about before the window closes, and is stored as soon as there is room.
+    void targetsThatAreNotStoredAreAskedAbout() {
+        const std::filesystem::path place = folder_ / "refused";
+        std::filesystem::create_directories(place);
+        std::ofstream(place / "targets") << "a file in place of the folder";
+        const QString ini = QString::fromStdString((place / "viewer.ini").string());
+        int questions = 0;
+        QTimer answering;
+        connect(&answering, &QTimer::timeout, &answering, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (box == nullptr || box->objectName() != "close-question") return;
+            questions += box->text() == "Your targets are not stored." ? 1 : 0;
+            box->button(QMessageBox::Cancel)->click();
+        });
+        answering.start(20);
+        {
+            WindowFixture on(ini);
+            QVERIFY(showWith(on, boxes_));
+            click(on.viewer.views.gray(), 60, 80);
+            QVERIFY(known(on));
+            QTRY_VERIFY(on.viewer.targets.unsaved());
+            QVERIFY2(on.viewer.notice.text().startsWith("Your targets are not stored: "), qPrintable(on.viewer.notice.text()));
+            on.window.close();
+            QCOMPARE(questions, 1);
+            QVERIFY(on.window.isVisible());
+            std::filesystem::remove(place / "targets");
+            click(on.viewer.views.gray(), 20, 30);
+            QVERIFY(known(on));
+            QTRY_VERIFY(!on.viewer.targets.unsaved());
+            on.window.close();
+            QCOMPARE(questions, 1);
         }
         WindowFixture again(ini);
         QVERIFY(showWith(again, boxes_));

@@ -288,7 +288,7 @@ constexpr std::array kParts{
                       "is moved by "),
     QT_TRANSLATE_NOOP("QObject",
                       "OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are "
-                      "not scans of one place."),
+                      "not scans of one place. No areas of change are given."),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: whether the poses fit cannot be seen, "),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by "),
     // Of a list of points.
@@ -313,43 +313,16 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kPlaces{{
 constexpr std::array kFieldsOfReading{"beam-start", "beam-step", "line-start", "line-step", "unit", "grid-step",  "axis",
                                       "sensor",     "project",   "scan",       "columns",   "pose", "calibration"};
 
-struct Pattern {
-    const char* source;
-    QRegularExpression match;
-};
-
 QRegularExpression matchOf(const char* source, bool whole) {
     QString text = QRegularExpression::escape(QString::fromUtf8(source));
-    for (const char* place : {"1", "2"}) text.replace(QString("\\%") + place, "(.+?)").replace(QString("%") + place, "(.+?)");
+    static const QRegularExpression place("\\\\?%[1-9]");
+    text.replace(place, "(.+?)");
     return QRegularExpression(whole ? "^" + text + "$" : text);
 }
 
-template <std::size_t Size>
-std::vector<Pattern> patternsOf(const std::array<const char*, Size>& texts, bool whole) {
-    std::vector<Pattern> patterns;
-    for (const char* text : texts) patterns.push_back({text, matchOf(text, whole)});
-    return patterns;
-}
-
-QString filled(const char* source, const QRegularExpressionMatch& found, QString (*inner)(const QString&)) {
-    QString text = QObject::tr(source);
-    for (int n = found.lastCapturedIndex(); n >= 1; --n) text.replace("%" + QString::number(n), inner(found.captured(n)));
-    return text;
-}
-
-QString same(const QString& text) { return text; }
-
-/// In the language of the window, if the whole text is one of these; else as it is.
-QString wholeText(const std::vector<Pattern>& patterns, const QString& text, QString (*inner)(const QString&)) {
-    for (const Pattern& each : patterns) {
-        if (const auto found = each.match.match(text); found.hasMatch()) return filled(each.source, found, inner);
-    }
-    return text;
-}
-
 QString wordsOf(const QString& text) {
-    static const std::vector<Pattern> patterns = patternsOf(kWholeTexts, true);
-    return wholeText(patterns, text, wordsOf);
+    static const CoreTexts texts(kWholeTexts, true);
+    return texts.translated(text, wordsOf);
 }
 
 /// "--unit m" -> "“unit” in Scan > How the Scan Is Read".
@@ -396,6 +369,23 @@ QString withoutKeys(QString text) {
 
 } // namespace
 
+CoreTexts::CoreTexts(std::span<const char* const> sources, bool whole) : whole_(whole) {
+    for (const char* source : sources) texts_.emplace_back(source, matchOf(source, whole));
+}
+
+QString CoreTexts::translated(QString text, QString (*inner)(const QString&)) const {
+    for (const auto& [source, match] : texts_) {
+        const auto found = match.match(text);
+        if (!found.hasMatch()) continue;
+        QString part = QObject::tr(source);
+        for (int n = found.lastCapturedIndex(); n >= 1; --n)
+            part.replace("%" + QString::number(n), inner == nullptr ? found.captured(n) : inner(found.captured(n)));
+        if (whole_) return part;
+        text.replace(found.capturedStart(), found.capturedLength(), part);
+    }
+    return text;
+}
+
 std::string inLanguage(const char* text) { return exactBytes(QObject::tr(text)); }
 
 QString coreWords(const std::string& text) { return wordsOf(shownText(text)); }
@@ -409,18 +399,13 @@ QString cellStateText(CellState state) {
 }
 
 QString scanName(const std::string& name, int mostCharacters) {
-    static const std::vector<Pattern> patterns = patternsOf(kScanNames, true);
-    return shownName(wholeText(patterns, exactText(name), same), mostCharacters);
+    static const CoreTexts texts(kScanNames, true);
+    return shownName(texts.translated(exactText(name)), mostCharacters);
 }
 
 QString coreSentence(const QString& text) {
-    static const std::vector<Pattern> patterns = patternsOf(kParts, false);
-    QString result = withoutKeys(withoutFlags(text));
-    for (const Pattern& each : patterns) {
-        if (const auto found = each.match.match(result); found.hasMatch())
-            result.replace(found.capturedStart(), found.capturedLength(), filled(each.source, found, same));
-    }
-    return result;
+    static const CoreTexts parts(kParts, false);
+    return parts.translated(withoutKeys(withoutFlags(text)));
 }
 
 QString coreSentence(const std::string& text) { return coreSentence(shownText(text)); }

@@ -231,8 +231,17 @@ void Comparing::read(const inspect::EarlierScan& from, bool asStep) {
 }
 
 void Comparing::askScan() {
-    const QString path = Files::askScan(notice_.window(), tr("Compare with an earlier scan"), preferences_);
+    const QString path =
+        Files::askScan(notice_.window(), tr("Choose the earlier scan, A; the scan on the screen is the later one, B"), preferences_);
     if (!path.isEmpty()) compareWith(path);
+}
+
+void Comparing::swap() {
+    if (!earlier_ || !engine_.picture() || !fromShown())
+        return notice_.showHint(tr("A and B are exchanged when both are files: keep a scan as A and open another one."));
+    const inspect::SessionScan next = earlier_->scan;
+    keep();
+    files_.openAgain(next);
 }
 
 void Comparing::openDemoPair() {
@@ -272,7 +281,7 @@ void Comparing::takeRead(const Reading& asked, const Read& read) {
     from.scan.identity = inspect::notebookScan(scan);
     if (!asked.asStep) return use(picture, from);
     notice_.withdraw({readingNote_}); // others stay
-    push(stepName("Compare with Scan"), picture, from);
+    push(stepName("Compare with Earlier Scan"), picture, from);
 }
 
 bool Comparing::comparable() const {

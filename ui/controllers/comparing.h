@@ -49,6 +49,8 @@ public:
     /// with the current settings.
     void compareWith(const QString& path);
     void askScan();
+    /// B becomes A, and the scan of A is opened.
+    void swap();
     /// Opens the demo after the blast, with the demo before it as A.
     void openDemoPair();
 

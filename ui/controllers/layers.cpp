@@ -244,15 +244,15 @@ void Layers::activate(int layer) {
     files_.openAgain(inspect::SessionScan(held->layer.scan));
 }
 
-std::vector<inspect::PointPair> Layers::pairsWith(const Held& held) {
-    std::vector<inspect::PointPair> pairs;
+std::map<int, inspect::PointPair> Layers::targetsInBoth(const Held& held) {
+    std::map<int, inspect::PointPair> pairs;
     const auto there = targets_.notebookOf(held.layer.scan.identity);
     if (!there || !held.cloud) return pairs;
     for (const inspect::PinnedTarget& target : targets_.notebook().targets) {
         const auto same = std::ranges::find(there->targets, target.number, &inspect::PinnedTarget::number);
         if (same == there->targets.end() || !held.cloud->drawable(same->cell)) continue;
         const Eigen::Vector3d here = pointOfCell(*shownScan(), target.cell);
-        if (here.allFinite()) pairs.push_back({here, held.cloud->point(same->cell).cast<double>() + held.cloud->originM});
+        if (here.allFinite()) pairs[target.number] = {here, held.cloud->point(same->cell).cast<double>() + held.cloud->originM};
     }
     return pairs;
 }
@@ -260,7 +260,8 @@ std::vector<inspect::PointPair> Layers::pairsWith(const Held& held) {
 void Layers::placeByTargets(int layer) {
     Held* held = other(layer);
     if (held == nullptr || !held->cloud || loader_.behind()) return;
-    const std::vector<inspect::PointPair> pairs = pairsWith(*held);
+    std::vector<inspect::PointPair> pairs;
+    for (const auto& [number, places] : targetsInBoth(*held)) pairs.push_back(places);
     if (pairs.size() < 3)
         return notice_.showNotice(
             NoticeBar::Kind::Warning,
@@ -358,6 +359,12 @@ void Layers::show() {
         else
             line.words = placeWords(*held.layer.place);
         if (!held.trouble.isEmpty()) line.tip += '\n' + held.trouble;
+        if (held.layer.place && placed && held.layer.place->by == inspect::StationBasis::Pairs) {
+            const RigidTransform toActive = inverse(active->layer.place->toFirst) * held.layer.place->toFirst;
+            for (const auto& [number, places] : targetsInBoth(held))
+                line.tip +=
+                    '\n' + tr("Target %1: %2 mm apart").arg(number).arg(millimetres((places.firstM - toActive * places.otherM).norm()));
+        }
         if (held.layer.place && !held.layer.place->warnings.empty()) line.tip += '\n' + warningText(*held.layer.place);
         lines.push_back(line);
         if (line.active || !held.layer.visible || !held.cloud || !held.layer.place || !placed) continue;

@@ -9,6 +9,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -75,7 +76,7 @@ private:
     [[nodiscard]] Held* other(int layer);
     [[nodiscard]] bool isActive(const Held& held) const;
     [[nodiscard]] const Scan* shownScan() const;
-    [[nodiscard]] std::vector<inspect::PointPair> pairsWith(const Held& held);
+    [[nodiscard]] std::map<int, inspect::PointPair> targetsInBoth(const Held& held); // by number
 
     Engine& engine_;
     LinkedViews& views_;

@@ -8,12 +8,14 @@
 #include "core/base/whole_file.h"
 #include "core/edges/settings/command_text.h"
 #include "core/exports/html/scan_page.h"
+#include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/comparing.h"
 #include "ui/controllers/files/files.h"
 #include "ui/controllers/report_pdf.h"
+#include "ui/controllers/report_words.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/worker_bridge/in_background.h"
@@ -144,7 +146,7 @@ void ScanReport::writeTo(const QString& path, const ReportWords& words, bool roc
                 notes.change = &compared->change;
                 notes.earlier = compared->isOfTwoScans() ? before.scan->name : "this scan by other settings";
             }
-            const std::string page = exports::scanPage(*detection, said, notes);
+            const std::string page = reportInLanguage(exports::scanPage(*detection, said, notes), exactBytes(languageInUse()));
             const auto written =
                 isPdf(path) ? writeWholeFile(exactBytes(path), bytesOf(pdfOfPage(page))) : writeWholeFile(exactBytes(path), page);
             return [this, written, path] {

@@ -23,7 +23,8 @@ Command compareMenu(Comparing& comparing) {
         "Compare &A/B",
         {
             command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
-            command("&Compare with Scan…", "", [&comparing] { comparing.askScan(); }),
+            command("&Compare with Earlier Scan…", "", [&comparing] { comparing.askScan(); }),
+            linked(command("Exchange A and &B", "", [&comparing] { comparing.swap(); }), whileKept),
             command("&Demo before and after a Blast", "", [&comparing] { comparing.openDemoPair(); }),
             kLine,
             linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),

@@ -70,9 +70,9 @@ const MenuRow kSelections{"tool-select",
 const MenuRow kCompares{"tool-compare",
                         "ab",
                         QT_TRANSLATE_NOOP("QObject", "A/B"),
-                        {"Edges/Compare A/B/Keep This as A", "Edges/Compare A/B/Compare with Scan",
-                         "Edges/Compare A/B/Demo before and after a Blast", "", "Edges/Compare A/B/Show A",
-                         "Edges/Compare A/B/Show What Changed", "Edges/Compare A/B/Next Changed Region",
+                        {"Edges/Compare A/B/Keep This as A", "Edges/Compare A/B/Compare with Earlier Scan",
+                         "Edges/Compare A/B/Exchange A and B", "Edges/Compare A/B/Demo before and after a Blast", "",
+                         "Edges/Compare A/B/Show A", "Edges/Compare A/B/Show What Changed", "Edges/Compare A/B/Next Changed Region",
                          "Edges/Compare A/B/Previous Changed Region", "", "Edges/Compare A/B/Forget A"},
                         {"Edges/Compare A/B/Show A"}};
 

@@ -5,12 +5,17 @@
 #include "ui/window/first_tour.h"
 #include "ui/window/main_window.h"
 
+#include <QAbstractSpinBox>
 #include <QKeyEvent>
 
 namespace edgescan::ui {
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape)
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    auto* number = qobject_cast<QAbstractSpinBox*>(focusWidget());
+    if (number != nullptr && (isEnter || event->key() == Qt::Key_Escape))
+        number->clearFocus(); // the next key is a command
+    else if (event->key() == Qt::Key_Escape)
         escape();
     else if (event->key() != Qt::Key_Backspace || !viewer_.measures.removeLastPick())
         QMainWindow::keyPressEvent(event);

@@ -35,6 +35,22 @@ bool isSidecar(const std::string& name) {
     return name.ends_with(".provenance.json") || name.ends_with(".rocks.json") || files::isPoseSidecar(name);
 }
 
+constexpr int kWrittenMs = 500;
+
+/// Size and time of a file, and of the numbers of a raw grid; empty: there is none.
+std::string stampOf(const QString& path) {
+    namespace fs = std::filesystem;
+    std::string stamp;
+    fs::path file = exactBytes(path);
+    for (const fs::path& each : {file, file.extension() == ".json" ? file.replace_extension(".u16") : fs::path()}) {
+        std::error_code none;
+        if (each.empty() || !fs::is_regular_file(each, none)) continue;
+        stamp += std::to_string(fs::file_size(each, none)) + " " +
+                 std::to_string(fs::last_write_time(each, none).time_since_epoch().count()) + " ";
+    }
+    return stamp;
+}
+
 /// For a dialog: without the sidecars.
 class WithoutSidecars : public QSortFilterProxyModel {
 public:
@@ -81,6 +97,10 @@ Files::Files(Engine& engine, NoticeBar& notice, Preferences& preferences, QUndoS
         if (!engine_.opening()) setOptions(shownOptions_);
     });
     connect(&engine_, &Engine::streamChanged, this, &Files::showWarnings);
+    written_.setSingleShot(true);
+    written_.setInterval(kWrittenMs);
+    connect(&watcher_, &QFileSystemWatcher::fileChanged, &written_, qOverload<>(&QTimer::start));
+    connect(&written_, &QTimer::timeout, this, &Files::lookOnDisk);
     connect(&notice_, &NoticeBar::closed, this, [this](const QString& text) {
         if (text == warned_.second) read_.insert(warned_.first);
     });
@@ -222,6 +242,7 @@ void Files::askReading() {
 void Files::leave() {
     series_.clear();
     path_.clear();
+    watch({});
     demo_.reset();
     shownOptions_ = {};
     setOptions({});
@@ -230,12 +251,31 @@ void Files::leave() {
 
 void Files::noteOpened(const QString& path) {
     path_ = path;
+    watch(path);
     demo_ = path.isEmpty() ? std::optional(wantedDemo_) : std::nullopt;
     shownOptions_ = options_;
     notice_.hide();
     if (path.isEmpty()) return;
     preferences_.keepRecentFile(path);
     preferences_.keepFolder("scans", path);
+}
+
+void Files::watch(const QString& path) {
+    if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
+    written_.stop();
+    stamp_ = path.isEmpty() ? std::string() : stampOf(path);
+    if (!stamp_.empty()) watcher_.addPath(path);
+}
+
+void Files::lookOnDisk() {
+    const std::string now = stampOf(path_);
+    if (now == stamp_) return;
+    const QString name = shownName(path_);
+    watch(path_); // a replaced file is another one for the watcher
+    if (now.empty())
+        return notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was moved or removed. Its picture stays on the screen.").arg(name));
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was written again. The picture shows what was in it before.").arg(name));
+    notice_.offer(tr("Read again"), [this] { reload(); });
 }
 
 void Files::showWarnings() {

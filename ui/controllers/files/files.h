@@ -4,9 +4,11 @@
 #include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/engine.h"
 
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <QSet>
 #include <QStringList>
+#include <QTimer>
 
 class QMenu;
 class QUndoStack;
@@ -76,6 +78,8 @@ private:
     void setOptions(const ReadingOptions& options);
     void noteOpened(const QString& path);
     void showWarnings();
+    void watch(const QString& path);
+    void lookOnDisk();
 
     Engine& engine_;
     NoticeBar& notice_;
@@ -90,6 +94,9 @@ private:
     int place_ = 0;
     std::pair<QString, QString> warned_; // the file with its warnings, and the note about them
     QSet<QString> read_;                 // files with warnings whose note was closed
+    QFileSystemWatcher watcher_;         // of the file on the screen
+    QTimer written_;                     // a file is written in several steps
+    std::string stamp_;                  // of the file as it was opened
 };
 
 } // namespace edgescan::ui

@@ -4,6 +4,8 @@
 #include "core/base/whole_file.h"
 #include "ui/base/shown_text.h"
 
+#include <QDir>
+
 #include <filesystem>
 #include <system_error>
 
@@ -24,7 +26,7 @@ TargetStore::Written TargetStore::write(NotebookFiles& files, const Notebooks& n
             {kMostNotebookBytes, [&](const std::string& text) { return inspect::notebookFromText(text, waiting.scan, path); },
              [&](const inspect::Notebook& notebook) { return inspect::notebookText(notebook, waiting.scan); }, inspect::mergedNotebook});
         if (!merged)
-            written.trouble = merged.error().sentence();
+            written.troubles[path] = merged.error().sentence();
         else if (*merged != waiting.notebook)
             written.merged[path] = std::move(*merged);
     }
@@ -68,6 +70,15 @@ Result<inspect::Notebook> TargetStore::load(const inspect::NotebookScan& scan) {
     return notebook;
 }
 
+bool TargetStore::openElsewhere(const inspect::NotebookScan& scan) {
+    open_.reset();
+    const QString path = pathOf(scan);
+    if (path.isEmpty() || !QDir().mkpath(folder_)) return false;
+    open_ = std::make_unique<QLockFile>(path + ".open");
+    open_->setStaleLockTime(0); // only a program that has ended leaves it behind
+    return !open_->tryLock() && open_->error() == QLockFile::LockFailedError;
+}
+
 void TargetStore::save(const inspect::Notebook& notebook, const inspect::NotebookScan& scan) {
     const std::string path = exactBytes(pathOf(scan));
     if (path.empty() || refused_.contains(path)) return;
@@ -77,14 +88,16 @@ void TargetStore::save(const inspect::Notebook& notebook, const inspect::Noteboo
 
 void TargetStore::wrote(const Notebooks& notebooks, const Written& written) {
     for (const auto& [path, waiting] : notebooks) {
-        if (const auto waits = waiting_.find(path); waits != waiting_.end() && waits->second.notebook == waiting.notebook)
+        if (const auto waits = waiting_.find(path);
+            waits != waiting_.end() && waits->second.notebook == waiting.notebook && !written.troubles.contains(path))
             waiting_.erase(waits);
         if (const auto merged = written.merged.find(path); merged != written.merged.end()) {
             files_->begin(path, merged->second); // what the next notebook begins with
             emit this->merged(exactText(path), waiting.notebook, merged->second);
         }
     }
-    if (!written.trouble.empty()) emit failed(exactText(written.trouble));
+    failing_ = !written.troubles.empty();
+    if (failing_) emit failed(tr("Your targets are not stored: %1").arg(exactText(written.troubles.begin()->second)));
 }
 
 } // namespace edgescan::ui

@@ -6,6 +6,7 @@
 #include "core/inspect/measure/notebook.h"
 #include "ui/engine/worker_bridge/derived.h"
 
+#include <QLockFile>
 #include <QObject>
 
 #include <functional>
@@ -33,6 +34,11 @@ public:
     Result<inspect::Notebook> load(const inspect::NotebookScan& scan);
     void save(const inspect::Notebook& notebook, const inspect::NotebookScan& scan);
 
+    /// Targets wait that could not be written.
+    [[nodiscard]] bool failing() const { return failing_; }
+    /// The scan comes on the screen. True: another window has it on its own.
+    [[nodiscard]] bool openElsewhere(const inspect::NotebookScan& scan);
+
 signals:
     void failed(const QString& sentence);
     /// Another window had changed the file: `theirs`, which has all changes, was written in place of `mine`.
@@ -45,7 +51,7 @@ private:
     };
     using Notebooks = std::map<std::string, Waiting>; // by path
     struct Written {
-        std::string trouble; // empty, or why not
+        std::map<std::string, std::string> troubles; // why not, by path
         std::map<std::string, inspect::Notebook> merged;
     };
     using NotebookFiles = MergedFiles<inspect::Notebook>;
@@ -53,8 +59,10 @@ private:
     void wrote(const Notebooks& notebooks, const Written& written);
 
     QString folder_;
-    std::set<std::string> refused_; // paths
-    Notebooks waiting_;             // not written yet
+    std::set<std::string> refused_;   // paths
+    Notebooks waiting_;               // not written yet
+    bool failing_ = false;            // the last writing failed
+    std::unique_ptr<QLockFile> open_; // of the scan on the screen
     std::shared_ptr<NotebookFiles> files_;
     Derived<Notebooks, Written> written_; // last
 };

@@ -141,6 +141,9 @@ void Targets::followPicture() {
             panel_.showNote(tr("▲ Not stored: the targets of this scan were refused."));
             notice_.showError(kept.error());
         }
+        if (stored_ && store_.openElsewhere(scan))
+            notice_.showNotice(NoticeBar::Kind::Warning,
+                               tr("Another window has this scan open, too. Targets and edits of rocks of both are stored together."));
         if (!notebook_.empty()) {
             if (stored_) panel_.showNote({}); // its own list, which is not taken for a loss
             emit pinned();

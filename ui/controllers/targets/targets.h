@@ -75,6 +75,8 @@ public:
     [[nodiscard]] bool isMoved() const { return active() != nullptr && active()->clicked.has_value(); }
     /// True if the cards belong to the picture on the screen and to all entries of the notebook.
     [[nodiscard]] bool settled() const;
+    /// The disk refused the newest ones.
+    [[nodiscard]] bool unsaved() const { return store_.failing(); }
     [[nodiscard]] const KnownTargets& known() const { return known_; }
     /// known() does not follow from the pose that is typed, or from that of the picture.
     [[nodiscard]] bool placePending() const;
