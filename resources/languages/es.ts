@@ -631,6 +631,8 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>From</source><translation>De</translation></message>
 <message><source>no cell of this scan</source><translation>no es una celda de este escaneo</translation></message>
 <message><source>its cells hold no points now</source><translation>sus celdas no tienen puntos ahora</translation></message>
+<message><source>M%1 %2</source><translation>M%1 %2</translation></message>
+<message><source>E, N, RL: %1</source><translation>E, N, RL: %1</translation></message>
 <message><source>Distance: %1</source><translation>Distancia: %1</translation></message>
 <message><source>Dip / direction: %1</source><translation>Buzamiento / dirección: %1</translation></message>
 <message><source>Edge: %1</source><translation>Borde: %1</translation></message>

@@ -631,6 +631,8 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>From</source><translation>De</translation></message>
 <message><source>no cell of this scan</source><translation>pas une cellule de ce scan</translation></message>
 <message><source>its cells hold no points now</source><translation>ses cellules n'ont pas de points maintenant</translation></message>
+<message><source>M%1 %2</source><translation>M%1 %2</translation></message>
+<message><source>E, N, RL: %1</source><translation>E, N, RL : %1</translation></message>
 <message><source>Distance: %1</source><translation>Distance : %1</translation></message>
 <message><source>Dip / direction: %1</source><translation>Pendage / direction : %1</translation></message>
 <message><source>Edge: %1</source><translation>Bord : %1</translation></message>

@@ -631,6 +631,8 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>From</source><translation>De</translation></message>
 <message><source>no cell of this scan</source><translation>não é uma célula desta varredura</translation></message>
 <message><source>its cells hold no points now</source><translation>suas células não têm pontos agora</translation></message>
+<message><source>M%1 %2</source><translation>M%1 %2</translation></message>
+<message><source>E, N, RL: %1</source><translation>E, N, RL: %1</translation></message>
 <message><source>Distance: %1</source><translation>Distância: %1</translation></message>
 <message><source>Dip / direction: %1</source><translation>Mergulho / direção: %1</translation></message>
 <message><source>Edge: %1</source><translation>Borda: %1</translation></message>

@@ -22,9 +22,12 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+#include <fcntl.h>
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <sys/stat.h>
+#include <unistd.h>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -375,7 +378,6 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
         const QString title = window.windowTitle(), origin = on.viewer.origin.text();
-        qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "no-cache").string())); // the demo must be simulated
         QStringList wrong;
         int replaced = 0;
         connect(&on.viewer.engine, &Engine::replacingChanged, this, [&](bool replacing) {
@@ -387,10 +389,16 @@ private slots:
             const auto* cancel = on.viewer.statusLine.findChild<QPushButton*>("cancel-work");
             if (!stage->isVisible() || stage->text().isEmpty() || !cancel->isVisible()) wrong << "no stage or no Cancel";
         });
-        on.viewer.files.openDemo();
+        // A pipe that gives no more.
+        const std::string pipe = (folder_ / "slow.pcd").string();
+        QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
+        const int writer = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+        QVERIFY(writer >= 0 && ::write(writer, "# .PCD v0.7\n", 12) == 12);
+        on.viewer.files.open({QString::fromStdString(pipe)});
         QVERIFY(eventually([&] { return replaced > 0; }));
         QTest::mouseClick(on.viewer.statusLine.findChild<QPushButton*>("cancel-work"), Qt::LeftButton);
         QVERIFY(eventually([&] { return !on.viewer.engine.working(); }));
+        ::close(writer);
         QCOMPARE(window.windowTitle(), title);
         QCOMPARE(on.viewer.origin.text(), origin);
         QVERIFY(!on.viewer.statusLine.findChild<QPushButton*>("cancel-work")->isVisible());
@@ -428,7 +436,6 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
         const auto before = window.viewer().engine.picture();
-        qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "cache").string())); // an empty cache: the demo must be simulated
         QSignalSpy progress(&window.viewer().engine, &Engine::workProgressed);
         window.viewer().files.openDemo();
         QTRY_VERIFY(progress.count() > 0);
@@ -446,7 +453,13 @@ private slots:
     // The picture shows what was read; a file that another program writes meanwhile is said, and is read again by one click.
     void aFileThatIsWrittenAgainIsSaid() {
         const std::string path = (folder_ / "watched.json").string();
-        const auto write = [&](int boxes) { return bool(files::saveScan(test::boxesScan(24, 30, boxes), path)); };
+        const auto write = [&](int boxes) { // as another program does: this one replaces no input
+            std::filesystem::create_directories(folder_ / "other");
+            if (!files::saveScan(test::boxesScan(24, 30, boxes), folder_ / "other/watched.json")) return false;
+            for (const char* ending : {".u16", ".json"})
+                std::filesystem::rename(folder_ / "other" / (std::string("watched") + ending), folder_ / (std::string("watched") + ending));
+            return true;
+        };
         QVERIFY(write(3));
         WindowFixture on;
         QVERIFY(on.showWith(path));

@@ -144,6 +144,8 @@ constexpr std::array kTexts{
     QT_TRANSLATE_NOOP("QObject", "line %1, beam %2"),
     QT_TRANSLATE_NOOP("QObject", "no cell of this scan"),
     QT_TRANSLATE_NOOP("QObject", "its cells hold no points now"),
+    QT_TRANSLATE_NOOP("QObject", "M%1 %2"),
+    QT_TRANSLATE_NOOP("QObject", "E, N, RL: %1"),
     QT_TRANSLATE_NOOP("QObject", "Distance: %1"),
     QT_TRANSLATE_NOOP("QObject", "Dip / direction: %1"),
     QT_TRANSLATE_NOOP("QObject", "Edge: %1"),

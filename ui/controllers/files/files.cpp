@@ -44,7 +44,7 @@ std::string stampOf(const QString& path) {
     fs::path file = exactBytes(path);
     for (const fs::path& each : {file, file.extension() == ".json" ? file.replace_extension(".u16") : fs::path()}) {
         std::error_code none;
-        if (each.empty() || !fs::is_regular_file(each, none)) continue;
+        if (each.empty() || !fs::is_regular_file(each, none)) break;
         stamp += std::to_string(fs::file_size(each, none)) + " " +
                  std::to_string(fs::last_write_time(each, none).time_since_epoch().count()) + " ";
     }
