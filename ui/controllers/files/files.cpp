@@ -270,7 +270,7 @@ void Files::watch(const QString& path) {
 void Files::lookOnDisk() {
     const std::string now = stampOf(path_);
     if (now == stamp_) return;
-    const QString name = shownName(path_);
+    const QString name = shownName(QFileInfo(path_).fileName());
     watch(path_); // a replaced file is another one for the watcher
     if (now.empty())
         return notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was moved or removed. Its picture stays on the screen.").arg(name));
