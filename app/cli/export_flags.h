@@ -32,6 +32,9 @@ void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& gro
 /// Error: an extension that names no format for the kind, or a folder with the name of a file.
 Result<Done> checkExtensions(const ExportPaths& paths);
 
+/// Error: the folder of -o is a file, or has the name of one.
+Result<Done> checkFolder(const std::string& folder);
+
 struct WantedExport {
     const exports::ExportKind* kind;
     std::string path;

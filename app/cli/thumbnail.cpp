@@ -1,6 +1,7 @@
 // edgescan-cli thumbnail: a small picture of a scan, for file managers.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "core/base/foreign_text.h"
 #include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
 
@@ -35,16 +36,21 @@ Grid<std::uint8_t> shrunk(const Scan& scan, const Grid<std::uint8_t>& levels, in
 }
 
 int run(const Thumbnail& thumbnail) {
+    if (!isStreamOrDevice(thumbnail.out) && !thumbnail.out.ends_with(".png")) {
+        printError({"the picture is a PNG", thumbnail.out, "give a name that ends with .png"});
+        return kWrongUsage;
+    }
     const Result<Scan> scan = files::openScan(thumbnail.in);
     if (!scan) {
         printError(scan.error());
         return kRefused;
     }
-    const Result<Done> saved =
-        containers::savePng8(shrunk(*scan, edges::grayImage(*scan, edges::Settings{}).levels, thumbnail.size), thumbnail.out);
-    if (saved) return kDone;
-    printError(saved.error());
-    return kRefused;
+    const Grid<std::uint8_t> picture = shrunk(*scan, edges::grayImage(*scan, edges::Settings{}).levels, thumbnail.size);
+    const Result<Done> saved = containers::savePng8(picture, thumbnail.out);
+    printError(saved ? printable(thumbnail.in) + ": " + std::to_string(picture.beams) + " x " + std::to_string(picture.lines) +
+                           " pixels; written to " + printable(thumbnail.out) + "."
+                     : saved.error().sentence());
+    return saved ? kDone : kRefused;
 }
 
 } // namespace

@@ -175,8 +175,7 @@ TEST_F(Cli, SimulateRefusesFlagsThatChangeNothingInItsScene) {
     const std::string simulate = "simulate -o " + out + " --lines 20 --beams 30 ";
     const auto refused = runLab(simulate + "--scene pile --hole-shape round");
     EXPECT_EQ(refused.code, 2);
-    EXPECT_EQ(refused.err,
-              "edgescan-lab: --hole-shape: the scene pile takes no notice of this flag; leave it out, or choose --scene wall.\n");
+    EXPECT_EQ(refused.err, "edgescan-lab: --hole-shape: the scene pile does not use this flag; leave it out, or choose --scene wall.\n");
     for (const char* flags :
          {"--surface a.ply", "--scene wall --surface-scale 2", "--scene hangup --distance 3", "--scene staircase --hole-size 1",
           "--scene empty --rock-count 5", "--scene staircase --wall-roughness 5", "--scene rescan --hole-count 2",
