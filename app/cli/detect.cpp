@@ -99,7 +99,7 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const std::string found = printable(file) + ": " + summary(*detection);
     if (places.empty())
         printResult(found);
-    else
+    else if (writesFiles(out.paths()))
         printError(found + "; written to " + places + (detect.out.folder.empty() ? "" : ": " + namesText(out.paths())) + ".");
     if (!coordinates->empty()) printError(places + ": " + *coordinates);
     return Done{};

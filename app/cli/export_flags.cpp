@@ -40,6 +40,10 @@ void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& gro
     command.add_option("-o,--output", paths.folder, "Folder for all of these, under the scan's name")->type_name("DIR")->group(group);
 }
 
+bool writesFiles(const std::vector<std::string>& paths) {
+    return std::ranges::any_of(paths, [](const std::string& path) { return !path.empty() && !isStreamOrDevice(path); });
+}
+
 Result<Done> checkFolder(const std::string& folder) {
     const bool isFile = files::writtenFormat(folder) != nullptr || (fs::exists(folder) && !isStreamOrDevice(folder));
     if (folder.empty() || !isFile || fs::is_directory(folder)) return Done{};

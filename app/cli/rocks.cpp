@@ -129,7 +129,7 @@ Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detecti
     if (!flags.writeEdits.empty()) places += (places.empty() ? "" : ", ") + printable(flags.writeEdits);
     if (flags.why.empty() && places.empty())
         printResult(summary(*study, flags.file));
-    else if (flags.why.empty())
+    else if (flags.why.empty() && writesFiles(paths))
         printError(summary(*study, flags.file) + "; written to " + places +
                    (inFolder ? ": " + namesText({paths.begin() + 1, paths.end()}) : "") + ".");
     if (study->rocks.empty() && !files.empty())
