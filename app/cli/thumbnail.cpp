@@ -6,7 +6,9 @@
 #include "core/edges/gray/gray.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <string_view>
 
 namespace edgescan::cli {
 namespace {
@@ -36,7 +38,9 @@ Grid<std::uint8_t> shrunk(const Scan& scan, const Grid<std::uint8_t>& levels, in
 }
 
 int run(const Thumbnail& thumbnail) {
-    if (!isStreamOrDevice(thumbnail.out) && !thumbnail.out.ends_with(".png")) {
+    // File managers give names of temporary files, without .png.
+    constexpr std::array<std::string_view, 8> kOthers{".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".pdf"};
+    if (std::ranges::any_of(kOthers, [&](std::string_view other) { return asciiLower(thumbnail.out).ends_with(other); })) {
         printError({"the picture is a PNG", thumbnail.out, "give a name that ends with .png"});
         return kWrongUsage;
     }

@@ -146,7 +146,8 @@ TEST_F(Cli, FlagsOfGrayLevelsAskForCanny) {
     // Contradicting flags and flags without effect are refused. If a method is given, every setting of a record may be typed.
     for (const char* usage : {"--lower 3 --crease 50", "--log-mask 8"})
         EXPECT_EQ(runCli("detect " + scanPath + " " + usage).code, 2) << usage;
-    EXPECT_EQ(runCli("detect " + scanPath + " --method canny --lower 3 --crease 50").code, 2) << "not used by a method that is named either";
+    EXPECT_EQ(runCli("detect " + scanPath + " --method canny --lower 3 --crease 50").code, 2)
+        << "not used by a method that is named either";
 }
 
 TEST_F(Cli, HelpListsEveryParameterWithLimitsAndDefault) {

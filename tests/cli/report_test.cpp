@@ -58,7 +58,8 @@ TEST(CliReport, IsOneFileThatLoadsNothingAndPromisesNothing) {
     const std::regex made("<dt>Made</dt><dd>[^<]*</dd>");
     EXPECT_EQ(std::regex_replace(fileText(page), made, ""), std::regex_replace(text, made, ""));
     fs::copy_file(scan, folder / "scan.html");
-    EXPECT_EQ(runCli("report " + (folder / "scan.html").string() + " -o " + (folder / "scan.html").string()).code, 1); // never over the input
+    EXPECT_EQ(runCli("report " + (folder / "scan.html").string() + " -o " + (folder / "scan.html").string()).code,
+              1); // never over the input
     EXPECT_EQ(runCli("report " + (folder / "none.pcd").string() + " -o " + (folder / "n.html").string()).code, 1);
     EXPECT_FALSE(fs::exists(folder / "n.html"));
 }
