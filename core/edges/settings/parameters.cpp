@@ -170,7 +170,7 @@ bool stripUnit(const Parameter& parameter, std::string_view& text, double& facto
 // ", in mm, or with its unit: mm or m"
 std::string unitText(const Parameter& parameter) {
     const std::string unit = parameter.unit;
-    return unit.empty() ? "" : ", in " + unit + (unit == "mm" ? ", or with its unit: mm or m" : "");
+    return unit.empty() || unit == "x" ? "" : ", in " + unit + (unit == "mm" ? ", or with its unit: mm or m" : "");
 }
 
 // "jump,concave" -> the sum of their values; "all" and "none" are also accepted.
