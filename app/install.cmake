@@ -45,13 +45,9 @@ if(EDGESCAN_SYSTEM_PYTHON)
 endif()
 if(EDGESCAN_SYSTEM_PYTHON AND without_markdown EQUAL 0)
   file(GLOB_RECURSE EDGESCAN_PAGES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/*.md ${CMAKE_SOURCE_DIR}/docs/*.png)
-  set(programs edgescan-cli edgescan-lab)
-  if(TARGET edgescan)
-    list(APPEND programs edgescan)
-  endif()
   add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/manual/index.html
-    COMMAND ${EDGESCAN_SYSTEM_PYTHON} -B ${CMAKE_SOURCE_DIR}/docs/make-manual ${CMAKE_BINARY_DIR}/manual $<TARGET_FILE_DIR:edgescan-cli>
-    DEPENDS ${EDGESCAN_PAGES} ${CMAKE_SOURCE_DIR}/docs/make-manual ${CMAKE_SOURCE_DIR}/docs/command_pages.py ${programs}
+    COMMAND ${EDGESCAN_SYSTEM_PYTHON} -B ${CMAKE_SOURCE_DIR}/docs/make-manual ${CMAKE_BINARY_DIR}/manual
+    DEPENDS ${EDGESCAN_PAGES} ${CMAKE_SOURCE_DIR}/docs/make-manual
     COMMENT "Making the manual" VERBATIM)
   add_custom_target(edgescan_manual ALL DEPENDS ${CMAKE_BINARY_DIR}/manual/index.html)
   install(DIRECTORY ${CMAKE_BINARY_DIR}/manual/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/edgescan/html COMPONENT viewer OPTIONAL)

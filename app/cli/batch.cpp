@@ -1,6 +1,7 @@
 // edgescan-cli batch: runs the method over a whole archive. An interrupted run can be continued (docs/reference/batch.md).
 #include "app/cli/batch_scan.h"
 #include "app/cli/commands.h"
+#include "app/cli/export_flags.h"
 #include "app/shared/interrupt.h"
 #include "app/shared/json_output.h"
 #include "core/base/bounded_json.h"
@@ -325,6 +326,7 @@ int run(Batch& batch) {
         printError(error);
         return code;
     };
+    if (const auto folder = checkFolder(batch.results); !folder) return refuse(folder.error(), kWrongUsage);
     if (const auto method = checkMethod(batch.method); !method) return refuse(method.error(), kWrongUsage);
     const auto wanted = wantedFiles(batch.wanted);
     if (!wanted) return refuse(wanted.error(), kWrongUsage);

@@ -18,8 +18,8 @@ namespace edgescan::cli {
 namespace {
 
 struct CompareFlags {
-    std::vector<std::string> files, poses;
-    std::string json, picture;
+    std::string before, now, json, picture;
+    std::vector<std::string> poses;
     bool bySurfaces = false;
     ReadFlags read;
     MethodFlags method;
@@ -47,15 +47,12 @@ Result<inspect::RegistrationRequest> wishOf(const CompareFlags& flags) {
 }
 
 Result<Done> compare(const CompareFlags& flags) {
-    if (flags.files.size() != 2)
-        return Error{"two scans are compared, and one was given", "compare",
-                     "give the scan before, then the scan now; edgescan-lab benchmark compares methods on one scan"};
     if (auto distinct = checkDistinct(std::array{flags.json, flags.picture}); !distinct) return distinct;
     const auto wish = wishOf(flags);
     if (!wish) return wish.error();
-    const auto before = detected(flags, flags.files[0]);
+    const auto before = detected(flags, flags.before);
     if (!before) return before.error();
-    const auto now = detected(flags, flags.files[1]);
+    const auto now = detected(flags, flags.now);
     if (!now) return now.error();
     const Scan& later = *(*now)->scan;
     const auto found = inspect::sceneChange({(*now)->scan, (*now)->mask}, {(*before)->scan, (*before)->mask}, *wish);
@@ -65,7 +62,7 @@ Result<Done> compare(const CompareFlags& flags) {
     }
     if (flags.json != "-" && flags.picture != "-") printResult(inspect::changeText(later, *found));
     if (flags.json.empty()) return Done{};
-    nlohmann::ordered_json report{{"before", flags.files[0]}, {"now", flags.files[1]}};
+    nlohmann::ordered_json report{{"before", flags.before}, {"now", flags.now}};
     report.update(inspect::changeReport(later, *found));
     return writeDocument(flags.json, document("compare", report));
 }
@@ -76,7 +73,8 @@ void addCompare(CLI::App& app, int& code) {
     auto flags = std::make_shared<CompareFlags>();
     CLI::App& command = *app.add_subcommand(
         "compare", "Finds what changed between two scans of one place: edges gained and lost, surfaces nearer and farther");
-    command.add_option("SCAN", flags->files, "The scan before, and the scan now")->required()->expected(1, 2);
+    command.add_option("BEFORE", flags->before, "The scan before")->required();
+    command.add_option("NOW", flags->now, "The scan now")->required();
     addPosesFlag(command, flags->poses);
     command.add_flag("--by-surfaces", flags->bySurfaces, "Line the scans up by their surfaces, also where there are poses");
     addJsonFlag(command, flags->json, "All figures and regions");
@@ -87,8 +85,9 @@ void addCompare(CLI::App& app, int& code) {
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     command.callback([flags, &code] {
-        const Result<Done> result = compare(*flags);
-        code = result ? kDone : flags->files.size() == 2 ? kRefused : kWrongUsage;
+        const Result<Done> method = checkMethod(flags->method);
+        const Result<Done> result = method ? compare(*flags) : method;
+        code = result ? kDone : method ? kRefused : kWrongUsage;
         if (!result) printError(result.error());
     });
 }

@@ -40,6 +40,8 @@ int run(const Convert& convert) {
         return kRefused;
     }
     for (const std::string& sentence : lost) printError(printable(convert.in) + ": " + sentence);
+    printError(printable(convert.in) + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) +
+               " beams; written to " + placesText({convert.out}) + ".");
     printError(placesText({convert.out}) + ": " + exports::coordinatesText(*saved->coordinates));
     return kDone;
 }

@@ -99,10 +99,8 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const std::string found = printable(file) + ": " + summary(*detection);
     if (places.empty())
         printResult(found);
-    else if (detect.out.folder.empty())
-        reportWritten(found + "; written to " + places + ".", detect.read);
-    else
-        printError(found + "; written to " + places + ": " + namesText(out.paths()) + ".");
+    else if (writesFiles(out.paths()))
+        printError(found + "; written to " + places + (detect.out.folder.empty() ? "" : ": " + namesText(out.paths())) + ".");
     if (!coordinates->empty()) printError(places + ": " + *coordinates);
     return Done{};
 }

@@ -40,10 +40,19 @@ void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& gro
     command.add_option("-o,--output", paths.folder, "Folder for all of these, under the scan's name")->type_name("DIR")->group(group);
 }
 
+bool writesFiles(const std::vector<std::string>& paths) {
+    return std::ranges::any_of(paths, [](const std::string& path) { return !path.empty() && !isStreamOrDevice(path); });
+}
+
+Result<Done> checkFolder(const std::string& folder) {
+    const bool isFile = files::writtenFormat(folder) != nullptr || (fs::exists(folder) && !isStreamOrDevice(folder));
+    if (folder.empty() || !isFile || fs::is_directory(folder)) return Done{};
+    return Error{"this command writes several files into a folder, and this is the name of one file", "-o " + folder,
+                 "give a folder, or one of the flags of a single file such as --edges"};
+}
+
 Result<Done> checkExtensions(const ExportPaths& paths) {
-    if (!paths.folder.empty() && files::writtenFormat(paths.folder) != nullptr && !fs::is_directory(paths.folder))
-        return Error{"this command writes several files into a folder, and this is the name of one file", "-o " + paths.folder,
-                     "give a folder, or one of the flags of a single file such as --edges"};
+    if (auto folder = checkFolder(paths.folder); !folder) return folder;
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         const std::string& path = paths.of(kind);
         if (path.empty()) continue;

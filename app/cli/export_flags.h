@@ -32,6 +32,12 @@ void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& gro
 /// Error: an extension that names no format for the kind, or a folder with the name of a file.
 Result<Done> checkExtensions(const ExportPaths& paths);
 
+/// Whether one of these paths is a file, and not standard output or a device.
+bool writesFiles(const std::vector<std::string>& paths);
+
+/// Error: the folder of -o is a file, or has the name of one.
+Result<Done> checkFolder(const std::string& folder);
+
 struct WantedExport {
     const exports::ExportKind* kind;
     std::string path;

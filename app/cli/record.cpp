@@ -28,7 +28,7 @@ struct Record {
     std::string json = "-";
     std::string axis, topic, joint;
     int lines = 0;
-    double seconds = 0.0;
+    double seconds = 0.0, timeoutS = 0.0;
     bool progress = false;
     Mounting mounting;
 };
@@ -49,6 +49,7 @@ bool finished(const Record& record, const files::LiveStatus& status, std::chrono
     if (interrupted() || status.connection.phase == scanner::ConnectionPhase::Stopped) return true;
     if (status.recording && status.recording->ended) return true;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (record.timeoutS > 0 && status.lines == 0 && elapsed.count() >= record.timeoutS) return true;
     return (record.lines > 0 && status.lines >= record.lines) || (record.seconds > 0 && elapsed.count() >= record.seconds);
 }
 
@@ -148,8 +149,13 @@ int run(const Record& record) {
     catchInterrupt();
     const auto start = std::chrono::steady_clock::now();
     const bool showsProgress = record.progress || isatty(STDERR_FILENO) != 0;
+    std::string reported; // why nothing comes, once for each reason
     while (!finished(record, feed.status(), start)) {
-        if (showsProgress) showStatus(feed.status());
+        const files::LiveStatus now = feed.status();
+        const std::string problem = now.connection.problem ? now.connection.problem->sentence() : std::string();
+        if (!problem.empty() && problem != reported) printError(now.connection.sentence + " Ctrl+C ends.");
+        reported = problem;
+        if (showsProgress) showStatus(now);
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     files::LiveStatus status = feed.status();
@@ -192,6 +198,7 @@ void addRecord(CLI::App& app, int& code) {
     addJsonFlag(command, record->json, "Account of the recording, when it has ended").capture_default_str();
     addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly this number of lines; 0 = until Ctrl+C");
     addNumber(command, "--seconds", record->seconds, kSeconds, "End after this time [s]; 0 = run on");
+    addNumber(command, "--timeout", record->timeoutS, kSeconds, "End if no line has come by this time [s]; 0 = try again until Ctrl+C");
     const char* group = "Mounting of the stepper (what is not given is assumed, reported and marked in the recording)";
     Mounting& mounting = record->mounting;
     command.add_option("--axis", record->axis, "What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)")

@@ -1,5 +1,6 @@
 // edgescan-cli report: one HTML page about a scan.
 #include "app/cli/commands.h"
+#include "app/cli/export_flags.h"
 #include "app/cli/rock_flags.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
@@ -64,17 +65,14 @@ Result<std::string> logoOf(const ReportCommand& report) {
 }
 
 /// This program writes pages. A browser prints them.
-Result<Done> checkOutput(const ReportCommand& report) {
-    const std::filesystem::path extension = std::filesystem::path(report.out).extension();
-    if (extension != ".pdf" && extension != ".PDF") return Done{};
-    return Error{
-        "the command line writes a report as HTML, not as PDF", report.out,
-        "give a name that ends with .html, and print the page: chromium --headless --print-to-pdf=report.pdf report.html; the viewer "
-        "writes a PDF itself"};
+Result<Done> checkOutput(const std::string& out) {
+    const std::string extension = std::filesystem::path(out).extension().string();
+    if (isStreamOrDevice(out) || extension == ".html" || extension == ".htm") return Done{};
+    return Error{"the report is HTML", out,
+                 "give a name that ends with .html; a browser prints it as PDF: chromium --headless --print-to-pdf=report.pdf report.html"};
 }
 
 Result<Done> make(const ReportCommand& report) {
-    if (auto right = checkOutput(report); !right) return right;
     const Result<std::string> logo = logoOf(report);
     if (!logo) return logo.error();
     Result<Scan> opened = openAndWarn(report.file, report.read);
@@ -106,13 +104,16 @@ Result<Done> make(const ReportCommand& report) {
     }
     const std::string page = exports::scanPage(*detection, words, notes);
     if (auto written = writeWholeFile(report.out, page); !written) return written;
-    reportWritten(printable(report.file) + ": a report of " + fixedText(static_cast<double>(page.size()) / 1e6, 1) + " MB; written to " +
-                      printable(report.out) + ".",
-                  report.read);
+    printError(printable(report.file) + ": a report of " + fixedText(static_cast<double>(page.size()) / 1e6, 1) + " MB; written to " +
+               placesText({report.out}) + ".");
     return Done{};
 }
 
 int run(ReportCommand& report) {
+    if (const auto right = checkOutput(report.out); !right) {
+        printError(right.error());
+        return kWrongUsage;
+    }
     if (const auto method = checkMethod(report.method); !method) {
         printError(method.error());
         return kWrongUsage;

@@ -129,10 +129,9 @@ Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detecti
     if (!flags.writeEdits.empty()) places += (places.empty() ? "" : ", ") + printable(flags.writeEdits);
     if (flags.why.empty() && places.empty())
         printResult(summary(*study, flags.file));
-    else if (flags.why.empty() && inFolder)
-        printError(summary(*study, flags.file) + "; written to " + places + ": " + namesText({paths.begin() + 1, paths.end()}) + ".");
-    else if (flags.why.empty())
-        reportWritten(summary(*study, flags.file) + "; written to " + places + ".", flags.read);
+    else if (flags.why.empty() && writesFiles(paths))
+        printError(summary(*study, flags.file) + "; written to " + places +
+                   (inFolder ? ": " + namesText({paths.begin() + 1, paths.end()}) : "") + ".");
     if (study->rocks.empty() && !files.empty())
         printError(printable(flags.file) +
                    ": no rock was found, so the files hold none; a smaller --min-cells or another --level finds more.");

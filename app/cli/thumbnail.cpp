@@ -1,11 +1,14 @@
 // edgescan-cli thumbnail: a small picture of a scan, for file managers.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "core/base/foreign_text.h"
 #include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <string_view>
 
 namespace edgescan::cli {
 namespace {
@@ -35,16 +38,23 @@ Grid<std::uint8_t> shrunk(const Scan& scan, const Grid<std::uint8_t>& levels, in
 }
 
 int run(const Thumbnail& thumbnail) {
+    // File managers give names of temporary files, without .png.
+    constexpr std::array<std::string_view, 8> kOthers{".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".pdf"};
+    if (std::ranges::any_of(kOthers, [&](std::string_view other) { return asciiLower(thumbnail.out).ends_with(other); })) {
+        printError({"the picture is a PNG", thumbnail.out, "give a name that ends with .png"});
+        return kWrongUsage;
+    }
     const Result<Scan> scan = files::openScan(thumbnail.in);
     if (!scan) {
         printError(scan.error());
         return kRefused;
     }
-    const Result<Done> saved =
-        containers::savePng8(shrunk(*scan, edges::grayImage(*scan, edges::Settings{}).levels, thumbnail.size), thumbnail.out);
-    if (saved) return kDone;
-    printError(saved.error());
-    return kRefused;
+    const Grid<std::uint8_t> picture = shrunk(*scan, edges::grayImage(*scan, edges::Settings{}).levels, thumbnail.size);
+    const Result<Done> saved = containers::savePng8(picture, thumbnail.out);
+    printError(saved ? printable(thumbnail.in) + ": " + std::to_string(picture.beams) + " x " + std::to_string(picture.lines) +
+                           " pixels; written to " + printable(thumbnail.out) + "."
+                     : saved.error().sentence());
+    return saved ? kDone : kRefused;
 }
 
 } // namespace

@@ -20,7 +20,11 @@ namespace {
 cli::MethodFlags flagsOf(const Typed& typed, const std::string& preset) {
     cli::MethodFlags flags = cli::noFlags();
     flags.preset = preset;
-    for (const auto& [key, text] : typed) flags.typed.at(key) = text;
+    for (const auto& [name, text] : typed) {
+        std::string& value = flags.typed.at(edges::findParameter(name)->key);
+        if (value != cli::kNotTyped) throw Refused{{"two names of one setting are given", name, "give one of them"}};
+        value = text;
+    }
     return flags;
 }
 

@@ -2,6 +2,7 @@
 #include "app/python/module.h"
 #include "core/edges/edgescan_plus/range_field.h"
 
+#include "core/base/file_address.h"
 #include "core/base/foreign_text.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
@@ -13,11 +14,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 namespace edgescan::python {
 namespace {
 
-ScanObject openFile(const std::string& path, const Typed& typed) {
+ReadingOptions optionsOf(const Typed& typed) {
     ReadingOptions options;
     for (const ReadingOption& option : readingOptionTable()) {
         const auto text = typed.find(option.key);
@@ -26,9 +28,24 @@ ScanObject openFile(const std::string& path, const Typed& typed) {
         option.set(options, text->second);
     }
     options.progress = [](const char*, double) { return noSignal(); };
+    return options;
+}
+
+ScanObject openFile(const std::string& path, const Typed& typed) {
+    const ReadingOptions options = optionsOf(typed);
     Result<Scan> scan = unlocked([&] { return files::openAsAsked(path, options); });
     raiseSignal();
     return {std::make_shared<const Scan>(taken(std::move(scan)))};
+}
+
+/// A scan of a file's content, given its extension.
+ScanObject scanOfContent(const std::string& content, const std::string& extension, const std::string& name, const Typed& typed) {
+    const ReadingOptions options = optionsOf(typed);
+    Result<Scan> scan = unlocked([&] { return files::readScanBytes(std::as_bytes(std::span(content)), extension, options); });
+    raiseSignal();
+    Scan read = taken(std::move(scan));
+    read.name = name;
+    return {std::make_shared<const Scan>(std::move(read))};
 }
 
 py::array_t<double> pointsOf(const ScanPtr& scan, const std::string& name) {
@@ -138,6 +155,8 @@ void bindScan(py::module_& module) {
         "float64, lines: seconds since 1970 UTC at which each line was measured. None where the scan does not say it.");
     type.def("__repr__", [](const ScanObject& self) { return textOf(*self.scan); });
     module.def("open", &openFile);
+    module.def("scan_of_content", &scanOfContent);
+    module.def("path_of_address", [](const std::string& text) { return py::bytes(taken(pathOfAddress(text))); });
     module.def("scan_xyz", [](const ScanObject& scan, const std::string& frame) { return pointsOf(scan.scan, frame); });
     module.def("scan_info", [](const ScanObject& scan) { return objectOf(exports::infoReport(*scan.scan)); });
 }

@@ -58,6 +58,13 @@ void bindTables(py::module_& module) {
         for (const edges::Parameter& p : edgescan::edges::parameters()) rows.append(rowOf(p));
         return rows;
     });
+    module.def("other_names", [] {
+        std::map<std::string, std::string> keys; // by the name of the flag
+        for (const edges::Parameter& p : edgescan::edges::parameters()) {
+            if (p.name != nullptr) keys[p.name] = p.key;
+        }
+        return keys;
+    });
     module.def("presets", [] {
         std::vector<std::string> names;
         for (const edges::Preset& preset : edges::builtInPresets()) names.push_back(preset.name);

@@ -18,7 +18,7 @@
 namespace edgescan::cli {
 namespace {
 
-std::string programName = "edgescan-cli";
+std::string typedName = "edgescan-cli";
 std::atomic<bool> progressLineOpen{false}; // an error message then starts on a new line
 
 std::string repeated(const std::string& what) {
@@ -27,15 +27,17 @@ std::string repeated(const std::string& what) {
 
 } // namespace
 
-void setProgramName(const std::string& name) { programName = name; }
+void setProgramName(const std::string& name) { typedName = name; }
+
+const std::string& programName() { return typedName; }
 
 std::string versionText() {
-    return programName + " " + version() + " (commit " + commit() + ")\nLicence: BSD-3-Clause. Without any warranty.";
+    return typedName + " " + version() + " (commit " + commit() + ")\nLicence: BSD-3-Clause. Without any warranty.";
 }
 
 void printError(const std::string& sentence) {
     if (progressLineOpen.exchange(false)) std::cerr << '\n';
-    std::cerr << programName << ": " << printable(sentence, 4 * kMostShown) << '\n';
+    std::cerr << typedName << ": " << printable(sentence, 4 * kMostShown) << '\n';
 }
 
 void printError(const Error& error) { printError(error.sentence()); }

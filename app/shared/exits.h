@@ -24,6 +24,7 @@ inline constexpr int kPartly = 4;     ///< of several scans some were refused; t
 
 /// Sets the name before each message on stderr; "edgescan-cli" by default.
 void setProgramName(const std::string& name);
+[[nodiscard]] const std::string& programName();
 
 /// "edgescan-cli: SENTENCE" on stderr.
 void printError(const Error& error);

@@ -116,20 +116,10 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
     command.add_option("--role", flags.role, "Role of the operator, stored in the record")->type_name("NAME")->group(group);
 }
 
-namespace {
-
-bool wantsProgress(const ReadFlags& flags) { return flags.progress || isatty(STDERR_FILENO) != 0; }
-
-} // namespace
-
 ReadingOptions readingOptions(const ReadFlags& flags) {
     ReadingOptions options = flags.options;
-    if (wantsProgress(flags)) options.progress = showStage;
+    if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = showStage;
     return options;
-}
-
-void reportWritten(const std::string& sentence, const ReadFlags& flags) {
-    if (wantsProgress(flags)) printError(sentence);
 }
 
 Result<Scan> openAndWarn(const std::string& file, const ReadFlags& flags) {
@@ -153,7 +143,8 @@ void addMethodFlags(CLI::App& command, MethodFlags& flags) {
         ->group(group);
     flags = noFlags();
     for (const edges::Parameter& p : edges::parameters()) {
-        command.add_option(std::string("--") + p.key, flags.typed[p.key], hint(p))->group(group);
+        const std::string older = p.name != nullptr ? std::string(",--") + p.key : std::string();
+        command.add_option(edges::flagOf(p) + older, flags.typed[p.key], hint(p))->group(group);
     }
 }
 

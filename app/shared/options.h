@@ -32,9 +32,6 @@ void addPosesFlag(CLI::App& command, std::vector<std::string>& poses);
 /// The reading options of the flags. Progress is printed on stderr if it is a terminal or with --progress.
 [[nodiscard]] ReadingOptions readingOptions(const ReadFlags& flags);
 
-/// Prints the results and the written files on stderr, if it is a terminal or with --progress.
-void reportWritten(const std::string& sentence, const ReadFlags& flags);
-
 /// Opens the scan. Warnings about assumed, repaired or dropped data are printed on stderr.
 [[nodiscard]] Result<Scan> openAndWarn(const std::string& file, const ReadFlags& flags);
 

@@ -33,7 +33,7 @@ std::string typedFlags(const MethodFlags& flags) {
     std::string text = flags.preset.empty() ? "" : "--preset " + shellQuoted(flags.preset);
     for (const edges::Parameter& p : edges::parameters()) {
         const std::string& value = flags.typed.at(p.key);
-        if (value != kNotTyped) text += (text.empty() ? "--" : " --") + std::string(p.key) + " " + shellQuoted(value);
+        if (value != kNotTyped) text += (text.empty() ? "" : " ") + edges::flagOf(p) + " " + shellQuoted(value);
     }
     return text;
 }
@@ -70,13 +70,15 @@ Result<edges::Settings> settingsBut(const MethodFlags& flags) {
         settings.lower = edges::lowerWithSameStep(before, settings);
     }
     if (const auto checked = edges::checkSettings(settings); !checked) return checked.error();
-    // With a method or a preset every parameter may be typed. Without them a flag that has no effect is an error.
-    const bool chosen = !flags.preset.empty() || flags.typed.at("method") != kNotTyped;
     for (const auto& [key, text] : flags.typed) {
-        if (chosen || text == kNotTyped || edges::findParameter(key)->usedBy(settings)) continue;
+        const edges::Parameter& parameter = *edges::findParameter(key);
+        if (text == kNotTyped || parameter.usedBy(settings)) continue;
+        edges::Settings usual;
+        usual.method = settings.method;
         const edges::Parameter& method = *edges::findParameter("method");
-        return Error{"the method " + edges::formatValue(method, method.get(settings)) + " takes no notice of this flag", "--" + key,
-                     "leave it out, or name a --method or --preset that uses it"};
+        return Error{"the method " + edges::formatValue(method, method.get(settings)) + " does not use this flag" +
+                         (parameter.usedBy(usual) ? " with the other settings" : ""),
+                     edges::flagOf(parameter), "leave it out, or name a --method or --preset that uses it"};
     }
     return settings;
 }

@@ -20,25 +20,26 @@ namespace {
 /// false; the last one counts.
 void checkSwitches(CLI::App& app, const std::vector<std::string>& words) {
     const auto trueOrFalse = [](const std::string& value) {
-        return value == "true" || value == "false" ? std::string() : "\"" + value + "\" is not true or false";
+        return value == "true" || value == "false" ? std::string()
+                                                   : "\"" + value + "\" is not true or false; write the flag alone, or with =false";
     };
     for (CLI::Option* option : app.get_options([](const CLI::Option* one) { return one->get_items_expected_max() == 0; })) {
         const bool answers = option == app.get_help_ptr() || option == app.get_version_ptr();
         for (const std::string& name : option->get_lnames()) {
             const std::string flag = "--" + name;
             if (answers && std::ranges::any_of(words, [&](const std::string& word) { return word.starts_with(flag + "="); }))
-                throw CLI::ValidationError(flag, "takes no value");
+                throw CLI::ValidationError(flag, "takes no value; write the flag alone");
             // CLI11 does not distinguish an empty value from none
-            if (std::ranges::find(words, flag + "=") != words.end()) throw CLI::ValidationError(flag, "\"\" is not true or false");
+            if (std::ranges::find(words, flag + "=") != words.end()) throw CLI::ValidationError(flag, trueOrFalse(""));
         }
         if (!answers) option->check(trueOrFalse);
     }
     for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) checkSwitches(*command, words);
 }
 
-/// A name of version 0.1 and what to type now.
+/// A name of version 0.1 or of another program, and what to type.
 struct Renamed {
-    std::string_view command; ///< empty: the name is that of a command, or a flag of a program without commands
+    std::string_view command; ///< empty: the name is that of a command, or a flag of a program without commands; "*": a flag of any command
     std::string_view old, now;
 };
 constexpr std::array kRenamed = std::to_array<Renamed>({
@@ -48,6 +49,13 @@ constexpr std::array kRenamed = std::to_array<Renamed>({
     {"", "emulate", "edgescan-lab emulate"},
     {"", "calibrate", "edgescan-lab calibrate"},
     {"", "evaluate", "edgescan-lab evaluate"},
+    {"", "benchmark", "edgescan-lab benchmark"},
+    {"", "repeatability", "edgescan-lab repeatability"},
+    {"", "help", "COMMAND --help"},
+    {"*", "--threshold", "--edge-strength, or --lower for gray levels"},
+    {"*", "--strength", "--edge-strength"},
+    {"*", "-j", "--jobs"},
+    {"*", "-v", "--progress"},
     {"", "--standing", "--stop-and-go"},
     {"why", "--line", "--cell LINE,BEAM"},
     {"why", "--beam", "--cell LINE,BEAM"},
@@ -97,8 +105,9 @@ std::string nearest(const std::string& typed, const std::vector<std::string>& kn
 }
 
 std::string hintFor(std::string_view command, const std::string& typed, const std::vector<std::string>& known, const std::string& list) {
-    const auto renamed =
-        std::ranges::find_if(kRenamed, [&](const Renamed& one) { return one.command == command && one.old == std::string_view(typed); });
+    const auto renamed = std::ranges::find_if(kRenamed, [&](const Renamed& one) {
+        return (one.command == command || (one.command == "*" && !command.empty())) && one.old == std::string_view(typed);
+    });
     if (renamed != kRenamed.end()) return "use " + std::string(renamed->now);
     const std::string meant = nearest(typed, known);
     return (meant.empty() ? "" : "did you mean " + meant + "? ") + list;
@@ -121,38 +130,102 @@ std::optional<Error> unknownCommand(const CLI::App& app, const std::vector<std::
 
 bool isFlag(const std::string& word) { return word.size() > 1 && word.starts_with('-'); }
 
-/// Of a command line with `words` that are not expected.
-Error unexpected(const CLI::App& app, const std::vector<std::string>& words) {
-    const auto parsed = app.get_subcommands();
-    const CLI::App& command = parsed.empty() ? app : *parsed.front();
-    const std::string name = parsed.empty() ? "" : command.get_name();
+/// The command that was typed; without one, the program.
+const CLI::App& commandOf(const CLI::App& app) {
+    const auto typed = app.get_subcommands();
+    return typed.empty() ? app : *typed.front();
+}
+
+/// Of a command line with `left` that are not expected.
+Error unexpected(const CLI::App& app, const std::vector<std::string>& words, const std::vector<std::string>& left) {
+    const CLI::App& command = commandOf(app);
+    const std::string name = &command == &app ? "" : command.get_name();
     const std::string list = (name.empty() ? "" : name + " ") + "--help lists all flags";
-    const auto flag = std::ranges::find_if(words, isFlag);
-    if (flag == words.end()) return Error{"this argument is one too many", words.empty() ? "" : words.front(), list};
+    const auto flag = std::ranges::find_if(left, isFlag);
+    if (flag == left.end()) {
+        const std::string extra = left.empty() ? "" : left.front();
+        const auto at = std::ranges::find(words, extra);
+        // "--cell 1 2": the values of one flag, with a blank between them
+        const CLI::Option* option = at - words.begin() < 3 || at == words.end() ? nullptr : command.get_option_no_throw(*(at - 2));
+        const bool pair = option != nullptr && option->get_type_name().find(',') != std::string::npos;
+        return Error{"this argument is one too many", extra, pair ? "write " + *(at - 2) + " " + option->get_type_name() : list};
+    }
+    const std::string typed = flag->substr(0, flag->find('='));
+    if (words.size() > 1 && isFlag(words[1]) && !name.empty() && *flag == words[1])
+        return Error{"this flag belongs behind the command", typed, "type " + programName() + " " + name + " " + typed};
     std::vector<std::string> known;
     for (const CLI::Option* option : command.get_options([](const CLI::Option* one) { return !one->get_group().empty(); }))
         for (const std::string& one : option->get_lnames()) known.push_back("--" + one);
-    const std::string typed = flag->substr(0, flag->find('='));
     return Error{"there is no such flag", typed, hintFor(name, typed, known, list)};
 }
 
-/// "--sensor: At least 3 required but received 2": another number of values than the option takes.
-std::optional<Error> otherCount(const CLI::App& app, const std::string& sentence) {
-    constexpr std::string_view kReceived = " required but received ";
-    const std::size_t at = sentence.find(kReceived), colon = sentence.find(':');
-    if (at == sentence.npos || colon == sentence.npos) return std::nullopt;
-    const auto parsed = app.get_subcommands();
-    const CLI::App& command = parsed.empty() ? app : *parsed.front();
-    const CLI::Option* option = command.get_option_no_throw(sentence.substr(0, colon));
-    if (option == nullptr) return std::nullopt;
-    return Error{"takes " + std::to_string(option->get_items_expected_min()) + " values and got " + sentence.substr(at + kReceived.size()),
-                 option->get_name(), "its values: " + option->get_description()};
+/// "FILE", "NUMBER": what a flag takes, without its limits.
+std::string valueOf(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    const std::string word = type.substr(0, type.find_first_of(" {:"));
+    return word.empty() || word == "TEXT" ? "VALUE" : word;
 }
 
-std::string inOurWords(std::string sentence) {
-    for (std::size_t at = sentence.find("ubcommand"); at != std::string::npos; at = sentence.find("ubcommand"))
-        sentence.replace(at - 1, 10, sentence[at - 1] == 'S' ? "Command" : "command");
-    return sentence;
+/// An argument that must be there and is not.
+Error missing(const CLI::App& app, const CLI::App& command, const CLI::Option& option) {
+    if (!option.get_positional()) return {option.get_name() + " is missing", "", "give " + option.get_name() + " " + valueOf(option)};
+    std::string line = programName() + (&command == &app ? "" : " " + command.get_name());
+    for (const CLI::Option* one : command.get_options([](const CLI::Option* o) { return o->get_positional() && o->get_required(); }))
+        line += " " + one->get_name();
+    return {option.get_name() + " is missing", "", "type " + line};
+}
+
+/// Another number of values than the option takes: none, too few, or too many.
+Error otherCount(const CLI::Option& option, const std::string& sentence) {
+    constexpr std::string_view kReceived = "received ";
+    const std::size_t at = sentence.find(kReceived);
+    const int least = option.get_items_expected_min();
+    if (at == sentence.npos) return {"a value is missing", option.get_name(), "give " + option.get_name() + " " + valueOf(option)};
+    if (least < 2) return {option.get_name() + " is given more than once", "", "give it once"};
+    return {"takes " + std::to_string(least) + " values and got " + sentence.substr(at + kReceived.size()), option.get_name(),
+            "its values: " + option.get_description()};
+}
+
+/// "\"inch\" is not one of its values; use mm, cm or m" of CLI11's "inch not in {mm,cm,m}"; our own sentences stay.
+std::string refusedValue(const std::string& sentence) {
+    constexpr std::string_view kNotIn = " not in {", kValue = "Value ", kNotInRange = " not in range ";
+    if (const std::size_t range = sentence.find(kNotInRange); range != sentence.npos && sentence.starts_with(kValue))
+        return sentence.substr(kValue.size(), range - kValue.size()) + " is outside " + sentence.substr(range + kNotInRange.size()) +
+               "; give a number within these limits";
+    const std::size_t at = sentence.find(kNotIn);
+    if (at == sentence.npos) return sentence;
+    const std::vector<std::string> words =
+        CLI::detail::split(sentence.substr(at + kNotIn.size(), sentence.rfind('}') - at - kNotIn.size()), ',');
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : &word == &words.back() ? " or " : ", ") + word;
+    return "\"" + sentence.substr(0, at) + "\" is not one of its values; use " + list;
+}
+
+/// CLI11's error as what, where and what to do.
+Error inOurWords(const CLI::App& app, const CLI::ParseError& error) {
+    const std::string sentence = error.what();
+    const CLI::App& command = commandOf(app);
+    const std::string name = sentence.substr(0, sentence.find_first_of(": "));
+    const CLI::Option* option = command.get_option_no_throw(name);
+    const std::string list = (&command == &app ? "" : command.get_name() + " ") + "--help lists all flags";
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && option != nullptr) return missing(app, command, *option);
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && option != nullptr) return otherCount(*option, sentence);
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) return {sentence, "", "give one of them"};
+    if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return {sentence, "", "give both"};
+    if (dynamic_cast<const CLI::ValidationError*>(&error) == nullptr) return {sentence, "", list};
+    const std::size_t colon = sentence.find(": ");
+    const std::string value = refusedValue(colon == sentence.npos ? sentence : sentence.substr(colon + 2));
+    const std::size_t hint = value.find("; ");
+    return {value.substr(0, hint), colon == sentence.npos ? "" : sentence.substr(0, colon),
+            hint == value.npos ? list : value.substr(hint + 2)};
+}
+
+/// The desktop gives files by their addresses: "file:///a.pcd" is "/a.pcd", also as the value of a flag, "--pose=file:///a.json".
+Result<std::string> withoutAddress(const std::string& word) {
+    const std::size_t equals = isFlag(word) ? word.find('=') : word.npos;
+    if (equals == word.npos) return pathOfAddress(word);
+    auto value = pathOfAddress(word.substr(equals + 1));
+    return value ? word.substr(0, equals + 1) + *value : value;
 }
 
 } // namespace
@@ -165,7 +238,7 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
     std::vector<std::string> words;
     std::vector<const char*> typed;
     for (int n = 0; n < argc; ++n) {
-        auto word = pathOfAddress(argv[n]); // the desktop gives files by their addresses
+        auto word = withoutAddress(argv[n]);
         if (!word) {
             printError(word.error());
             return kWrongUsage;
@@ -188,11 +261,9 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
         const bool counted =
             dynamic_cast<const CLI::RequiredError*>(&error) != nullptr || dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
         if ((counted && std::ranges::any_of(left, isFlag)) || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
-            printError(unexpected(app, left));
-        else if (const auto count = otherCount(app, error.what()))
-            printError(*count);
+            printError(unexpected(app, words, left));
         else
-            printError(inOurWords(error.what()) + " (see --help)");
+            printError(inOurWords(app, error));
     }
     return kWrongUsage;
 }

@@ -1135,6 +1135,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>the robot's z axis</source><translation>el eje z del robot</translation></message>
 <message><source>forward</source><translation>hacia delante</translation></message>
 <message><source>up</source><translation>hacia arriba</translation></message>
+<message><source>down</source><translation>hacia abajo</translation></message>
 <message><source>by three angles</source><translation>según tres ángulos</translation></message>
 <message><source>by nine numbers</source><translation>según nueve números</translation></message>
 <message><source>two elevations</source><translation>dos elevaciones</translation></message>
@@ -2012,7 +2013,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Angle from beam to beam [degrees]</source><translation>Ángulo de un haz al siguiente [grados]</translation></message>
 <message><source>Angle of the first line [degrees]</source><translation>Ángulo de la primera línea [grados]</translation></message>
 <message><source>Angle from line to line [degrees]</source><translation>Ángulo de una línea a la siguiente [grados]</translation></message>
-<message><source>Unit of the numbers in the file, where it does not say</source><translation>Unidad de los números del archivo, donde este no la dice</translation></message>
+<message><source>Unit of the numbers in the file; replaces the one that the file gives</source><translation>Unidad de los números del archivo; sustituye a la que da el archivo</translation></message>
 <message><source>Millimetres per number in the file</source><translation>Milímetros por número del archivo</translation></message>
 <message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Celdas de una nube que se proyecta [grados]; si no, según el espaciado de sus puntos</translation></message>
 <message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>En torno a qué gira el motor paso a paso: spin (dirección de visión) o sweep (línea 0/180 grados)</translation></message>

@@ -1135,6 +1135,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>the robot's z axis</source><translation>l'axe z du robot</translation></message>
 <message><source>forward</source><translation>vers l'avant</translation></message>
 <message><source>up</source><translation>vers le haut</translation></message>
+<message><source>down</source><translation>vers le bas</translation></message>
 <message><source>by three angles</source><translation>selon trois angles</translation></message>
 <message><source>by nine numbers</source><translation>selon neuf nombres</translation></message>
 <message><source>two elevations</source><translation>deux élévations</translation></message>
@@ -2012,7 +2013,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Angle from beam to beam [degrees]</source><translation>Angle d'un faisceau à l'autre [degrés]</translation></message>
 <message><source>Angle of the first line [degrees]</source><translation>Angle de la première ligne [degrés]</translation></message>
 <message><source>Angle from line to line [degrees]</source><translation>Angle d'une ligne à l'autre [degrés]</translation></message>
-<message><source>Unit of the numbers in the file, where it does not say</source><translation>Unité des nombres du fichier, là où il ne la dit pas</translation></message>
+<message><source>Unit of the numbers in the file; replaces the one that the file gives</source><translation>Unité des nombres du fichier ; remplace celle que donne le fichier</translation></message>
 <message><source>Millimetres per number in the file</source><translation>Millimètres par nombre du fichier</translation></message>
 <message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Cellules d'un nuage qui est projeté [degrés] ; sinon d'après l'espacement de ses points</translation></message>
 <message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Ce autour de quoi le moteur pas à pas tourne : spin (direction de visée) ou sweep (ligne 0/180 degrés)</translation></message>

@@ -1135,6 +1135,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>the robot's z axis</source><translation>o eixo z do robô</translation></message>
 <message><source>forward</source><translation>para a frente</translation></message>
 <message><source>up</source><translation>para cima</translation></message>
+<message><source>down</source><translation>para baixo</translation></message>
 <message><source>by three angles</source><translation>segundo três ângulos</translation></message>
 <message><source>by nine numbers</source><translation>segundo nove números</translation></message>
 <message><source>two elevations</source><translation>duas elevações</translation></message>
@@ -2012,7 +2013,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Angle from beam to beam [degrees]</source><translation>Ângulo de um feixe ao seguinte [graus]</translation></message>
 <message><source>Angle of the first line [degrees]</source><translation>Ângulo da primeira linha [graus]</translation></message>
 <message><source>Angle from line to line [degrees]</source><translation>Ângulo de uma linha à seguinte [graus]</translation></message>
-<message><source>Unit of the numbers in the file, where it does not say</source><translation>Unidade dos números do arquivo, onde ele não a diz</translation></message>
+<message><source>Unit of the numbers in the file; replaces the one that the file gives</source><translation>Unidade dos números do arquivo; substitui a que o arquivo dá</translation></message>
 <message><source>Millimetres per number in the file</source><translation>Milímetros por número do arquivo</translation></message>
 <message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Células de uma nuvem que é projetada [graus]; senão, pelo espaçamento dos seus pontos</translation></message>
 <message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Em torno de que gira o motor de passo: spin (direção de visada) ou sweep (linha 0/180 graus)</translation></message>

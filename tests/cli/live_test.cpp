@@ -146,8 +146,8 @@ TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
     ASSERT_EQ(runLab("simulate -o " + bell + " --lines 400 --beams 381 --axis sweep").code, 0);
     const Served served(bell + " --rate 0");
     const std::string flags = served.said()["record_flags"];
-    EXPECT_EQ(flags, "--axis sweep --line-start -90 --line-step 0.45 --stop-and-go --expected-lines 400");
-    const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 400 --seconds 120 " + flags);
+    EXPECT_EQ(flags, "--axis sweep --line-start -90 --line-step 0.45 --stop-and-go --expected-lines 400 --lines 400");
+    const auto record = runCli("record " + served.address() + " -o " + recording + " --seconds 120 " + flags);
     ASSERT_EQ(record.code, 0) << record.err;
     EXPECT_TRUE(json::parse(record.out)["mounting"]["assumed"].empty());
     EXPECT_EQ(hashOf(recording), hashOf(bell));

@@ -28,13 +28,16 @@ std::vector<fs::path> pagesOfTheManual() {
     return pages;
 }
 
-/// README, CHANGELOG, CONTRIBUTING, SECURITY, the page of the examples, and everything in docs, with the translations.
+/// README, CHANGELOG, CONTRIBUTING, SECURITY, the page of the examples, and what is written by hand in docs, with the translations.
 std::vector<fs::path> allPages() {
     const fs::path root = test::sourceFolder();
     std::vector<fs::path> pages{root / "README.md", root / "CHANGELOG.md", root / "CONTRIBUTING.md", root / "SECURITY.md",
                                 root / "examples/README.md"};
-    for (const auto& entry : fs::recursive_directory_iterator(kManual))
-        if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(kManual)) {
+        const fs::path& page = entry.path();
+        const bool isOfHelp = page.parent_path().filename() == "commands" || page.filename() == "settings.md"; // docs/make-commands
+        if (page.extension() == ".md" && !isOfHelp) pages.push_back(page);
+    }
     return pages;
 }
 

@@ -50,7 +50,6 @@ TEST(Usage, ANameOfVersion01IsAnsweredWithTheNewOne) {
     expectAnswers({{"edgescan-cli", "change a.pcd b.pcd", "use compare"},
                    {"edgescan-cli", "serve a.pcd", "use edgescan-lab emulate"},
                    {"edgescan-cli", "evaluate a.png --truth t", "use edgescan-lab evaluate"},
-                   {"edgescan-cli", "compare a.pcd", "edgescan-lab benchmark"},
                    {"edgescan-cli", "why a.pcd --line 3 --beam 4", "use --cell LINE,BEAM"},
                    {"edgescan-cli", "detect a.pcd --ndjson", "use --json -"},
                    {"edgescan-cli", "record host -o r.mcap --first-line 3", "use --line-start"},

@@ -166,6 +166,55 @@ class FromArrays(unittest.TestCase):
         self.assertEqual(edgescan.save(edgescan.detect(made), HERE / "made_edges.ply"), len(edgescan.detect(made).edges))
 
 
+class FromPoints(unittest.TestCase):
+    def test_points_of_a_grid_are_the_scan(self):
+        scan = edgescan.open(bell_file())
+        made = edgescan.Scan.from_points(scan.xyz(), unit="m", name="mine")
+        self.assertEqual((made.lines, made.beams, made.name), (scan.lines, scan.beams, "mine"))
+        both = (made.state == 0) & (scan.state == 0)
+        self.assertGreater(both.mean(), 0.9)
+        np.testing.assert_allclose(made.range_mm[both], scan.range_mm[both], atol=1)
+
+    def test_loose_points_are_projected(self):
+        points = edgescan.open(bell_file()).xyz().reshape(-1, 3)
+        points = np.random.default_rng(1).permutation(points[np.isfinite(points).all(axis=1)])
+        made = edgescan.Scan.from_points(points, sensor=(0, 0, 0), project="always")
+        self.assertTrue(any("projected" in warning for warning in made.warnings), made.warnings)
+
+    def test_what_is_no_array_of_points_is_refused(self):
+        for wrong in (np.zeros((4, 2)), np.zeros(3), np.zeros((0, 3))):
+            with self.assertRaisesRegex(edgescan.Error, "n x 3"):
+                edgescan.Scan.from_points(wrong)
+        with self.assertRaisesRegex(TypeError, r"Scan.from_points\(\): xyz must be an array of numbers"):
+            edgescan.Scan.from_points([["a", "b", "c"]])
+
+    def test_numpy_gets_every_array(self):
+        result = edgescan.detect(edgescan.open(bell_file()))
+        rocks = edgescan.rocks(result)
+        count = result.save_npz(HERE / "all.npz", rocks=rocks)
+        stored = np.load(HERE / "all.npz")
+        self.assertEqual(count, len(stored.files))
+        for name in ("range_mm", "state", "xyz", "mask", "classes", "edges", "strength", "labels"):
+            self.assertIn(name, stored.files)
+        np.testing.assert_array_equal(stored["mask"], result.mask)
+        np.testing.assert_array_equal(stored["labels"], rocks.labels)
+        with self.assertRaisesRegex(edgescan.Error, "ends with .npz"):
+            result.save_npz(HERE / "all.npy")
+
+
+class Silent(unittest.TestCase):
+    def test_what_has_no_effect_is_refused_or_warned_about(self):
+        scan = edgescan.open("file://" + str(bell_file()), unit="m", topic="/scan")
+        self.assertTrue(any(w.startswith("--unit m replaces mm") for w in scan.warnings), scan.warnings)
+        self.assertTrue(any(w.startswith("--topic has no effect") for w in scan.warnings), scan.warnings)
+        scan = edgescan.open(bell_file())
+        with self.assertRaisesRegex(edgescan.Error, "the method canny does not use this flag"):
+            edgescan.detect(scan, method="canny", jump=200)
+        self.assertEqual(edgescan.detect(scan, edge_strength=2).mask_sha256, edgescan.detect(scan, sensitivity=2).mask_sha256)
+        with self.assertRaisesRegex(edgescan.Error, "two names of one setting"):
+            edgescan.detect(scan, edge_strength=2, sensitivity=2)
+
+
 class Pickled(unittest.TestCase):
     def same(self, one, other):
         for name in ("range_mm", "state", "intensity", "beam_deg", "line_deg", "line_skew_deg", "line_times_s", "origin"):

@@ -101,9 +101,38 @@ class Documents(unittest.TestCase):
         for credit in ("NASA JSC Astromaterials 3D", "Poly Haven", "EDUROCK", "Aalto University", "CC0 1.0", "CC-BY-4.0", '"Biotite"', '"Sphalerite"'):
             self.assertIn(credit, page)
 
+    def test_the_figures_of_the_readme_are_those_of_the_pages(self):
+        readme = (SOURCE / "README.md").read_text(encoding="utf-8")
+        part = readme[readme.index("## How well it works"):readme.index("## Why not")]
+
+        def rows(text):
+            return [[field.strip().replace("*", "") for field in line.strip("|").split("|")] for line in text.split("\n") if line.startswith("| ")]
+
+        tables = (SOURCE / "docs/measurements/accuracy.md").read_text(encoding="utf-8").split("\nF of ")
+        every, outlines = ({row[0]: row[2:] for row in rows(table)} for table in tables[1:3])
+        families = [row for row in rows(part) if row[0] in every and row[0] != "family"]
+        self.assertGreaterEqual(len(families), 10)
+        for name, *cells in families:
+            shown, rock_borders, gray, log_range, thesis = cells
+            self.assertEqual(shown, every[name][0], name)
+            self.assertEqual([rock_borders, thesis, log_range, gray], [outlines[name][n] for n in (1, 3, 4, 5)], name)
+            best = max(outlines[name], key=lambda cell: float(cell.split()[0]))
+            self.assertIn(f"**{best.split()[0]}**", next(line for line in part.split("\n") if line.startswith(f"| {name} |")), name)
+        self.assertIn(max(every[name][n].split()[0] for name, *_ in families for n in (3, 4, 5)), part)
+        cited = [line for line in part.split("\n") if line.startswith("| [") or line.startswith("| the same")]
+        self.assertGreaterEqual(len(cited), 5)
+        for line in cited:
+            page, label = re.search(r"\(([^)#]+)", line).group(1), re.sub(r"\([^)]*\)", "", line)
+            text = (SOURCE / page).read_text(encoding="utf-8")
+            for number in re.findall(r"\d*\.\d+", label):
+                self.assertIn(number, text, line)
+        install = (SOURCE / "docs/guide/install.md").read_text(encoding="utf-8")
+        for figure in ("303 s", "0.7 GB"):
+            self.assertTrue(figure in readme and figure in install, figure)
+
     def test_workflows_call_scripts_that_exist(self):
         for name, calls in (("ci", [".ci/run"]), ("release", ["packaging/install-packages", "packaging/make-deb", "packaging/test-deb"]),
-                            ("manual", ["packaging/apt-install", "packaging/build", "docs/make-manual"])):
+                            ("manual", ["packaging/apt-install", "docs/make-manual"])):
             text = (SOURCE / f".github/workflows/{name}.yml").read_text()
             found = re.findall(r"(?<![\w/.])(?:packaging|docs|\.ci)/[\w-]+", "".join(re.findall(r"^ +(?:- )?run: .*\n", text, re.M)))
             self.assertLessEqual(set(calls), set(found), name)

@@ -53,7 +53,7 @@ inline std::string calibrationText(const Calibration& c) {
                  {"zero_deg", c.zeroDeg},
                  {"direction", c.direction},
                  {"mirror_index_deg", c.mirrorIndexDeg}};
-    Json inclinometer{{"viewing", std::array{"forward", "up", "rpy", "matrix"}[static_cast<std::size_t>(c.viewing)]}};
+    Json inclinometer{{"viewing", std::array{"forward", "up", "down", "rpy", "matrix"}[static_cast<std::size_t>(c.viewing)]}};
     if (c.viewing == Viewing::Rpy) inclinometer["rpy_deg"] = vectorJson(c.viewingRpyDeg);
     if (c.viewing == Viewing::Matrix) inclinometer["matrix"] = matrixJson(c.viewingMatrix);
     inclinometer["offset_m"] = vectorJson(c.inclinometerM);

@@ -120,7 +120,6 @@ Result<Opened> openedScans(const Calibrate& asked) {
 }
 
 Result<Done> calibrate(const Calibrate& asked) {
-    if (Result<Done> sound = checkTogether(asked); !sound) return sound;
     const Result<Opened> opened = openedScans(asked);
     if (!opened) return opened.error();
     const auto& [scans, sources] = *opened;
@@ -171,8 +170,9 @@ void addCalibrate(CLI::App& app, int& code) {
     addJsonFlag(command, asked->json, "All figures, instead of the table");
     addReadFlags(command, asked->read);
     command.callback([asked, &code] {
-        const Result<Done> result = calibrate(*asked);
-        code = result ? kDone : kRefused;
+        const Result<Done> together = checkTogether(*asked);
+        const Result<Done> result = together ? calibrate(*asked) : together;
+        code = result ? kDone : together ? kRefused : kWrongUsage;
         if (!result) printError(result.error());
     });
 }

@@ -40,7 +40,8 @@ std::string recordFlags(const Scan& scan) {
         if (std::abs(lines[i] - lines.front() - static_cast<double>(i) * step) > 1e-6) return {};
     }
     return std::string("--axis ") + (polar->axis == Axis::Spin ? "spin" : "sweep") + " --line-start " + significantText(lines.front(), 9) +
-           " --line-step " + significantText(step, 9) + " --stop-and-go --expected-lines " + std::to_string(lines.size());
+           " --line-step " + significantText(step, 9) + " --stop-and-go --expected-lines " + std::to_string(lines.size()) + " --lines " +
+           std::to_string(lines.size());
 }
 
 struct Emulated {

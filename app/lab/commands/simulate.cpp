@@ -4,6 +4,7 @@
 #include "app/lab/sim/truth/truth_files.h"
 #include "app/lab/sim/wall_kinds.h"
 #include "app/shared/options.h"
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/cloud_points.h"
@@ -73,9 +74,12 @@ int run(const Simulate& simulate) {
     }
     Result<Done> saved = files::saveScan(simulation->scan, simulate.out);
     if (saved && settings.truth) saved = sim::writeTruth(*simulation, settings, simulate.truth);
-    if (saved) return kDone;
-    printError(saved.error());
-    return kRefused;
+    const Scan& scan = simulation->scan;
+    printError(saved ? std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams; written to " +
+                           (isStreamOrDevice(simulate.out) ? "standard output" : printable(simulate.out)) +
+                           (settings.truth ? ", the truth to " + printable(simulate.truth) : "") + "."
+                     : saved.error().sentence());
+    return saved ? kDone : kRefused;
 }
 
 /// Reports a typed flag that has no effect in the chosen scene.
@@ -106,7 +110,7 @@ std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate)
         if (!known || command.count(use.flag) == 0 || std::ranges::find(use.scenes, chosen) != use.scenes.end()) continue;
         std::string names;
         for (const std::string& name : use.scenes) names += (names.empty() ? "" : ", ") + name;
-        return Error{"the scene " + chosen + " takes no notice of this flag", use.flag, "leave it out, or choose --scene " + names};
+        return Error{"the scene " + chosen + " does not use this flag", use.flag, "leave it out, or choose --scene " + names};
     }
     if (simulate.hole == "none" && command.count("--hole-count") + command.count("--hole-size") > 0)
         return Error{"a wall without holes has no number or size of them", "--hole-shape none",

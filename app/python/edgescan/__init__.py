@@ -30,6 +30,7 @@ __all__ = ["Connection", "Error", "Replay", "Result", "Rocks", "Scan", "Simulati
 
 _READING = _edgescan.reading_options()
 _PARAMETERS = _edgescan.parameters()
+_NAMES = [dict(row, key=name) for name, key in _edgescan.other_names().items() for row in _PARAMETERS if row["key"] == key]
 _CHOICES = [dict(row, kind="switch") for row in _edgescan.writing_choices()]
 _ROCKS = [dict(row, kind="float") for row in _edgescan.rock_parameters()]
 _NUMBERS = [dict(row, kind="float", default=f"{row['default']:g}") for row in _edgescan.simulation_numbers()]
@@ -68,7 +69,8 @@ def open(path: Path, **reading) -> Scan:
     return _edgescan.open(path, reading)
 
 
-@_keywords(("Parameters, as the sliders of the viewer and the flags of the command line:", _PARAMETERS))
+@_keywords(("Parameters, as the sliders of the viewer and the flags of the command line:", _PARAMETERS),
+           ("Other names:", _NAMES))
 def detect(scan: Scan, *, preset: Optional[Path] = None, **parameters) -> Result:
     """Finds the edges of a Scan; the same mask bit by bit as `edgescan-cli detect`. Returns a Result.
 

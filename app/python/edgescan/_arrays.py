@@ -2,6 +2,7 @@
 # mypy: ignore-errors
 from __future__ import annotations
 
+import io
 from numbers import Real
 from typing import Literal, Optional, Union
 
@@ -9,22 +10,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _edgescan
+from ._edgescan import Scan
 from ._values import Path, given, public, refuse, wrong
 
 UNITS_MM = {"mm": 1.0, "cm": 10.0, "m": 1000.0}
 
 
-def numbers(name, value, shape, kinds="iuf"):
+def numbers(name, value, shape, kinds="iuf", of="Scan()"):
     """The argument as an array of this shape. TypeError if it does not hold numbers, Error if it has another shape."""
     wanted = "whole numbers" if "f" not in kinds else "numbers"
     if isinstance(value, np.ma.MaskedArray):
-        raise TypeError(f"Scan(): {name} must be an array without a mask; use numpy.ma.filled({name}, numpy.nan)")
+        raise TypeError(f"{of}: {name} must be an array without a mask; use numpy.ma.filled({name}, numpy.nan)")
     try:
         array = np.asarray(value)
     except (TypeError, ValueError):
-        raise TypeError(f"Scan(): {name} must be an array of {wanted} with lines of equal length, not {given(value)}") from None
+        raise TypeError(f"{of}: {name} must be an array of {wanted} with lines of equal length, not {given(value)}") from None
     if array.dtype.kind not in kinds:
-        raise TypeError(f"Scan(): {name} must be an array of {wanted}, not {given(value)} of dtype {array.dtype}")
+        raise TypeError(f"{of}: {name} must be an array of {wanted}, not {given(value)} of dtype {array.dtype}")
     if shape is not None and array.shape != shape:
         refuse(f"its shape is {array.shape}", name, f"give the shape {shape}, because range_mm is lines x beams")
     return array
@@ -107,4 +109,23 @@ def scan(range_mm: ArrayLike, beam_deg: ArrayLike, line_deg: ArrayLike, *, axis:
         "line_direction": line_direction, "axis": axis, "name": name, "pose": pose or b"", "calibration": calibration or b""})
 
 
+def from_points(xyz: ArrayLike, *, name: str = "points", **reading) -> Scan:
+    """A scan from points in memory, as open() reads them from a file.
+
+    xyz: n x 3, or lines x beams x 3 with NaN where a cell has no return. Of n x 3 the grid is found from the order of the points; points
+    without an order are projected about the sensor. name: for titles.
+
+    >>> again = edgescan.Scan.from_points(scan.xyz(), unit="m")
+    >>> again.range_mm.shape == scan.range_mm.shape
+    True
+    """
+    points = numbers("xyz", xyz, None, of="Scan.from_points()").astype(np.float64)
+    if points.ndim not in (2, 3) or points.shape[-1] != 3 or 0 in points.shape:
+        refuse(f"its shape is {points.shape}", "xyz", "give an array of n x 3 or of lines x beams x 3")
+    content = io.BytesIO()
+    np.lib.format.write_array(content, np.ascontiguousarray(points), version=(1, 0))
+    return _edgescan.scan_of_content(content.getvalue(), ".npy", name, reading)
+
+
 made = public(scan, "Scan")
+Scan.from_points = staticmethod(public(from_points, "Scan.from_points", rows=_edgescan.reading_options()))

@@ -2,6 +2,7 @@
 # mypy: ignore-errors
 from __future__ import annotations
 
+import os
 from typing import Any, Dict, List, Literal, Optional
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 
 from . import _edgescan
 from ._edgescan import Connection, Replay, Result, Rocks, Scan, Simulation, Sweep
-from ._values import Path, method
+from ._values import Path, method, refuse
 from .reports import Detected, Info, Rock
 
 
@@ -32,6 +33,34 @@ def info(self) -> Info:
 def report(self) -> Detected:
     """The JSON of `edgescan-cli detect --json` as a dict. edgescan.report() writes the page."""
     return _edgescan.result_report(self)
+
+
+@method(Result)
+def to_dict(self, *, rocks: Optional[Rocks] = None) -> Dict[str, NDArray[Any]]:
+    """Every array by its name, those of the scan and xyz too; without those that are None. rocks: a Rocks, whose labels and regions join.
+
+    >>> sorted(result.to_dict())[:3]
+    ['beam_deg', 'borders', 'classes']
+    """
+    sources = [(self.scan, ("range_mm", "state", "intensity", "beam_deg", "line_deg", "line_times_s")),
+               (self, ("mask", "classes", "edges", "borders", "strength", "gray")), (rocks, ("labels", "regions"))]
+    arrays = {name: getattr(of, name) for of, names in sources if of is not None for name in names}
+    arrays["xyz"] = self.scan.xyz()
+    return {name: array for name, array in arrays.items() if array is not None}
+
+
+@method(Result)
+def save_npz(self, path: Path, *, rocks: Optional[Rocks] = None) -> int:
+    """Writes the arrays of to_dict() for numpy.load(), and returns their number. There is no record next to the file.
+
+    >>> result.save_npz(folder / "edges.npz") == len(result.to_dict())
+    True
+    """
+    if not path.endswith(b".npz"):
+        refuse("the file is an .npz", os.fsdecode(path), "give a name that ends with .npz")
+    arrays = self.to_dict(rocks=rocks)
+    np.savez_compressed(os.fsdecode(path), **arrays)
+    return len(arrays)
 
 
 @method(Rocks)

@@ -71,7 +71,7 @@ def word(name, value, choices=()):
 
 
 def path(name, value):
-    """The bytes of a path, which need not be UTF-8."""
+    """The bytes of a path, which need not be UTF-8; "file:///a.pcd" is the path /a.pcd."""
     try:
         encoded = os.fsencode(value)
     except TypeError:
@@ -80,7 +80,7 @@ def path(name, value):
         raise TypeError(f"{name} must be a path as os.fsdecode() gives it, and {ascii(value)} is not") from None
     if b"\0" in encoded:
         raise TypeError(f"{name} must be a path, and {ascii(value)} has a NUL character")
-    return encoded
+    return _edgescan.path_of_address(encoded)
 
 
 def each(name, wanted, values):

@@ -242,8 +242,7 @@ Result<ArchiveListing> listArchive(const std::vector<std::string>& asked, const 
         if (seen.insert(normal).second) listing.inputs.push_back(std::move(normal));
     }
     if (listing.inputs.empty())
-        return Error{"there is no scan among what was given", asked.empty() ? "" : asked.front(),
-                     "give a folder, pattern or list of scans"};
+        return Error{"no scan was found in the inputs", asked.empty() ? "" : asked.front(), "give a folder, pattern or list of scans"};
     return listing;
 }
 

@@ -71,7 +71,7 @@ const std::vector<Parameter>& table() {
         {"border-from", "Border from", "%", "How likely an edge must be the border of a rock to be shown among the rock borders.",
          1, 99, 1, 0, EDGESCAN_NUMBER(Settings, borderPercent), 99, kNoAuto, !kAdvanced, {}, !kSeveral, rockBorders, Stage::Edges},
         {"sensitivity", "Edge strength", "x", "How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.",
-         0.3, 3, 0.05, 2, EDGESCAN_NUMBER(Settings, sensitivity), 3, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Threshold},
+         0.3, 3, 0.05, 2, EDGESCAN_NUMBER(Settings, sensitivity), 3, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Threshold, "edge-strength"},
         {"jump", "Jump", "mm", "Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.",
          10, 300, 1, 0, EDGESCAN_NUMBER(Settings, jumpMm), 300, [](const Settings&, const Measured& m) { return m.jumpMm; }, !kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"growth", "Jump growth", "% of range", "What the smallest step grows by with the distance.",
@@ -139,19 +139,17 @@ std::string choiceNames(const Parameter& parameter) {
     return names;
 }
 
-std::string flag(const Parameter& parameter) { return std::string("--") + parameter.key; }
-
 Result<double> withinLimits(const Parameter& parameter, double value) {
     // Counts of cells have no fraction.
     Settings held;
     parameter.set(held, value);
     if (std::abs(value) < 1e9 && parameter.get(held) != value)
-        return Error{shortestText(value) + " is not a whole number", flag(parameter),
+        return Error{shortestText(value) + " is not a whole number", flagOf(parameter),
                      "give a whole number such as " + shortestText(std::clamp(std::ceil(value), parameter.minimum, parameter.maximum))};
     if (value >= parameter.minimum && value <= parameter.maximum) return value;
     const std::string unit = *parameter.unit == '\0' ? "" : std::string(" ") + parameter.unit;
     return Error{shortestText(value) + " is outside " + shortestText(parameter.minimum) + " to " + shortestText(parameter.maximum) + unit,
-                 flag(parameter), "give a value within these limits"};
+                 flagOf(parameter), "give a value within these limits"};
 }
 
 // "2.5m", "2500 mm", "2500" -> 2500 for a parameter in mm; the parameter's own unit is always allowed.
@@ -163,9 +161,16 @@ bool stripUnit(const Parameter& parameter, std::string_view& text, double& facto
         return true;
     };
     factor = 1.0;
-    if (ends(parameter.unit)) return true;
+    const std::string_view unit = parameter.unit;
+    if (ends(unit) || ends(unit.substr(0, unit.find(' ')))) return true; // "1%" of "% of range"
     if (std::string_view(parameter.unit) == "mm" && ends("m")) factor = 1000.0;
     return true;
+}
+
+// ", in mm, or with its unit: mm or m"
+std::string unitText(const Parameter& parameter) {
+    const std::string unit = parameter.unit;
+    return unit.empty() || unit == "x" ? "" : ", in " + unit + (unit == "mm" ? ", or with its unit: mm or m" : "");
 }
 
 // "jump,concave" -> the sum of their values; "all" and "none" are also accepted.
@@ -177,7 +182,7 @@ Result<double> parseSet(const Parameter& parameter, std::string_view text) {
         const std::string_view name = rest.substr(0, rest.find(','));
         const auto found = std::ranges::find_if(parameter.choices, [&](const Choice& c) { return name == c.name; });
         if (found == parameter.choices.end()) {
-            return Error{"\"" + std::string(name) + "\" is not one of " + choiceNames(parameter), flag(parameter),
+            return Error{"\"" + std::string(name) + "\" is not one of " + choiceNames(parameter), flagOf(parameter),
                          "give all, none, or one or several of these, separated by commas"};
         }
         set |= static_cast<int>(found->value);
@@ -230,8 +235,11 @@ const Parameter& sweptParameter(Method method) {
 
 std::span<const Parameter> parameters() { return table(); }
 
+std::string flagOf(const Parameter& parameter) { return std::string("--") + (parameter.name != nullptr ? parameter.name : parameter.key); }
+
 const Parameter* findParameter(std::string_view key) {
-    const auto found = std::ranges::find_if(table(), [&](const Parameter& p) { return key == p.key; });
+    const auto found =
+        std::ranges::find_if(table(), [&](const Parameter& p) { return key == p.key || (p.name != nullptr && key == p.name); });
     return found == table().end() ? nullptr : &*found;
 }
 
@@ -243,15 +251,15 @@ Result<double> parseValue(const Parameter& parameter, std::string_view text) {
     }
     const std::string typed(text);
     if (!parameter.choices.empty()) {
-        return Error{"\"" + typed + "\" is not one of " + choiceNames(parameter), flag(parameter), "give one of these"};
+        return Error{"\"" + typed + "\" is not one of " + choiceNames(parameter), flagOf(parameter), "give one of these"};
     }
     double factor = 1.0;
     stripUnit(parameter, text, factor);
     double value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-        return Error{"\"" + typed + "\" is not a number" + (parameter.automatic != nullptr ? " and not auto" : ""), flag(parameter),
-                     "write it like 12.5"};
+        return Error{"\"" + typed + "\" is not a number" + (parameter.automatic != nullptr ? " and not auto" : ""), flagOf(parameter),
+                     "write it like 12.5" + unitText(parameter)};
     }
     return withinLimits(parameter, value * factor);
 }

@@ -47,12 +47,16 @@ struct Parameter : TableRow<Settings> {
     bool several;                    ///< the value is a set: the sum of choices (powers of two), written "jump,convex"
     bool (*usedBy)(const Settings&); ///< false: the chosen method does not use it
     Feeds feeds;
+    const char* name = nullptr; ///< of its flag, where that is not the key; files and the first flag have the key
 };
 
 /// Every parameter, in the order in which they are shown.
 [[nodiscard]] std::span<const Parameter> parameters();
 
-/// Null for an unknown key.
+/// "--jump": the flag as help and messages name it.
+[[nodiscard]] std::string flagOf(const Parameter& parameter);
+
+/// By key or by the name of its flag. Null for an unknown one.
 [[nodiscard]] const Parameter* findParameter(std::string_view key);
 
 /// The main threshold of a method: "lower", "step" or "sensitivity".

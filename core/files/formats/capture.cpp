@@ -9,6 +9,7 @@ Format packetCaptureFormat() {
             .reads = {".pcap", ".pcapng", ".cap"},
             .recognises = looksLikePackets,
             .read = readingOf<readPacketCapture>,
+            .options = {"scan"},
             .placesItself = true};
 }
 

@@ -313,6 +313,6 @@ Result<Reading> readE57(const Source& source) {
 
 } // namespace
 
-Format e57Format() { return {.title = "E57", .reads = {".e57"}, .recognises = looksLikeE57, .read = readE57}; }
+Format e57Format() { return {.title = "E57", .reads = {".e57"}, .recognises = looksLikeE57, .read = readE57, .options = {"scan"}}; }
 
 } // namespace edgescan::files

@@ -38,7 +38,8 @@ struct Format {
     std::vector<const char*> inFloats{}; ///< programs that read its coordinates into 4-byte numbers
     bool writesByLines = false;          ///< `write` makes the columns that are to be made later (CloudColumns::linesLater) as it writes
     bool drawsEdges = false;             ///< a drawing of edge lines: the window does not offer it for all points
-    bool placesItself = false;           ///< pose and calibration are taken into account by `read`
+    std::vector<std::string_view> options{}; ///< keys of the reading options that not every format has
+    bool placesItself = false;               ///< pose and calibration are taken into account by `read`
 };
 
 } // namespace edgescan::files

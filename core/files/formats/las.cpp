@@ -245,7 +245,10 @@ Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Sou
 Result<Done> readUnits(PointTable& table, const LasHeader& header, const Source& source) {
     const las::StatedUnits stated =
         las::statedUnits(source.bytes, {header.headerBytes, header.records, header.pointsAt, header.extendedAt, header.extended});
-    if (source.options->unitMm) return Done{}; // goes before the file
+    if (source.options->unitMm) { // goes before the file
+        table.unitMm = stated.mm;
+        return Done{};
+    }
     if (stated.degrees)
         return source.refused(
             "x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres",

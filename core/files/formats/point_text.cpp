@@ -416,7 +416,8 @@ Format pointListFormat() {
             .write = xyzBytes,
             .keeps = Keeps::Sidecar,
             .inFloats = {"MeshLab", "PCL", "three.js"},
-            .writesByLines = true};
+            .writesByLines = true,
+            .options = {"columns"}};
 }
 
 Format pointTableFormat() {
@@ -426,9 +427,10 @@ Format pointTableFormat() {
             .write = csvBytes,
             .keeps = Keeps::Sidecar,
             .keepsIntensity = true,
-            .writesByLines = true};
+            .writesByLines = true,
+            .options = {"columns"}};
 }
 
-Format scan3dFormat() { return {.title = "3DTK scan", .reads = {".3d"}, .read = readingOf<readTextPoints>}; }
+Format scan3dFormat() { return {.title = "3DTK scan", .reads = {".3d"}, .read = readingOf<readTextPoints>, .options = {"columns"}}; }
 
 } // namespace edgescan::files

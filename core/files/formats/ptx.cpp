@@ -349,7 +349,8 @@ Format ptxFormat() {
             .write = ptxBytes,
             .keeps = Keeps::NoReturns,
             .keepsIntensity = true,
-            .inFloats = {"MeshLab"}};
+            .inFloats = {"MeshLab"},
+            .options = {"scan"}};
 }
 
 } // namespace edgescan::files

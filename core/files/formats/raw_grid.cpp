@@ -70,6 +70,9 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
     if (auto known = readGeometry(grid, source, scan); !known) return known.error();
     takeDescription(scan, grid);
     scan.unitMm = source.options->unitMm.value_or(grid.unitMm);
+    ReadingOptions file;
+    file.unitMm = grid.unitMm;
+    scan.warnings = replacedByOptions(*source.options, file);
     const CountStates states = countStates(grid.noReturnCodes, grid.statusCodes);
     scan.rangeMm = Grid<float>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
     scan.state = Grid<CellState>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));

@@ -49,6 +49,7 @@ Format recordingFormat() {
             .recognises = looksLikeRecording,
             .read = readMcapFile,
             .writeScan = recordingFile,
+            .options = {"topic", "joint", "scan"},
             .placesItself = true};
 }
 

@@ -154,7 +154,10 @@ Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& 
 
 } // namespace
 
-Format rosBagFormat() { return {.title = "ROS bag", .reads = {".bag", ".db3"}, .recognises = looksLikeBag, .read = readBag}; }
+Format rosBagFormat() {
+    return {
+        .title = "ROS bag", .reads = {".bag", ".db3"}, .recognises = looksLikeBag, .read = readBag, .options = {"topic", "joint", "scan"}};
+}
 
 Result<Reading> readRosMcap(const containers::McapContent& content, const Source& source) {
     auto bag = containers::rosBagOf(content, source.path.string(), goOnOf(source));

@@ -1,9 +1,13 @@
 // Angles, place and straightening.
 #include "core/files/open_save/apply_options.h"
 
+#include "core/files/formats/formats.h"
 #include "core/scan/angle_correction/straighten_scan.h"
 #include "core/scan/georef/place_scan.h"
 #include "core/scan/grid/given_angles.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace edgescan::files {
 
@@ -16,6 +20,17 @@ Result<Done> applyOptions(Scan& scan, const Source& source, bool placesItself) {
     if (!placement) return placement.error();
     scan.placement = *placement;
     return Done{};
+}
+
+Result<Done> checkOptions(Scan& scan, const ReadingOptions& options, const Format& format) {
+    std::vector<std::string_view> others;
+    for (const Format& other : formats()) std::ranges::copy(other.options, std::back_inserter(others));
+    std::erase_if(others,
+                  [&](std::string_view key) { return key == "scan" || std::ranges::find(format.options, key) != format.options.end(); });
+    std::ranges::copy(idleOptions(options, others, "the format " + scan.format + " does not have it"), std::back_inserter(scan.warnings));
+    const bool hasOne = std::ranges::find(format.options, "scan") == format.options.end();
+    if (!hasOne || options.scanIndex.value_or(0) == 0) return Done{};
+    return Error{"the file holds one scan", "--scan " + std::to_string(*options.scanIndex), "use --scan 0"};
 }
 
 Scan straightenedAsAsked(Scan scan, const ReadingOptions& options) {

@@ -48,7 +48,10 @@ Result<Scan> scanOf(const Source& source) {
     const Format& format = formatOfContent(source); // formats/formats.h
     auto reading = format.read(source);             // formats/pcd.cpp and the like
     if (!reading) return reading.error();
-    return scanOfReading(std::move(*reading), source, format.placesItself);
+    auto scan = scanOfReading(std::move(*reading), source, format.placesItself);
+    if (!scan) return scan;
+    if (auto has = checkOptions(*scan, *source.options, format); !has) return has.error();
+    return scan;
 }
 
 /// The options, without what openAsAsked() does.

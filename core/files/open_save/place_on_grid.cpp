@@ -10,6 +10,8 @@
 #include "core/files/point_tables/point_table.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <limits>
 
 namespace edgescan::files {
@@ -86,6 +88,12 @@ void takeFilledOut(PointTable& table) {
     table.filledSdMm.clear();
 }
 
+/// Of options that place points, for a scan whose cells the file gives.
+void warnOfIdle(Scan& scan, const Source& source) {
+    constexpr std::array<std::string_view, 3> kPlacing{"sensor", "grid-step", "project"};
+    std::ranges::copy(idleOptions(*source.options, kPlacing, "the file gives the grid of its cells"), std::back_inserter(scan.warnings));
+}
+
 /// What the file states of the whole scan, beyond its points.
 void takeStatements(Scan& scan, Reading& reading, const Source& source) {
     if (reading.place) placeAsWritten(scan, *reading.place, source);
@@ -99,14 +107,20 @@ void takeStatements(Scan& scan, Reading& reading, const Source& source) {
 Result<Scan> placeOnGrid(Reading reading, const Source& source) {
     if (auto* table = std::get_if<PointTable>(&reading.content)) {
         takeFilledOut(*table);
-        if (auto scan = scanOfSidecar(*table, reading.place, source)) return std::move(*scan);
+        if (auto scan = scanOfSidecar(*table, reading.place, source)) {
+            warnOfIdle(*scan, source);
+            return std::move(*scan);
+        }
         const bool own = !table->description.empty();
         auto scan = own ? ownScan(std::move(*table), source) : scanOfPoints(std::move(*table), source);
         if (!scan) return scan;
+        if (own) warnOfIdle(*scan, source);
         if (!own && scan->placement && reading.place && (!reading.place->place.isZero(0.0) || !reading.place->turn.isIdentity(0.0)))
             scan->warnings.push_back(std::string("The matrix of the ") + reading.place->format +
                                      " file was not used: its points are in another frame than the scanner's.");
         reading.content = std::move(*scan);
+    } else {
+        warnOfIdle(std::get<Scan>(reading.content), source);
     }
     Scan& scan = std::get<Scan>(reading.content);
     takeStatements(scan, reading, source);

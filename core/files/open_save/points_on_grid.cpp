@@ -20,7 +20,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace edgescan::files {
@@ -367,6 +369,8 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
         if (laidOut)
             scan.warnings.push_back("The grid has as many lines and beams as the points name, " + std::to_string(scan.lines()) + " x " +
                                     std::to_string(scan.beams()) + ": a line or beam behind the last point is not in the file.");
+        constexpr std::array<std::string_view, 1> kStep{"grid-step"};
+        std::ranges::copy(idleOptions(*source.options, kStep, "the points have a grid"), std::back_inserter(scan.warnings));
         if (returnsOnly)
             scan.warnings.emplace_back("The list holds returns only: a line or beam at the border without any return is not in it.");
         return scan;
@@ -434,6 +438,9 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
     if (auto enough = checkMemory(table.points.size() * kBytesPerPoint, source.path.string()); !enough) return enough.error();
     if (!table.sensor.allFinite()) table.sensor = Eigen::Vector3d::Zero();
     removeRepeated(table, source);
+    ReadingOptions file;
+    file.unitMm = table.unitMm;
+    std::ranges::copy(replacedByOptions(*source.options, file), std::back_inserter(table.remarks));
     std::size_t infinite = 0;
     for (const Eigen::Vector3d& p : table.points)
         infinite += p.array().isNaN().any() || p.cwiseAbs().maxCoeff() < physical::kCoordinate.limits.most ? 0 : 1;

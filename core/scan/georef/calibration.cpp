@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr const char* kCalibrationFormat = "edgescan-calibration/1";
-const std::vector<std::string> kViewings{"forward", "up", "rpy", "matrix"};
+const std::vector<std::string> kViewings{"forward", "up", "down", "rpy", "matrix"};
 const std::vector<std::string> kTilts{"elevations", "pitch_roll"};
 const std::vector<std::string> kAzimuths{"vertical", "robot_z"};
 constexpr NumberLimits kLever = physical::kLeverM.limits;
@@ -107,6 +107,7 @@ RigidTransform inclinometerFromAxisBase(const Calibration& c) {
     Matrix3d rotation = c.viewingMatrix;
     if (c.viewing == Viewing::Forward) rotation << 0, 0, 1, -1, 0, 0, 0, -1, 0;
     if (c.viewing == Viewing::Up) rotation << 0, 1, 0, -1, 0, 0, 0, 0, 1;
+    if (c.viewing == Viewing::Down) rotation << 0, 1, 0, 1, 0, 0, 0, 0, -1;
     if (c.viewing == Viewing::Rpy) rotation = rotationRpyDeg(c.viewingRpyDeg);
     return {rotation, c.inclinometerM};
 }

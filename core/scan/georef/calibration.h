@@ -19,6 +19,7 @@ namespace edgescan {
 enum class Viewing : std::uint8_t {
     Forward, ///< along the boom
     Up,      ///< straight up, with the underside to the front
+    Down,    ///< straight down, as Up turned half about the line to the front: the scanner hangs
     Rpy,     ///< given by three angles
     Matrix,  ///< given by a matrix
 };

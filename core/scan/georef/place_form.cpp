@@ -51,7 +51,7 @@ const std::vector<PlaceField>& mountingTable() {
         {"boom", "pivot_in_robot_m", "Pivot of a boom in the robot, in place of the head [m]", Kind::ThreeNumbers, ""},
         {"boom", "arm_m", "From pivot to head [m]", Kind::ThreeNumbers, ""},
         {"boom", "azimuth_about", "The boom's azimuth turns about", Kind::Word, "vertical", {"vertical", "robot_z"}},
-        {"inclinometer", "viewing", "The scanner looks", Kind::Word, "forward", {"forward", "up", "rpy", "matrix"}},
+        {"inclinometer", "viewing", "The scanner looks", Kind::Word, "forward", {"forward", "up", "down", "rpy", "matrix"}},
         {"inclinometer", "rpy_deg", "Looking direction: roll, pitch, yaw [degrees]", Kind::ThreeNumbers, ""},
         {"inclinometer", "matrix", "Looking direction: nine numbers by rows", Kind::NineNumbers, ""},
         {"inclinometer", "offset_m", "Axis of the stepper from the inclinometer [m]", Kind::ThreeNumbers, "0, 0, 0"},

@@ -13,7 +13,8 @@ namespace edgescan {
 namespace {
 
 constexpr const char* kPoseFormat = "edgescan-pose/1";
-constexpr const char* kPoseHint = "compare it with the example in docs/reference/coordinates.md";
+constexpr const char* kPoseHint =
+    "compare it with the example in docs/reference/coordinates.md; a scanner that hangs has \"viewing\": \"down\" in its calibration";
 constexpr NumberLimits kTilt = physical::kTiltDeg.limits;
 constexpr NumberLimits kPlace = physical::kPlaceM.limits;
 constexpr NumberLimits kPoseAngle = physical::kBeamDeg.limits;

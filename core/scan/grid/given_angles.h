@@ -5,7 +5,8 @@
 
 namespace edgescan {
 
-/// Sets lines and beams to the given angles, as far as they are given; does nothing for an organised cloud.
+/// Sets lines and beams to the given angles, as far as they are given. A warning reports an angle that differs from the file's, and one
+/// that has no effect because the scan is an organised cloud.
 void applyGivenAngles(Scan& scan, const ReadingOptions& options);
 
 } // namespace edgescan

@@ -68,7 +68,7 @@ const std::vector<ReadingOption>& table() {
         {"beam-step", kBoth, Kind::Number, "Angle from beam to beam [degrees]", {}, EDGESCAN_OPTION(beamStepDeg), &physical::kStepDeg},
         {"line-start", kBoth, Kind::Number, "Angle of the first line [degrees]", {}, EDGESCAN_OPTION(lineStartDeg), &physical::kLineDeg},
         {"line-step", kBoth, Kind::Number, "Angle from line to line [degrees]", {}, EDGESCAN_OPTION(lineStepDeg), &physical::kStepDeg},
-        {"unit", ReadingOption::kFlag, Kind::Word, "Unit of the numbers in the file, where it does not say", {"mm", "cm", "m"},
+        {"unit", ReadingOption::kFlag, Kind::Word, "Unit of the numbers in the file; replaces the one that the file gives", {"mm", "cm", "m"},
          [](const Options& o) -> std::string { return o.unitMm == 1000.0 ? "m" : o.unitMm == 10.0 ? "cm" : o.unitMm == 1.0 ? "mm" : textOf(o.unitMm); },
          [](Options& o, const std::string& text) { o.unitMm = text == "m" ? 1000.0 : text == "cm" ? 10.0 : text == "mm" ? 1.0 : numbersOf(text).at(0); },
          &physical::kUnitMm},
@@ -178,6 +178,25 @@ std::string readingFlags(const ReadingOptions& options) {
         if (option.kind != Kind::Switch) flags += " " + (option.kind == Kind::Path || option.kind == Kind::Name ? shellQuoted(text) : text);
     }
     return flags;
+}
+
+std::vector<std::string> replacedByOptions(const ReadingOptions& given, const ReadingOptions& file) {
+    std::vector<std::string> warnings;
+    for (const ReadingOption& option : table()) {
+        const std::string now = option.get(given), was = option.get(file);
+        if ((option.uses & ReadingOption::kFlag) != 0 && !now.empty() && !was.empty() && now != was)
+            warnings.push_back(std::string("--") + option.key + " " + now + " replaces " + was + ", which the file gives.");
+    }
+    return warnings;
+}
+
+std::vector<std::string> idleOptions(const ReadingOptions& given, std::span<const std::string_view> keys, const std::string& why) {
+    std::vector<std::string> warnings;
+    for (const ReadingOption& option : table()) {
+        if (std::ranges::find(keys, option.key) != keys.end() && !option.get(given).empty())
+            warnings.push_back(std::string("--") + option.key + " has no effect: " + why + "; leave it out.");
+    }
+    return warnings;
 }
 
 std::string readingOptionsText(const ReadingOptions& options) {

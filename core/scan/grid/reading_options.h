@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgescan {
@@ -72,6 +73,13 @@ Result<Done> checked(const ReadingOption& option, const std::string& text);
 
 /// "--axis spin --line-start -30": the flags that give these options; empty if no option is set. Paths are quoted for a POSIX shell.
 [[nodiscard]] std::string readingFlags(const ReadingOptions& options);
+
+/// "--unit cm replaces mm, which the file gives.": a warning for each option that is not what the file gives. `file` has what it gives.
+[[nodiscard]] std::vector<std::string> replacedByOptions(const ReadingOptions& given, const ReadingOptions& file);
+
+/// "--topic has no effect: WHY; leave it out.": a warning for each of these options that is given.
+[[nodiscard]] std::vector<std::string> idleOptions(const ReadingOptions& given, std::span<const std::string_view> keys,
+                                                   const std::string& why);
 
 /// The given options as JSON, {"unit-mm": 10.0, "axis": "sweep", ...}; empty if there are none. Without the paths of pose and calibration,
 /// which a record stores itself. With this text the scan can be opened the same way again.

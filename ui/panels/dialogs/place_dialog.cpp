@@ -38,13 +38,14 @@ struct ShownWord {
     std::string_view word;
     const char* shown;
 };
-constexpr std::array<ShownWord, 10> kShownWords{{
+constexpr std::array<ShownWord, 11> kShownWords{{
     {"grid", QT_TRANSLATE_NOOP("QObject", "grid north")},
     {"true", QT_TRANSLATE_NOOP("QObject", "true north")},
     {"vertical", QT_TRANSLATE_NOOP("QObject", "the vertical")},
     {"robot_z", QT_TRANSLATE_NOOP("QObject", "the robot's z axis")},
     {"forward", QT_TRANSLATE_NOOP("QObject", "forward")},
     {"up", QT_TRANSLATE_NOOP("QObject", "up")},
+    {"down", QT_TRANSLATE_NOOP("QObject", "down")},
     {"rpy", QT_TRANSLATE_NOOP("QObject", "by three angles")},
     {"matrix", QT_TRANSLATE_NOOP("QObject", "by nine numbers")},
     {"elevations", QT_TRANSLATE_NOOP("QObject", "two elevations")},

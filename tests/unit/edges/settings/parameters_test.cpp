@@ -52,7 +52,7 @@ TEST(Parameters, NonsenseIsRefusedWithTheFlagsName) {
         for (const char* text : {"", "abc", "1e999", "nan", "-1e9", "12,5", "3 3"}) {
             const Result<double> value = parseValue(p, text);
             ASSERT_FALSE(value) << p.key << " " << text;
-            EXPECT_NE(value.error().sentence().find(std::string("--") + p.key), std::string::npos);
+            EXPECT_NE(value.error().sentence().find(flagOf(p)), std::string::npos);
         }
     }
     EXPECT_FALSE(parseValue(*findParameter("kernel"), "4"));
@@ -65,6 +65,14 @@ TEST(Parameters, LengthsTakeTheirUnit) {
     EXPECT_EQ(*parseValue(near, "2500mm"), 2500);
     EXPECT_EQ(*parseValue(near, "2500 mm"), 2500);
     EXPECT_EQ(*parseValue(near, "2.5m"), 2500);
+    EXPECT_EQ(*parseValue(*findParameter("growth"), "1%"), 1) << "of the range";
+    EXPECT_EQ(parseValue(near, "25cm").error().hint, "write it like 12.5, in mm, or with its unit: mm or m");
+}
+
+TEST(Parameters, TheNameOfAFlagFindsItsParameter) {
+    EXPECT_EQ(findParameter("edge-strength"), findParameter("sensitivity"));
+    EXPECT_EQ(flagOf(*findParameter("sensitivity")), "--edge-strength");
+    EXPECT_EQ(settingsFromJson({{"edge-strength", 2}}, Settings{}, "here")->sensitivity, 2);
 }
 
 TEST(Parameters, SnappingGivesOddKernelsAndStaysInside) {

@@ -68,6 +68,14 @@ TEST(PlaceForm, ALevelPoseLeavesTheCloudUpright) {
     }
 }
 
+TEST(PlaceForm, AScannerThatHangsLooksDownWithoutASwapOfEastAndNorth) {
+    for (const Axis axis : {Axis::Spin, Axis::Sweep}) {
+        const Scan scan = placedBy(typed(kPose, {{"viewing", "down"}}, axis), axis);
+        EXPECT_LT((direction(scan, Vector3d::UnitZ()) + Vector3d::UnitZ()).norm(), 1e-9);
+        EXPECT_LT((direction(scan, Vector3d::UnitY()) - Vector3d::UnitX()).norm(), 1e-9) << "heading 90 degrees is east, as with up";
+    }
+}
+
 TEST(PlaceForm, TheScannerIsAtTheTypedPlaceAndLooksAlongTheHeading) {
     for (const Axis axis : {Axis::Spin, Axis::Sweep}) {
         const TypedPlace place = typed(kPose, {{"viewing", "forward"}}, axis);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace edgescan {
 namespace {
@@ -80,6 +81,19 @@ TEST(ReadingOptions, AUnitIsAWordOrANumber) {
         EXPECT_EQ(unit->get(options), text);
     }
     for (const char* text : {"0", "-1", "1e9", "ft", "1,2"}) EXPECT_FALSE(checked(*unit, text)) << text;
+}
+
+TEST(ReadingOptions, WhatReplacesTheFileAndWhatHasNoEffectIsNamed) {
+    ReadingOptions given, file;
+    given.unitMm = 1000.0;
+    given.axis = Axis::Spin;
+    given.topic = "/scan";
+    file.unitMm = 1.0;
+    file.axis = Axis::Spin;
+    EXPECT_EQ(replacedByOptions(given, file), std::vector<std::string>{"--unit m replaces mm, which the file gives."});
+    EXPECT_TRUE(replacedByOptions(given, {}).empty()) << "the file gives nothing";
+    constexpr std::array<std::string_view, 2> kKeys{"topic", "joint"};
+    EXPECT_EQ(idleOptions(given, kKeys, "WHY"), std::vector<std::string>{"--topic has no effect: WHY; leave it out."});
 }
 
 TEST(ReadingOptions, WhatDoesNotFitIsRefused) {

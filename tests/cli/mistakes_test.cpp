@@ -1,0 +1,64 @@
+// What a person types wrong, from tests/data/mistakes.txt: each mistake has its exit code and one message with what, where and what to do.
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A fresh folder with the files that the mistakes name, because some of them write.
+void fill(const fs::path& folder, const fs::path& bell) {
+    for (const char* name : {"BELL.json", "BELL.u16", "BELL.pcd"}) fs::copy_file(bell / name, folder / name);
+    const std::string cloud = test::fileText(folder / "BELL.pcd");
+    std::ofstream(folder / "empty.pcd");
+    std::ofstream(folder / "cut.pcd", std::ios::binary) << cloud.substr(0, cloud.size() / 2);
+    std::ofstream(folder / "text.pcd") << "hello\nworld\n";
+    std::ofstream(folder / "cal.json") << R"({"format": "x"})";
+    for (const char* name : {"a.fls", "a.zfs", "a.rcp", "a.lgs"}) {
+        std::ofstream file(folder / name, std::ios::binary);
+        for (int n = 0; n < 1024; ++n) file.put(static_cast<char>(n));
+    }
+    fs::create_directory(folder / "folder");
+}
+
+std::string trimmed(const std::string& text) {
+    const std::size_t from = text.find_first_not_of(' ');
+    return from == std::string::npos ? std::string() : text.substr(from, text.find_last_not_of(' ') - from + 1);
+}
+
+TEST(Mistakes, EachHasItsExitCodeAndMessage) {
+    const test::TemporaryFolder bell;
+    ASSERT_EQ(test::runLab("simulate -o " + (bell / "BELL.json").string() + " --seed 7 --lines 40 --beams 60").code, 0);
+    ASSERT_EQ(test::runCli("convert " + (bell / "BELL.json").string() + " " + (bell / "BELL.pcd").string()).code, 0);
+    std::istringstream rows(test::fileText(fs::path(test::sourceFolder()) / "tests/data/mistakes.txt"));
+    int mistakes = 0;
+    for (std::string row; std::getline(rows, row);) {
+        if (row.empty() || row.starts_with('#')) continue;
+        const std::size_t first = row.find(" | "), second = row.find('|', first + 3);
+        ASSERT_TRUE(first != std::string::npos && second != std::string::npos) << row;
+        std::string typed = row.substr(0, first);
+        const int code = std::stoi(row.substr(first + 3));
+        const std::string message = trimmed(row.substr(second + 1));
+        const bool ofLab = typed.starts_with("lab ");
+        if (ofLab) typed.erase(0, 4);
+        const test::TemporaryFolder folder;
+        fill(folder.path(), bell.path());
+        const std::string there = "--version >/dev/null && cd " + folder.path().string() + " && " + test::programFolder() + "/";
+        const auto run = test::runProgram("edgescan-cli", there + (ofLab ? "edgescan-lab " : "edgescan-cli ") + typed);
+        ++mistakes;
+        EXPECT_EQ(run.code, code) << row << "\n" << run.err;
+        EXPECT_NE(run.err.find(message), std::string::npos) << row << "\n" << run.err;
+        EXPECT_EQ(run.err.find("--help)"), std::string::npos) << row << "\n" << run.err; // the message of the parser
+    }
+    EXPECT_GE(mistakes, 82);
+}
+
+} // namespace
+} // namespace edgescan
