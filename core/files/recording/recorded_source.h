@@ -6,7 +6,8 @@
 #include "core/scan/grid/reading_options.h"
 #include "core/scanner/sweep_assembly/sweep_assembler.h"
 
-#include <memory>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,14 +21,10 @@ struct RecordedMessage {
     std::uint32_t sourceTopic = 0; ///< of Bridge: its topic, as the RecordedSource counts them
 };
 
-/// Makes scan lines of messages of RecordingTopic::Bridge.
-class LinePlayer {
-public:
-    virtual ~LinePlayer() = default;
-    [[nodiscard]] virtual bool isLine(const RecordedMessage& message) const = 0;
-    virtual void play(const RecordedMessage& message, scanner::SweepAssembler& to) = 0;
-    /// From the first message again.
-    virtual void restart() = 0;
+/// Makes scan lines of messages of RecordingTopic::Bridge. A copy goes on from where it is.
+struct LinePlayer {
+    std::function<bool(const RecordedMessage& message)> isLine;
+    std::function<void(const RecordedMessage& message, scanner::SweepAssembler& to)> play;
 };
 
 class RecordedSource {
@@ -37,9 +34,8 @@ public:
     [[nodiscard]] virtual const std::string& kind() const = 0;
     /// In the order of their times.
     [[nodiscard]] virtual std::vector<RecordedMessage> messages() const = 0;
-    /// What openScan() takes. Null: no topic gives lines.
-    [[nodiscard]] virtual std::unique_ptr<LinePlayer> player(const scanner::SweepSettings& settings,
-                                                             const ReadingOptions& options) const = 0;
+    /// Of what openScan() takes, at its begin; the source must outlive it. Empty: no topic gives lines.
+    [[nodiscard]] virtual std::optional<LinePlayer> player(const scanner::SweepSettings& settings, const ReadingOptions& options) const = 0;
 };
 
 } // namespace edgescan::files

@@ -53,7 +53,7 @@ Replay::Replay(std::shared_ptr<const Recording> recording, const ReadingOptions&
     settings_ = found.settings;
     sayAssumed(settings_, options);
     warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
-    if (recording_->source() != nullptr) player_ = recording_->source()->player(settings_, options);
+    if (recording_->source() != nullptr) player_ = atBegin_ = recording_->source()->player(settings_, options);
     feed_ = scanner::SweepFeed(settings_);
     for (std::size_t i = 0; i < recording_->messages().size(); ++i) {
         if (isLine(recording_->messages()[i])) lineAt_.push_back(i);
@@ -61,7 +61,7 @@ Replay::Replay(std::shared_ptr<const Recording> recording, const ReadingOptions&
 }
 
 bool Replay::isLine(const RecordedMessage& message) const {
-    if (message.topic == RecordingTopic::Bridge) return player_ && player_->isLine(message);
+    if (message.topic == RecordingTopic::Bridge) return player_.has_value() && player_->isLine(message);
     return isScanTelegram(message);
 }
 
@@ -92,7 +92,7 @@ bool Replay::step() {
 void Replay::seek(int line) {
     if (line < position_) {
         feed_ = scanner::SweepFeed(settings_);
-        if (player_) player_->restart();
+        player_ = atBegin_;
         next_ = 0;
         position_ = 0;
     }

@@ -48,8 +48,8 @@ private:
     std::vector<std::string> warnings_;
     std::vector<std::size_t> lineAt_; // message of each line
     scanner::SweepFeed feed_;
-    std::unique_ptr<LinePlayer> player_; // of a source that is not a SICK scanner
-    std::size_t next_ = 0;               // message
+    std::optional<LinePlayer> player_, atBegin_; // of a source that is not a SICK scanner
+    std::size_t next_ = 0;                       // message
     int position_ = 0;
 };
 

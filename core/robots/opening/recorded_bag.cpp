@@ -12,26 +12,6 @@ namespace {
 
 using files::RecordedMessage;
 
-class LaserPlayer final : public files::LinePlayer {
-public:
-    LaserPlayer(const std::vector<RosTopic>& topics, std::uint32_t laser, const scanner::SweepSettings& settings, std::string joint)
-        : topics_(topics), laserTopic_(laser), settings_(settings), joint_(std::move(joint)), laser_(settings_, joint_) {}
-
-    [[nodiscard]] bool isLine(const RecordedMessage& message) const override { return message.sourceTopic == laserTopic_; }
-    void play(const RecordedMessage& message, scanner::SweepAssembler& to) override {
-        const RosTopic& topic = topics_[message.sourceTopic];
-        if (isLine(message) || givesAngles(topic.type)) laser_.take(topic, message.payload, to);
-    }
-    void restart() override { laser_ = LiveLaser(settings_, joint_); }
-
-private:
-    const std::vector<RosTopic>& topics_;
-    const std::uint32_t laserTopic_;
-    const scanner::SweepSettings settings_;
-    const std::string joint_;
-    LiveLaser laser_;
-};
-
 class RecordedBag final : public files::RecordedSource {
 public:
     explicit RecordedBag(RosBag bag) : bag_(std::move(bag)) {}
@@ -46,13 +26,19 @@ public:
         std::ranges::stable_sort(messages, {}, &RecordedMessage::logNs); // some bags are by topic
         return messages;
     }
-    [[nodiscard]] std::unique_ptr<files::LinePlayer> player(const scanner::SweepSettings& settings,
-                                                            const ReadingOptions& options) const override {
+    [[nodiscard]] std::optional<files::LinePlayer> player(const scanner::SweepSettings& settings,
+                                                          const ReadingOptions& options) const override {
         auto topics = topicsToTry(bag_, options.topic, "");
-        if (!topics) return nullptr;
+        if (!topics) return std::nullopt;
         turnedFirst(bag_, options.joint, *topics, [&] { return !options.progress || options.progress("reading", 1.0); });
-        if (topics->front().gives != TopicGives::Lines) return nullptr;
-        return std::make_unique<LaserPlayer>(bag_.topics, topics->front().topic, settings, options.joint);
+        if (topics->front().gives != TopicGives::Lines) return std::nullopt;
+        const std::uint32_t lines = topics->front().topic;
+        return files::LinePlayer{
+            [lines](const RecordedMessage& message) { return message.sourceTopic == lines; },
+            [this, lines, laser = LiveLaser(settings, options.joint)](const RecordedMessage& message, scanner::SweepAssembler& to) mutable {
+                const RosTopic& topic = bag_.topics[message.sourceTopic];
+                if (message.sourceTopic == lines || givesAngles(topic.type)) laser.take(topic, message.payload, to);
+            }};
     }
 
 private:
