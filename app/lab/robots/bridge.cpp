@@ -89,7 +89,7 @@ struct EmulatedBridge::Server : std::enable_shared_from_this<EmulatedBridge::Ser
 };
 
 Result<Done> EmulatedBridge::Server::listen() {
-    const std::string where = addressText(settings.address, settings.port);
+    const std::string where = scanner::addressText(settings.address, settings.port);
     error_code problem;
     const auto address = asio::ip::make_address(settings.address, problem);
     if (problem) return Error{"this is not an IP address to listen on", where, "use 127.0.0.1, or 0.0.0.0 for all"};
