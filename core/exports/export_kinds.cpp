@@ -57,6 +57,9 @@ Files rockPictureOutlines(const ExportInput& in) { return one(in, pictureOutline
 Files rockHullFile(const ExportInput& in) { return one(in, hullBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
 Files section(const ExportInput& in) { return one(in, sectionBytes(in)); }
 Files targets(const ExportInput& in) { return one(in, targetBytes(in)); }
+constexpr OwnPart kPlane{"section", true, planeRecord, readPlane, sectionContent};
+constexpr OwnPart kTargets{"targets", true, targetsRecord, readTargets, targetContent};
+constexpr OwnPart kNamesOfTargets{"targets", false, targetsRecord, readTargets};
 constexpr std::array kCloudFile{ExportFile{".pcd", nullptr, Coordinates::InName}};
 constexpr std::array kPictureFile{ExportFile{".png", nullptr, Coordinates::None}};
 constexpr std::array kReportFile{ExportFile{".json", "Report with settings and edits", Coordinates::Inside}};
@@ -91,9 +94,9 @@ constexpr ExportKind kKinds[]{
     // Every cell with its state, as saveScan writes it; of the detection only the scan counts.
     {ExportContent::WholeScan, "scan", "whole scan", Needs::Scan, Holds::Scan, Counts::Cells, "scan", {}, nullptr, nullptr, wholeScan},
     {ExportContent::RockReport, "rocks", "rock report", Needs::Rocks, Holds::Numbers, Counts::Rocks, "rocks", kReportFile,
-     "--json", "All rocks with what may be said of them; - is stdout", rockReport},
+     "--json", "All rocks with what may be said of them; - is stdout", rockReport, {}, nullptr, &kNamesOfTargets},
     {ExportContent::RockTable, "rock-table", "rock table", Needs::Rocks, Holds::Numbers, Counts::Rocks, "rocks", kTableFile,
-     "--csv", "One row per rock, units in the names", rockTable},
+     "--csv", "One row per rock, units in the names", rockTable, {}, nullptr, &kNamesOfTargets},
     {ExportContent::RockLabels, "rock-labels", "rock labels", Needs::Rocks, Holds::Picture, Counts::Cells, "rocks", kLabelFile,
      "--labels", "16-bit PNG: 0 none, then 1..n, the largest visible area first", rockLabelPicture},
     {ExportContent::RockOutlines, "rock-outlines", "rock outlines", Needs::Rocks, Holds::Shapes, Counts::Rocks, "rocks", kOutlineFiles,
@@ -105,9 +108,10 @@ constexpr ExportKind kKinds[]{
     {ExportContent::RockCloud, "rock-cloud", "rock cloud", Needs::Rocks, Holds::Points, Counts::Points, "rocks", kCloudFile,
      "--cloud", "All points in metres with a field for rocks", fullCloud},
     {ExportContent::Section, "section", "section", Needs::Rocks, Holds::Shapes, Counts::Rocks, "section", kSectionFiles,
-     "--section", "Where a plane cuts the surfaces, in true scale, with edges and rocks: .dxf, .csv or .png", section},
+     "--section", "Where a plane cuts the surfaces, in true scale, with edges and rocks: .dxf, .csv or .png", section, {}, nullptr,
+     &kPlane},
     {ExportContent::Targets, "targets", "targets", Needs::Targets, Holds::Shapes, Counts::Targets, "targets", kTargetFiles, nullptr,
-     nullptr, targets, {"&Targets…", "", "Targets (%1)", "targets", false}},
+     nullptr, targets, {"&Targets…", "", "Targets (%1)", "targets", false}, nullptr, &kTargets},
 };
 // clang-format on
 
@@ -128,6 +132,11 @@ const ExportKind& exportKind(ExportContent content) { return kKinds[static_cast<
 const ExportKind* exportKindNamed(std::string_view record) {
     const auto* found = std::ranges::find_if(kKinds, [&](const ExportKind& kind) { return record == kind.record; });
     return found == std::end(kKinds) ? nullptr : found;
+}
+
+bool namesTargets(ExportContent content) {
+    const OwnPart* own = exportKind(content).own;
+    return own != nullptr && own->record == targetsRecord;
 }
 
 const char* countedThings(const ExportKind& kind) {

@@ -7,6 +7,9 @@
 #include "core/files/point_tables/writing_choices.h"
 #include "core/scan/grid/placement.h"
 
+#include <Eigen/Geometry>
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -82,6 +85,22 @@ struct ExportFile {
     bool inFolder = true; ///< also written to an output folder
 };
 
+/// What an export has besides the options of all: a part of its record, and the content of its file.
+struct OwnPart {
+    struct Content {
+        std::size_t count = 0;
+        Eigen::AlignedBox3d box{}; ///< of its places in the frame
+    };
+    const char* key; ///< of the record
+    bool needed;     ///< the export is made from it: every record has it, and rocks are added only where there are some
+    /// Null where the options have none.
+    nlohmann::ordered_json (*record)(const ExportOptions& options, const Scan& scan);
+    /// Puts the part of a record back into the options. Error: damaged.
+    Result<Done> (*read)(const nlohmann::ordered_json& part, const Scan& scan, const std::string& where, ExportOptions& options);
+    Content (*content)(const edges::Detection& detection, const ExportOptions& options,
+                       const std::filesystem::path& path) = nullptr; ///< null: as ExportKind::counts says
+};
+
 struct ExportKind {
     /// A cloud takes filled cells as well, where they are asked for. Targets: edges, and what the operator pinned.
     enum class Needs : std::uint8_t { Scan, Edges, Rocks, Targets };
@@ -110,6 +129,7 @@ struct ExportKind {
     Result<std::vector<FileBytes>> (*make)(const ExportInput& input);
     InWindow window{};
     const char* unit = nullptr; ///< of a picture's values
+    const OwnPart* own = nullptr;
 };
 
 [[nodiscard]] std::span<const ExportKind> exportKinds();
@@ -121,9 +141,7 @@ struct ExportKind {
 [[nodiscard]] inline bool isOfRocks(ExportContent content) { return exportKind(content).needs == ExportKind::Needs::Rocks; }
 
 /// True if the file has the names of targets.
-[[nodiscard]] inline bool namesTargets(ExportContent content) {
-    return content == ExportContent::Targets || content == ExportContent::RockTable || content == ExportContent::RockReport;
-}
+[[nodiscard]] bool namesTargets(ExportContent content);
 
 /// "edge points", "points", "cells", "rocks", "targets".
 [[nodiscard]] const char* countedThings(const ExportKind& kind);

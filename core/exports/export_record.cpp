@@ -10,8 +10,6 @@
 #include "core/exports/record_parts.h"
 #include "core/exports/report.h"
 #include "core/exports/rock_files.h"
-#include "core/exports/section_files.h"
-#include "core/exports/target_files.h"
 #include "core/files/point_tables/description.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/placement_json.h"
@@ -182,8 +180,9 @@ std::string exportRecord(ExportContent content, const edges::Detection& detectio
     if (!scan.placement) record["pose_reason"] = "no pose was given and the scan file holds none";
     record["attached_points"] = {{"in_scan", scan.attached.size()}, {"included", options.includeAttached}};
     if (options.selection && isCloud(content)) record["selection"] = selectionRecord(options);
-    if (options.section && content == ExportContent::Section) record["section"] = planeRecord(*options.section);
-    if (options.targets && namesTargets(content)) record["targets"] = targetsRecord(*options.targets, scan);
+    if (const OwnPart* own = exportKind(content).own) {
+        if (Json part = own->record(options, scan); !part.is_null()) record[own->key] = std::move(part);
+    }
     if (exportKind(content).needs != ExportKind::Needs::Scan) {
         record["settings"] = edges::settingsToJson(detection.settings);
         record["default_settings"] = {{"name", edges::kDefaultSet.name},

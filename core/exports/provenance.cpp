@@ -11,8 +11,6 @@
 #include "core/exports/cell_columns.h"
 #include "core/exports/frame_points.h"
 #include "core/exports/record_parts.h"
-#include "core/exports/section_files.h"
-#include "core/exports/target_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/point_tables/cell_runs.h"
@@ -53,13 +51,9 @@ struct Expected {
 
 Expected expectedOf(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
     const ExportKind& kind = exportKind(content);
-    if (content == ExportContent::Section) {
-        const SectionContent cut = sectionContent(detection, options, options.frame);
-        return Expected{cut.rocks, std::nullopt, countedThings(kind), cut.box};
-    }
-    if (content == ExportContent::Targets) {
-        const TargetContent pinned = targetContent(detection, options, path, options.frame);
-        return Expected{pinned.targets, std::nullopt, countedThings(kind), pinned.box};
+    if (kind.own != nullptr && kind.own->content != nullptr) {
+        const OwnPart::Content own = kind.own->content(detection, options, path);
+        return Expected{own.count, std::nullopt, countedThings(kind), own.box};
     }
     if (kind.counts == ExportKind::Counts::Rocks)
         return Expected{options.rocks ? rocks::rocksToList(*options.rocks).size() : 0, std::nullopt, countedThings(kind)};

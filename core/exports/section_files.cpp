@@ -187,15 +187,15 @@ Section cutBy(const edges::Detection& detection, const ExportOptions& options) {
 
 } // namespace
 
-SectionContent sectionContent(const edges::Detection& detection, const ExportOptions& options, CoordinateFrame frame) {
-    SectionContent content;
-    if (!options.section || !files::checkFrame(*detection.scan, frame, "")) return content;
+OwnPart::Content sectionContent(const edges::Detection& detection, const ExportOptions& options, const std::filesystem::path& path) {
+    OwnPart::Content content;
+    if (!options.section || !files::checkFrame(*detection.scan, options.frame, path.string())) return content;
     const Section section = cutBy(detection, options);
-    const FramePoints points(*detection.scan, frame);
+    const FramePoints points(*detection.scan, options.frame);
     for (const inspect::SectionLine& line : section.lines) {
         for (const SectionVertex& vertex : line) content.box.extend(points.at(vertex.cell, vertex.pointM));
     }
-    content.rocks = middlesOf(section).size();
+    content.count = middlesOf(section).size();
     return content;
 }
 
@@ -213,17 +213,21 @@ Result<std::string> sectionBytes(const ExportInput& input) {
     return dxfSection(section, withRocks, FramePoints(scan, input.options.frame).text(), input.record);
 }
 
-Json planeRecord(const inspect::SectionPlane& plane) {
+Json planeRecord(const ExportOptions& options, const Scan& /*scan*/) {
+    if (!options.section) return {};
+    const inspect::SectionPlane& plane = *options.section;
     const auto vector = [](const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); };
     return {
         {"origin_m", vector(plane.originM)}, {"across", vector(plane.across)}, {"up", vector(plane.up)}, {"up_assumed", plane.upAssumed}};
 }
 
-Result<std::shared_ptr<const inspect::SectionPlane>> planeOf(const Json& record, const std::string& where) {
+Result<Done> readPlane(const Json& record, const Scan& /*scan*/, const std::string& where, ExportOptions& options) {
     const auto origin = vectorOf(record, "origin_m"), across = vectorOf(record, "across"), up = vectorOf(record, "up");
     if (!origin || !across || !up)
         return Error{"the record's section is not understood", where, "verify with the version that made the export"};
-    return std::make_shared<const inspect::SectionPlane>(inspect::SectionPlane{*origin, *across, *up, record.value("up_assumed", false)});
+    options.section =
+        std::make_shared<const inspect::SectionPlane>(inspect::SectionPlane{*origin, *across, *up, record.value("up_assumed", false)});
+    return Done{};
 }
 
 } // namespace edgescan::exports

@@ -4,25 +4,17 @@
 #include "core/exports/export_kinds.h"
 #include "core/inspect/section/section.h"
 
-#include <Eigen/Geometry>
-#include <nlohmann/json_fwd.hpp>
-
-#include <cstddef>
-
 namespace edgescan::exports {
 
 /// By the extension of the input's path: .dxf, .csv or .png. Error: the options have no plane.
 Result<std::string> sectionBytes(const ExportInput& input);
 
 /// Rocks that the section of the options cuts, and the box of its vertices in a frame. Nothing without a plane.
-struct SectionContent {
-    std::size_t rocks = 0;
-    Eigen::AlignedBox3d box{};
-};
-[[nodiscard]] SectionContent sectionContent(const edges::Detection& detection, const ExportOptions& options, CoordinateFrame frame);
+[[nodiscard]] OwnPart::Content sectionContent(const edges::Detection& detection, const ExportOptions& options,
+                                              const std::filesystem::path& path);
 
 /// The plane in a record, and back. Error: damaged.
-[[nodiscard]] nlohmann::ordered_json planeRecord(const inspect::SectionPlane& plane);
-Result<std::shared_ptr<const inspect::SectionPlane>> planeOf(const nlohmann::ordered_json& record, const std::string& where);
+[[nodiscard]] nlohmann::ordered_json planeRecord(const ExportOptions& options, const Scan& scan);
+Result<Done> readPlane(const nlohmann::ordered_json& record, const Scan& scan, const std::string& where, ExportOptions& options);
 
 } // namespace edgescan::exports

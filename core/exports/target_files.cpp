@@ -90,16 +90,15 @@ std::string dxfTargets(const Scan& scan, const TargetList& targets, const FrameP
 
 } // namespace
 
-TargetContent targetContent(const edges::Detection& detection, const ExportOptions& options, const std::filesystem::path& path,
-                            CoordinateFrame frame) {
-    TargetContent content;
+OwnPart::Content targetContent(const edges::Detection& detection, const ExportOptions& options, const std::filesystem::path& path) {
+    OwnPart::Content content;
     const Scan& scan = *detection.scan;
-    if (!options.targets || !files::checkFrame(scan, frame, "")) return content;
-    const FramePoints points(scan, frame);
+    if (!options.targets || !files::checkFrame(scan, options.frame, "")) return content;
+    const FramePoints points(scan, options.frame);
     for (const PinnedTarget& target : *options.targets) {
         const bool placed = hasPlace(scan, target);
         if (placed) content.box.extend(points.at(target.cell));
-        content.targets += placed || isTable(path) ? 1 : 0;
+        content.count += placed || isTable(path) ? 1 : 0;
     }
     return content;
 }
@@ -111,15 +110,16 @@ Result<std::string> targetBytes(const ExportInput& input) {
     const Scan& scan = *input.detection.scan;
     if (auto known = files::checkFrame(scan, input.options.frame, where); !known) return known.error();
     if (isTable(input.path)) return csvTargets(input.detection, *input.options.targets, input.options.frame);
-    if (targetContent(input.detection, input.options, input.path, input.options.frame).targets == 0)
+    if (targetContent(input.detection, input.options, input.path).count == 0)
         return Error{"nothing was measured at the cells of the targets", where, "write .csv, or pin cells with a range"};
     return dxfTargets(scan, *input.options.targets, FramePoints(scan, input.options.frame), input.record);
 }
 
-Json targetsRecord(const TargetList& targets, const Scan& scan) {
+Json targetsRecord(const ExportOptions& options, const Scan& scan) {
+    if (!options.targets) return {};
     const auto beams = static_cast<std::uint32_t>(scan.beams());
     Json list = Json::array();
-    for (const PinnedTarget& target : targets)
+    for (const PinnedTarget& target : *options.targets)
         list.push_back({{"number", target.number},
                         {"name", target.name},
                         {"note", target.note},
@@ -129,7 +129,7 @@ Json targetsRecord(const TargetList& targets, const Scan& scan) {
     return list;
 }
 
-Result<std::shared_ptr<const TargetList>> targetsOf(const Json& record, const Scan& scan, const std::string& where) {
+Result<Done> readTargets(const Json& record, const Scan& scan, const std::string& where, ExportOptions& options) {
     JsonFields fields(nlohmann::json{{"targets", nlohmann::json(record)}}, where, "verify with the version that made the export");
     auto targets = std::make_shared<TargetList>();
     for (JsonFields& each : fields.objects("targets")) {
@@ -146,7 +146,8 @@ Result<std::shared_ptr<const TargetList>> targetsOf(const Json& record, const Sc
     }
     fields.done();
     if (fields.problem()) return *fields.problem();
-    return std::shared_ptr<const TargetList>(targets);
+    options.targets = std::move(targets);
+    return Done{};
 }
 
 } // namespace edgescan::exports

@@ -4,11 +4,6 @@
 #include "core/exports/export_kinds.h"
 #include "core/inspect/measure/notebook.h"
 
-#include <Eigen/Geometry>
-#include <nlohmann/json_fwd.hpp>
-
-#include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,15 +17,11 @@ using TargetList = std::vector<inspect::PinnedTarget>;
 Result<std::string> targetBytes(const ExportInput& input);
 
 /// How many targets a file holds, and the box of their places in a frame.
-struct TargetContent {
-    std::size_t targets = 0;
-    Eigen::AlignedBox3d box{};
-};
-[[nodiscard]] TargetContent targetContent(const edges::Detection& detection, const ExportOptions& options,
-                                          const std::filesystem::path& path, CoordinateFrame frame);
+[[nodiscard]] OwnPart::Content targetContent(const edges::Detection& detection, const ExportOptions& options,
+                                             const std::filesystem::path& path);
 
 /// The targets in a record, and back. Error: damaged, or of cells that the scan does not have.
-[[nodiscard]] nlohmann::ordered_json targetsRecord(const TargetList& targets, const Scan& scan);
-Result<std::shared_ptr<const TargetList>> targetsOf(const nlohmann::ordered_json& record, const Scan& scan, const std::string& where);
+[[nodiscard]] nlohmann::ordered_json targetsRecord(const ExportOptions& options, const Scan& scan);
+Result<Done> readTargets(const nlohmann::ordered_json& record, const Scan& scan, const std::string& where, ExportOptions& options);
 
 } // namespace edgescan::exports

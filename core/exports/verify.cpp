@@ -4,7 +4,9 @@
 #include "core/base/bounded_json.h"
 #include "core/base/foreign_text.h"
 #include "core/base/held_file.h"
+#include "core/base/inputs.h"
 #include "core/base/json_text.h"
+#include "core/base/result.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/base/whole_file.h"
@@ -12,11 +14,8 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
-#include "core/exports/find_scan.h"
 #include "core/exports/record_parts.h"
 #include "core/exports/report.h"
-#include "core/exports/section_files.h"
-#include "core/exports/target_files.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/georef/placed_points.h"
@@ -25,12 +24,68 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
+#include <string>
+#include <system_error>
+#include <vector>
 
 namespace edgescan::exports {
 namespace {
 
 namespace fs = std::filesystem;
+
+template <class Iterator>
+void addFiles(std::vector<fs::path>& files, Iterator entries) {
+    std::error_code problem;
+    for (const Iterator end; entries != end && !problem; entries.increment(problem)) {
+        std::error_code ignored;
+        if (entries->is_regular_file(ignored)) files.push_back(entries->path());
+    }
+}
+
+/// Files of one folder, likely ones first: the file with the old name, then the others by name.
+void likelyFirst(std::vector<fs::path>& files, const std::string& oldName) {
+    const fs::path stem = fs::path(oldName).stem();
+    const auto rank = [&](const fs::path& file) { return file.filename() == oldName ? 0 : file.stem() == stem ? 1 : 2; };
+    std::sort(files.begin(), files.end(),
+              [&](const fs::path& a, const fs::path& b) { return std::pair(rank(a), a) < std::pair(rank(b), b); });
+}
+
+/// The file with this SHA-256 that `isIt` accepts: first the one with its old name in the folder of the export, then any file in this
+/// folder, then any file under `scansFolder`. Files of other descriptions may have the same bytes: where `isIt` accepts none, the first.
+Result<fs::path> findScan(const std::string& sha256, const std::string& oldName, const fs::path& exported,
+                          const std::optional<fs::path>& scansFolder, const std::function<bool(const fs::path&)>& isIt) {
+    std::error_code problem;
+    std::vector<fs::path> files;
+    for (const fs::path& name : namesOf(exported)) {
+        const fs::path folder = name.has_parent_path() ? name.parent_path() : fs::path(".");
+        addFiles(files, fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, problem));
+    }
+    likelyFirst(files, oldName);
+    if (scansFolder) {
+        if (!fs::is_directory(*scansFolder, problem))
+            return Error{"there is no such folder", scansFolder->string(), "give --scans the folder that holds the scan"};
+        std::vector<fs::path> more;
+        addFiles(more, fs::recursive_directory_iterator(*scansFolder, fs::directory_options::skip_permission_denied, problem));
+        likelyFirst(more, oldName);
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    std::optional<fs::path> first;
+    for (const fs::path& file : files) {
+        const auto hash = sha256OfFile(file);
+        if (!hash || *hash != sha256) continue;
+        if (isIt(file)) return file;
+        if (!first) first = file;
+    }
+    if (first) return *first;
+    const std::string where = scansFolder ? " or under " + scansFolder->string() : "";
+    return Error{"the scan " + oldName + " with SHA-256 " + sha256.substr(0, 16) + "... is not next to the export" + where,
+                 exported.string(), scansFolder ? "copy the scan there" : "give --scans the folder that holds it"};
+}
+
 using Json = nlohmann::ordered_json;
 
 std::string sha256Of(const std::string& text) { return sha256Hex(std::as_bytes(std::span(text))); }
@@ -305,17 +360,13 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     const auto detection = detectionOf(*record, *kind, scansFolder, v);
     if (!detection) return detection.error();
     if (record->contains("selection")) options.selection = selectionOf(at(*record, "/selection"), (*detection)->scan->cells());
-    if (kind->content == ExportContent::Section) {
-        const auto plane = planeOf(at(*record, "/section"), exported.string());
-        if (!plane) return plane.error();
-        options.section = *plane;
+    const OwnPart* own = kind->own;
+    const bool needsOwn = own != nullptr && own->needed;
+    if (own != nullptr && (needsOwn || record->contains(own->key))) {
+        const std::string where = "/" + std::string(own->key);
+        if (auto read = own->read(at(*record, where.c_str()), *(*detection)->scan, exported.string(), options); !read) return read.error();
     }
-    if (kind->content == ExportContent::Targets || (namesTargets(kind->content) && record->contains("targets"))) {
-        const auto targets = targetsOf(at(*record, "/targets"), *(*detection)->scan, exported.string());
-        if (!targets) return targets.error();
-        options.targets = *targets;
-    }
-    if (kind->needs == ExportKind::Needs::Rocks && (kind->content != ExportContent::Section || record->contains("rocks"))) {
+    if (kind->needs == ExportKind::Needs::Rocks && (!needsOwn || record->contains("rocks"))) {
         const auto rocks = rocksOf(*record, **detection, v);
         if (!rocks) return rocks.error();
         options.rocks = *rocks;

@@ -159,7 +159,7 @@ TEST(CliWrites, OnlyTheseFilesOfTheProgramTouchTheDisk) {
         "core/batch/archive/journal.cpp",          // appends under a lock; removes its own folder of work
         "app/cli/batch_scan.cpp",                  // removes results of an earlier run of the same scan
         "core/files/open_save/pose_sidecar.cpp",   // removes its file when the scan has no pose of its own any more
-        "core/containers/ros/database_log.cpp",    // removes its own folder of copies
+        "core/robots/bags/database_log.cpp",       // removes its own folder of copies
         "core/containers/mcap/growing_file.cpp",   // a recording: a new name, or an error
         "ui/base/language/catalogue.cpp",          // reads a file of Qt's translations
         "ui/controllers/sessions/autosaves.cpp",   // removes old sessions of its own folder

@@ -3,7 +3,7 @@
 
 #include "core/base/bytes.h"
 #include "core/containers/mcap/writer.h"
-#include "core/containers/ros/bag.h"
+#include "core/robots/bags/bag.h"
 
 #ifdef EDGESCAN_TESTS_SQLITE
 #include <sqlite3.h>
@@ -94,7 +94,7 @@ struct RosMessages {
 
     /// With the common definition, as ROS 1 or ROS 2 has it.
     std::uint32_t topic(const std::string& name, const std::string& type, Wire wire) {
-        std::string text(containers::commonRosDefinition(type));
+        std::string text(robots::commonRosDefinition(type));
         const std::string header = "===\nMSG: std_msgs/Header\n";
         if (const std::size_t at = text.find(header); wire == Wire::Ros1 && at != std::string::npos) {
             const std::size_t end = std::min(text.find("===", at + 3), text.size());

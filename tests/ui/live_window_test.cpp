@@ -1,8 +1,8 @@
 // The real window with a live scanner and with recordings: the picture grows, keeps its place, is marked when stale, is recorded and played
 // again.
-#include "app/lab/emulator/bridge.h"
 #include "app/lab/emulator/emulator.h"
 #include "app/lab/emulator/telegram.h"
+#include "app/lab/robots/bridge.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/report.h"
 #include "tests/support/own_sockets.h"
@@ -157,11 +157,11 @@ private slots:
 
     // A robot's bridge: the port is that of the field or of the address, the topics are listed with what they give, and one is chosen.
     void theTopicsOfARobotAreListedAndChosen() {
-        auto lines = scanner::bridgeSweepOf(scan_);
+        auto lines = robots::bridgeSweepOf(scan_);
         QVERIFY(lines);
         scanner::EmulatedScannerSettings settings;
         settings.linesPerSecond = 100;
-        auto bridge = scanner::serveBridge(std::move(*lines), settings);
+        auto bridge = robots::serveBridge(std::move(*lines), settings);
         QVERIFY(bridge);
         WindowFixture on;
         QVERIFY(on.show() && on.activate());

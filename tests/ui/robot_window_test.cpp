@@ -1,5 +1,5 @@
 // Robots with ROS in the real window: a bag from the start page, a recorded bridge that is played, clouds over a bridge.
-#include "app/lab/emulator/bridge.h"
+#include "app/lab/robots/bridge.h"
 #include "core/exports/report.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/ros_sweeps.h"

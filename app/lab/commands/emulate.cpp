@@ -1,12 +1,15 @@
 // edgescan-lab emulate: an emulated LMS511, or an emulated bridge of a robot, that sends a scan's lines.
 #include "app/lab/commands/commands.h"
-#include "app/lab/emulator/bridge.h"
 #include "app/lab/emulator/emulator.h"
 #include "app/lab/emulator/telegram.h"
 #include "app/shared/interrupt.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
+
+#ifdef EDGESCAN_ROBOTS
+#include "app/lab/robots/bridge.h"
+#endif
 
 #include <nlohmann/json.hpp>
 
@@ -46,23 +49,25 @@ std::string recordFlags(const Scan& scan) {
 
 struct Emulated {
     std::unique_ptr<scanner::EmulatedScanner> scanner;
-    std::unique_ptr<scanner::EmulatedBridge> bridge;
+    std::shared_ptr<void> bridge; ///< instead of the scanner
     std::string recordFlags;
-
-    [[nodiscard]] std::uint16_t port() const { return bridge ? bridge->port() : scanner->port(); }
+    std::uint16_t port = 0;
 };
 Result<Emulated> start(const Emulate& emulate) {
     const Result<Scan> scan = openAndWarn(emulate.file, emulate.read);
     if (!scan) return scan.error();
     scanner::EmulatedScannerSettings settings = emulate.settings;
     settings.atEnd = emulate.loop ? scanner::AtEnd::Again : scanner::AtEnd::Stop;
+#ifdef EDGESCAN_ROBOTS
     if (emulate.bridge) {
-        auto sweep = emulate.cloud ? scanner::bridgeCloudOf(*scan) : scanner::bridgeSweepOf(*scan);
+        auto sweep = emulate.cloud ? robots::bridgeCloudOf(*scan) : robots::bridgeSweepOf(*scan);
         if (!sweep) return sweep.error();
-        auto bridge = scanner::serveBridge(std::move(*sweep), settings);
+        auto bridge = robots::serveBridge(std::move(*sweep), settings);
         if (!bridge) return bridge.error();
-        return Emulated{nullptr, std::move(*bridge), {}};
+        const std::uint16_t port = (*bridge)->port();
+        return Emulated{nullptr, std::move(*bridge), {}, port};
     }
+#endif
     scanner::TelegramStyle style;
     style.remission = emulate.remission;
     Result<std::vector<scanner::ScanTelegram>> telegrams = scanner::telegramsOf(*scan, style);
@@ -70,7 +75,8 @@ Result<Emulated> start(const Emulate& emulate) {
     if (emulate.dialect != "both") settings.only = emulate.dialect == "a" ? scanner::Dialect::A : scanner::Dialect::B;
     auto scanner = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
     if (!scanner) return scanner.error();
-    return Emulated{std::move(*scanner), nullptr, recordFlags(*scan)};
+    const std::uint16_t port = (*scanner)->port();
+    return Emulated{std::move(*scanner), nullptr, recordFlags(*scan), port};
 }
 
 int run(const Emulate& emulate) {
@@ -82,7 +88,7 @@ int run(const Emulate& emulate) {
     catchInterrupt();
     nlohmann::ordered_json flags = nullptr;
     if (!emulated->recordFlags.empty()) flags = emulated->recordFlags;
-    const auto about = document("emulate", {{"host", emulate.settings.address}, {"port", emulated->port()}, {"record_flags", flags}});
+    const auto about = document("emulate", {{"host", emulate.settings.address}, {"port", emulated->port}, {"record_flags", flags}});
     if (const Result<Done> written = writeDocument(emulate.json, about, false); !written) {
         printError(written.error());
         return kRefused;
@@ -104,11 +110,13 @@ void addEmulate(CLI::App& app, int& code) {
         "Emulates an LMS511 or a robot's bridge that sends a scan's lines over TCP; prints host and port as JSON, runs until Ctrl+C");
     command.add_option("SCAN", emulate->file, "Scan to send")->required();
     addJsonFlag(command, emulate->json, "Host, port and the flags of record that give this scan again").capture_default_str();
+#ifdef EDGESCAN_ROBOTS
     CLI::Option* bridge = command.add_flag("--bridge", emulate->bridge,
                                            "Emulate the Foxglove bridge of a robot with ROS 2 that turns a laser, instead of a scanner");
     command
         .add_flag("--cloud", emulate->cloud, "The robot's scanner sends the whole scan in each message (PointCloud2); --rate counts them")
         ->needs(bridge);
+#endif
     addNumber(command, "--port", s.port, {0, 65535}, "TCP port; 0 = any that is free");
     command.add_option("--address", s.address, "Address to listen on")->type_name("HOST")->capture_default_str();
     addNumber(command, "--rate", s.linesPerSecond, {0, 1e6}, "Lines per second; 0 = as fast as the client reads");

@@ -1,6 +1,7 @@
 // Files of other programs that are not read, known by their first bytes or by their name, and what turns them into files that are.
 #include "core/base/number_text.h"
 #include "core/containers/compression/zip_archive.h"
+#include "core/files/addons/addon.h"
 #include "core/files/formats/format.h"
 #include "core/files/point_tables/text_layout.h"
 #include "core/files/point_tables/text_words.h"
@@ -183,6 +184,14 @@ Format refusing() {
 }
 
 } // namespace
+
+Format bagWithoutRobots() {
+    return {.title = "",
+            .recognises = [](const Source& s) { return s.text().starts_with("#ROSBAG V") || s.text().starts_with("SQLite format 3"); },
+            .read = [](const Source& source) -> Result<Reading> {
+                return source.refused(std::string("this is a ROS bag, and ") + kNoRobots, kBuildWithRobots);
+            }};
+}
 
 Format fileThatIsNoScan() { return refusing<kindByBytes>(); }
 

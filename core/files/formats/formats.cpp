@@ -1,6 +1,8 @@
 // One row per format. A new format is a file of this folder, a declaration and an entry here.
 #include "core/files/formats/formats.h"
 
+#include "core/files/addons/addon.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -23,7 +25,7 @@ Format surpacFormat();
 Format rangePictureFormat();
 Format scan3dFormat();
 Format recordingFormat();
-Format rosBagFormat();
+Format bagWithoutRobots();
 Format packetCaptureFormat();
 Format colaCaptureFormat();
 Format fileOfAnotherProgram();
@@ -32,11 +34,17 @@ namespace {
 
 /// In this order they are asked whether they recognise a content, and are listed in dialogs.
 const std::vector<Format>& rows() {
-    static const std::vector<Format> all{
-        rawGridFormat(),       numpyFormat(),       fileThatIsNoScan(),    pcdFormat(),    plyFormat(),       pointListFormat(),
-        rangeTableFormat(),    pointTableFormat(),  lasFormat(),           e57Format(),    dxfFormat(),       ptxFormat(),
-        objFormat(),           surpacFormat(),      rangePictureFormat(),  scan3dFormat(), recordingFormat(), rosBagFormat(),
-        packetCaptureFormat(), colaCaptureFormat(), fileOfAnotherProgram()};
+    static const std::vector<Format> all = [] {
+        std::vector<Format> formats{rawGridFormat(),   numpyFormat(),         fileThatIsNoScan(),   pcdFormat(),
+                                    plyFormat(),       pointListFormat(),     rangeTableFormat(),   pointTableFormat(),
+                                    lasFormat(),       e57Format(),           dxfFormat(),          ptxFormat(),
+                                    objFormat(),       surpacFormat(),        rangePictureFormat(), scan3dFormat(),
+                                    recordingFormat(), packetCaptureFormat(), colaCaptureFormat(),  fileOfAnotherProgram()};
+        const std::vector<Format> added = addon().formats != nullptr ? addon().formats() : std::vector{bagWithoutRobots()};
+        const auto before = std::ranges::find(formats, std::string_view("Network capture"), &Format::title);
+        formats.insert(before, added.begin(), added.end());
+        return formats;
+    }();
     return all;
 }
 

@@ -1,8 +1,8 @@
 // Recordings of a live scan (MCAP).
 #include "core/files/formats/format.h"
 
-#include "core/containers/ros/bag.h"
-#include "core/files/formats/ros_bag.h"
+#include "core/containers/mcap/records.h"
+#include "core/files/addons/addon.h"
 #include "core/files/recording/replay.h"
 #include "core/files/recording/save_recording.h"
 
@@ -13,24 +13,23 @@ namespace {
 
 bool looksLikeRecording(const Source& source) { return source.text().starts_with(containers::kMcapMagic); }
 
-/// The scan of a ROS bag in this container; empty: it holds no topic of ROS.
-std::optional<Result<Reading>> rosScanIn(const Source& source) {
-    const ByteView bytes(reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size());
-    const auto content = containers::readMcap(bytes, source.path.string(), [&] { return source.goOn("reading", 0.0); });
-    if (!content || !containers::hasRosTopics(*content)) return std::nullopt;
-    return readRosMcap(*content, source);
-}
-
-/// A recording of this program, or a ROS 2 bag in the same container. What its header calls a profile decides which of them is tried first.
+/// A recording of this program, or what an add-on knows in the same container. What its header calls a profile decides which of them is
+/// tried first.
 Result<Reading> readMcapFile(const Source& source) {
+    const auto readOther = addon().readMcap;
+    if (readOther == nullptr) {
+        auto recording = readingOf<readRecording>(source);
+        if (recording || recording.error().what == source.cancelled().what) return recording;
+        return source.refused(recording.error().what + ", and " + kNoRobots, kBuildWithRobots);
+    }
     constexpr std::size_t kProfileAt = containers::kMcapMagic.size() + containers::kMcapRecordHead + 4;
     if (source.text().substr(0, kProfileAt + 3).ends_with("ros")) {
-        if (auto bag = rosScanIn(source)) return std::move(*bag);
+        if (auto bag = readOther(source)) return std::move(*bag);
         return readingOf<readRecording>(source);
     }
     auto recording = readingOf<readRecording>(source);
     if (recording) return recording;
-    if (auto bag = rosScanIn(source)) return std::move(*bag);
+    if (auto bag = readOther(source)) return std::move(*bag);
     return recording;
 }
 

@@ -1,7 +1,7 @@
 // A scanner from its socket to a growing scan.
 #include "core/files/live_feed/live_feed.h"
 
-#include "core/files/live_feed/bridge_topics.h"
+#include "core/files/addons/addon.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,47 +12,26 @@ namespace {
 constexpr std::size_t kLinesOfRate = 64;         // that the rate is taken from
 constexpr std::size_t kLeastOfRate = 10;         // fewer lines say little about the rate
 constexpr std::int64_t kKeptNs = 60'000'000'000; // "keep what just happened"
-constexpr std::size_t kMostStanding = 64;
-constexpr auto kLive = scanner::ConnectionPhase::Live;
-
-std::optional<containers::RosTopic> topicOf(const scanner::BridgeChannel& channel) {
-    return containers::rosTopic(channel.topic, channel.encoding, channel.type, channel.definitionEncoding, channel.definition);
-}
-
-/// A cloud has its angles: nothing of its mounting is assumed.
-scanner::SweepSettings settingsOf(const Scan* cloud) {
-    scanner::SweepSettings settings;
-    settings.degPerLine.reset();
-    const auto* polar = cloud != nullptr ? std::get_if<PolarGeometry>(&cloud->geometry) : nullptr;
-    if (polar != nullptr) settings.axis = polar->axis;
-    return settings;
-}
 
 } // namespace
 
 LiveFeed::LiveFeed(scanner::ConnectionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
                    const LiveLimits& limits)
     : changed_(std::move(changed)), mostLines_(limits.lines), sweepSettings_(sweep), recent_(kKeptNs, limits.keptBytes), feed_(sweep),
-      joint_(scanner.joint), laser_(sweep, joint_), connection_(connect(std::move(scanner))) {}
+      connection_(connect(std::move(scanner))) {}
 
 std::unique_ptr<scanner::LiveConnection> LiveFeed::connect(scanner::ConnectionSettings settings) {
     const auto stateChanged = [this](const scanner::ConnectionState& state) { changedTo(state); };
+    if (settings.bridge && addon().live == nullptr) {
+        const Error none{kNoRobots, scanner::addressText(settings.host, settings.port), kBuildWithRobots};
+        state_ = {scanner::ConnectionPhase::Lost, none.sentence(), scanner::hostNow(), none};
+        return nullptr;
+    }
     if (settings.bridge) {
-        scanner::BridgeEvents events;
-        events.stateChanged = stateChanged;
-        events.choose = [this, topic = settings.topic, where = scanner::addressText(settings.host, settings.port)](const auto& offered) {
-            auto choice = chooseTopics(offered, topic, where);
-            const std::lock_guard lock(mutex_);
-            offered_ = offered;
-            if (!choice) return choice;
-            if (linesTopic_.empty()) {
-                linesTopic_ = choice->lines->topic;
-                if (isCloud(*choice->lines)) cloud_ = std::make_unique<LiveCloud>(changed_);
-            }
-            return choice;
-        };
-        events.received = [this](const auto& channel, const auto& data, const auto& time) { received(channel, data, time); };
-        return std::make_unique<scanner::BridgeConnection>(std::move(settings), std::move(events));
+        source_ = addon().live(settings, sweepSettings_, changed_, mutex_);
+        return source_->connect(std::move(settings), {stateChanged, [this](RecordingMessage message, const auto& time, bool isLine) {
+                                                          received(std::move(message), time, isLine);
+                                                      }});
     }
     scanner::ConnectionEvents events;
     events.stateChanged = stateChanged;
@@ -77,7 +56,9 @@ void LiveFeed::changedTo(const scanner::ConnectionState& state) {
     changed_();
 }
 
-LiveFeed::~LiveFeed() { connection_->stop(); }
+LiveFeed::~LiveFeed() {
+    if (connection_) connection_->stop();
+}
 
 void LiveFeed::record(RecordingMessagePtr message) {
     const std::lock_guard lock(mutex_);
@@ -102,7 +83,7 @@ void LiveFeed::take(const RecordingMessagePtr& message, const scanner::HostTime&
         const int before = feed_.assembler().sweepNumber();
         lines = takeLines();
         // At a reversal some of the new sweep came before; they are few, and the recording is cut into the same sweeps.
-        if (feed_.assembler().sweepNumber() != before || (cloud_ && lines > 0)) sweepFirst_ = message;
+        if (feed_.assembler().sweepNumber() != before || (lines > 0 && source_ && source_->newest())) sweepFirst_ = message;
         lines_ += lines;
         for (int line = 0; line < lines; ++line) lineNs_.push_back(time.monotonicNs);
         while (lineNs_.size() > kLinesOfRate) lineNs_.pop_front();
@@ -115,66 +96,37 @@ void LiveFeed::received(const scanner::ColaFrame& frame) {
     take(receivedMessage(frame, clock_), frame.received, [&] { return feed_.frame(frame, clock_.ns(frame.received)) ? 1 : 0; });
 }
 
-void LiveFeed::received(const scanner::BridgeChannelPtr& channel, const scanner::BridgeData& data, const scanner::HostTime& time) {
-    if (comesAfterTheLast(channel->topic == linesTopic_)) return;
-    const auto message = std::make_shared<const RecordingMessage>(
-        RecordingMessage{RecordingTopic::Bridge, clock_.ns(time), Bytes(data.payload.begin(), data.payload.end()), channel, data.bridgeNs});
+void LiveFeed::received(RecordingMessage received, const scanner::HostTime& time, bool isLine) {
+    if (comesAfterTheLast(isLine)) return;
+    received.hostNs = clock_.ns(time);
+    const auto message = std::make_shared<const RecordingMessage>(std::move(received));
     take(message, time, [&] {
-        Heard& heard = heard_[channel->topic];
-        if (heard.messages++ == 0) heard = {1, time.monotonicNs, 0, message};
-        heard.lastNs = time.monotonicNs;
-        if (channel->topic.ends_with("tf_static") && standing_.size() < kMostStanding) standing_.push_back(message);
-        return takeBridge(message);
+        source_->heard(message, time.monotonicNs);
+        return source_->play(message, feed_.assembler());
     });
 }
 
-int LiveFeed::takeBridge(const RecordingMessagePtr& message) {
-    const auto topic = topicOf(*message->channel);
-    if (!topic) return 0;
-    if (!cloud_) return laser_.take(*topic, message->payload, feed_.assembler());
-    if (topic->name != linesTopic_) return 0;
-    cloud_->take(*topic, message);
-    return 1;
-}
-
-std::shared_ptr<const Scan> LiveFeed::snapshot() {
-    const std::lock_guard lock(mutex_);
-    return cloud_ ? cloud_->newest().scan : feed_.assembler().snapshot();
-}
+std::shared_ptr<const Scan> LiveFeed::snapshot() { return sweep().scan; }
 
 scanner::SweepState LiveFeed::sweep() {
     const std::lock_guard lock(mutex_);
-    if (cloud_) return cloud_->newest();
+    if (auto whole = source_ ? source_->newest() : std::nullopt) return std::move(*whole);
     return {feed_.assembler().snapshot(), feed_.assembler().progress()};
 }
 
 LiveStatus LiveFeed::status() const {
     LiveStatus status;
-    status.statistics = connection_->statistics();
+    if (connection_) status.statistics = connection_->statistics();
     const std::lock_guard lock(mutex_);
     status.connection = state_;
     status.scanner = identity_;
-    status.sweep = cloud_ ? cloud_->progress() : feed_.assembler().progress();
+    status.sweep = feed_.assembler().progress();
     status.settings = feed_.assembler().settings();
     status.lines = lines_;
-    status.wholeClouds = cloud_ != nullptr;
     status.linesAfter = linesAfter_;
-    status.undecodable = feed_.undecodable() + laser_.leftOut() + (cloud_ ? cloud_->unusable() : 0);
-    status.whyUndecodable = !feed_.whyUndecodable().empty() ? feed_.whyUndecodable() : laser_.whyLeftOut();
-    if (const auto problem = cloud_ ? cloud_->whyUnusable() : std::nullopt) status.whyUndecodable = problem->what;
-    status.sweep.duplicates += laser_.repeated();
-    status.noReturns = laser_.noReturns();
-    if (cloud_) status.settings = settingsOf(cloud_->newest().scan.get());
-    if (const std::string wait = laser_.waitsFor(); !wait.empty() && lines_ == 0 && status.connection.phase == kLive) {
-        const Error unknown{"lines come, but their angle is not known: " + wait, linesTopic_,
-                            "give the joint that turns the laser (--joint), or the step from line to line (--line-step)"};
-        status.connection.sentence = unknown.sentence();
-        status.connection.problem = unknown;
-    }
-    if (cloud_ && !cloud_->newest().scan && status.connection.phase == kLive) {
-        status.connection.problem = cloud_->whyUnusable();
-        if (status.connection.problem) status.connection.sentence = status.connection.problem->sentence();
-    }
+    status.undecodable = feed_.undecodable();
+    status.whyUndecodable = feed_.whyUndecodable();
+    if (source_) source_->complete(status);
     if (!lineNs_.empty()) {
         status.secondsSinceLine = static_cast<double>(scanner::hostNow().monotonicNs - lineNs_.back()) * 1e-9;
         const double seconds = static_cast<double>(lineNs_.back() - lineNs_.front()) * 1e-9;
@@ -186,24 +138,7 @@ LiveStatus LiveFeed::status() const {
 
 std::vector<OfferedTopic> LiveFeed::offered() const {
     const std::lock_guard lock(mutex_);
-    std::vector<OfferedTopic> all;
-    for (const scanner::BridgeChannelPtr& channel : offered_) {
-        const auto topic = topicOf(*channel);
-        if (!topic) continue;
-        OfferedTopic row;
-        const auto heard = heard_.find(channel->topic);
-        row.subscribed = heard != heard_.end();
-        row.lines = channel->topic == linesTopic_;
-        row.topic = listedTopic(*topic, row.subscribed ? ByteView(heard->second.first->payload) : ByteView());
-        if (row.subscribed) {
-            row.topic.messages = static_cast<std::size_t>(heard->second.messages);
-            const double seconds = static_cast<double>(heard->second.lastNs - heard->second.firstNs) * 1e-9;
-            if (seconds > 0) row.topic.hertz = static_cast<double>(heard->second.messages - 1) / seconds;
-        }
-        all.push_back(std::move(row));
-    }
-    std::ranges::sort(all, {}, [](const OfferedTopic& row) { return row.topic.name; });
-    return all;
+    return source_ ? source_->offered() : std::vector<OfferedTopic>();
 }
 
 std::vector<scanner::FinishedSweep> LiveFeed::takeFinished() {
@@ -236,7 +171,7 @@ std::vector<RecordingMessagePtr> LiveFeed::messagesOfSweep() const {
     const auto first = std::find(messages.begin(), messages.end(), sweepFirst_);
     // The first sweep, or one that began before what is remembered: all.
     if (first != messages.end()) messages.erase(messages.begin(), first);
-    std::vector<RecordingMessagePtr> all = standing_;
+    std::vector<RecordingMessagePtr> all = source_ ? source_->standing() : std::vector<RecordingMessagePtr>();
     std::erase_if(all, [&](const RecordingMessagePtr& message) { return std::ranges::find(messages, message) != messages.end(); });
     all.insert(all.end(), messages.begin(), messages.end());
     return all;
@@ -255,11 +190,11 @@ std::optional<int> LiveFeed::useSweep(const scanner::SweepSettings& sweep) {
         sweepSettings_ = sweep;
         gone = feed_.assembler().progress().received;
         feed_ = scanner::SweepFeed(sweep);
-        laser_ = LiveLaser(sweep, joint_);
-        if (cloud_) return 0; // its points have their places
+        if (source_) source_->useSweep(sweep);
+        if (source_ && source_->newest()) return 0; // its points have their places
         for (const RecordingMessagePtr& message : messagesOfSweep()) {
             if (message->topic == RecordingTopic::Bridge)
-                takeBridge(message);
+                source_->play(message, feed_.assembler());
             else
                 feedMessage(feed_, {message->topic, message->hostNs, message->hostNs, message->payload});
         }
@@ -290,7 +225,7 @@ Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
     std::vector<RecordingMessagePtr> messages = recent_.messages();
     {
         const std::lock_guard lock(mutex_);
-        std::vector<RecordingMessagePtr> earlier = standing_;
+        std::vector<RecordingMessagePtr> earlier = source_ ? source_->standing() : std::vector<RecordingMessagePtr>();
         std::erase_if(earlier, [&](const RecordingMessagePtr& message) { return std::ranges::find(messages, message) != messages.end(); });
         messages.insert(messages.begin(), earlier.begin(), earlier.end());
     }
@@ -298,8 +233,9 @@ Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
 }
 
 void LiveFeed::stop() {
+    if (!connection_) return;
     connection_->stop();
-    if (cloud_) cloud_->finish(); // without the lock: a cloud takes its time, and no other thread makes another one any more
+    if (source_) source_->finish(); // without the lock: a cloud takes its time, and no other thread makes another one any more
     const std::lock_guard lock(mutex_);
     feed_.assembler().finish();
 }

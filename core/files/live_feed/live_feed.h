@@ -2,17 +2,14 @@
 // A scanner of whole clouds makes a scan of each message.
 #pragma once
 
-#include "core/files/live_feed/live_cloud.h"
+#include "core/files/addons/topics.h"
+#include "core/files/live_feed/live_source.h"
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"
-#include "core/files/ros/bag_listing.h"
-#include "core/files/ros/live_laser.h"
-#include "core/scanner/foxglove/bridge_connection.h"
 #include "core/scanner/sick_lms/scanner_connection.h"
 
 #include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -96,10 +93,9 @@ private:
     [[nodiscard]] std::unique_ptr<scanner::LiveConnection> connect(scanner::ConnectionSettings settings);
     void changedTo(const scanner::ConnectionState& state);
     void received(const scanner::ColaFrame& frame);
-    void received(const scanner::BridgeChannelPtr& channel, const scanner::BridgeData& data, const scanner::HostTime& time);
+    void received(RecordingMessage message, const scanner::HostTime& time, bool isLine);
     template <class TakeLines>
     void take(const RecordingMessagePtr& message, const scanner::HostTime& time, const TakeLines& takeLines);
-    int takeBridge(const RecordingMessagePtr& message); // with the lock
     [[nodiscard]] bool comesAfterTheLast(bool isLine);
     void record(RecordingMessagePtr message);
     [[nodiscard]] std::vector<RecordingMessagePtr> messagesOfSweep() const; // with the lock
@@ -112,17 +108,7 @@ private:
     RecentMessages recent_;
     mutable std::mutex mutex_; // of all that follows, but not of the connection
     scanner::SweepFeed feed_;
-    const std::string joint_;
-    LiveLaser laser_;                           // of a bridge
-    std::vector<RecordingMessagePtr> standing_; // of a bridge: fixed transforms, which come only once
-    std::string linesTopic_;                    // of a bridge
-    std::unique_ptr<LiveCloud> cloud_;          // of a bridge, if that topic gives clouds
-    struct Heard {
-        std::int64_t messages = 0, firstNs = 0, lastNs = 0;
-        RecordingMessagePtr first;
-    };
-    std::vector<scanner::BridgeChannelPtr> offered_; // of a bridge
-    std::map<std::string, Heard> heard_;             // by topic
+    std::unique_ptr<LiveSource> source_; // of a bridge; null: a scanner of SICK
     scanner::ConnectionState state_;
     std::optional<scanner::ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;
@@ -130,7 +116,7 @@ private:
     RecordingMessagePtr sweepFirst_; // that began the sweep under way; null: the first one
     std::int64_t lines_ = 0, linesAfter_ = 0;
     std::deque<std::int64_t> lineNs_;                     // of the last lines, monotonic
-    std::unique_ptr<scanner::LiveConnection> connection_; // last: its thread uses all of the above
+    std::unique_ptr<scanner::LiveConnection> connection_; // null: this build has none. Last: its thread uses all of the above
 };
 
 } // namespace edgescan::files

@@ -5,12 +5,12 @@
 #include "core/base/inputs.h"
 #include "core/base/pipe.h"
 #include "core/base/sha256.h"
+#include "core/files/addons/addon.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/apply_options.h"
 #include "core/files/open_save/check_measured.h"
 #include "core/files/open_save/place_on_grid.h"
 #include "core/files/open_save/pose_sidecar.h"
-#include "core/files/open_save/split_bag.h"
 #include "core/files/open_save/unpack.h"
 
 #include <algorithm>
@@ -91,26 +91,6 @@ Result<HeldFile> bytesAt(const fs::path& path, const ReadingOptions& options) {
     return HeldFile(std::move(*bytes));
 }
 
-/// One scan of all parts of a bag; it has the name of the folder.
-Result<Scan> scanOfSplitBag(const BagFiles& bag, const ReadingOptions& options, const LinePlayed& played) {
-    const fs::path folder = fs::absolute(bag.parts.front()).parent_path();
-    auto held = holdSplitBag(bag, options);
-    if (!held) return held.error();
-    const ReadingOptions withPose = withPoseSidecar(options, folder);
-    const Source source{folder, held->parts.front().bytes, &withPose, false, played};
-    auto reading = readBagParts(held->parts, source);
-    if (!reading) return reading.error();
-    auto scan = scanOfReading(std::move(*reading), source, false);
-    if (!scan) return scan;
-    scan->warnings.insert(scan->warnings.begin(), held->warnings.begin(), held->warnings.end());
-    scan->openedWith = openedWith(options);
-    scan->name = folder.filename().string();
-    scan->sha256 = held->sha256;
-    scan->path = bag.path.string();
-    if (!source.goOn("opened", 1.0)) return source.cancelled();
-    return scan;
-}
-
 /// What `make` gives; memory that runs out on the way is an error like all others.
 template <class Make>
 Result<Scan> withinMemory(const fs::path& path, const Make& make) {
@@ -134,17 +114,21 @@ std::string scanName(const fs::path& path) {
 
 Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const LinePlayed& played) {
     return withinMemory(path, [&]() -> Result<Scan> {
-        const auto bag = filesOfBag(path); // any other file is the only one
-        if (!bag) return bag.error();
-        if (bag->isSplit()) return scanOfSplitBag(*bag, options, played);
-        const fs::path& file = bag->parts.front();
+        fs::path file = path;
+        if (addon().openSeveral != nullptr) {
+            if (auto several = addon().openSeveral(file, options, played)) {
+                if (*several) (*several)->openedWith = openedWith(options);
+                return std::move(*several);
+            }
+        }
         const auto bytes = bytesAt(file, options);
         if (!bytes) return bytes.error();
         const ReadingOptions withPose = withPoseSidecar(options, file);
         auto scan = scanOfBytes({file, bytes->bytes(), &withPose, isPipe(file), played});
         if (!scan) return scan;
         scan->path = file.string();
-        if (std::string part = partOfBag(file); !part.empty()) scan->warnings.push_back(std::move(part));
+        if (std::string part = addon().partOf != nullptr ? addon().partOf(file) : ""; !part.empty())
+            scan->warnings.push_back(std::move(part));
         return scan;
     });
 }

@@ -1,15 +1,15 @@
-// The topics of a file that is a ROS bag, for `info` and for people who choose one.
+// The topics of a file that has some, for `info` and for people who choose one.
 #pragma once
 
-#include "core/base/result.h"
-#include "core/files/ros/bag_listing.h"
-
-#include <filesystem>
-#include <optional>
+#include "core/files/addons/addon.h"
+#include "core/files/addons/topics.h"
+#include "core/scan/grid/reading_options.h"
 
 namespace edgescan::files {
 
-/// Of the options only `progress` counts. Empty: the file is not a bag, or cannot be read at all. Error: the bag cannot be read.
-std::optional<Result<BagListing>> topicsOfFile(const std::filesystem::path& path, const ReadingOptions& options = {});
+/// Of the options only `progress` counts. Empty: the file has no topics, or cannot be read at all. Error: the bag cannot be read.
+inline std::optional<Result<BagListing>> topicsOfFile(const std::filesystem::path& path, const ReadingOptions& options = {}) {
+    return addon().topicsOf == nullptr ? std::nullopt : addon().topicsOf(path, options);
+}
 
 } // namespace edgescan::files

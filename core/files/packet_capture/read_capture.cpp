@@ -2,7 +2,7 @@
 #include "core/files/packet_capture/read_capture.h"
 
 #include "core/base/memory.h"
-#include "core/files/packet_capture/spinning_capture.h"
+#include "core/files/addons/addon.h"
 #include "core/files/packet_capture/tcp_streams.h"
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"
@@ -189,7 +189,10 @@ Result<Scan> readPacketCapture(const Source& source) {
     std::vector<Speaker> speakers = speakersOf(tcp);
     const auto best = std::ranges::max_element(speakers, {}, [](const Speaker& s) { return s.heard.scans; });
     if (best == speakers.end() || best->heard.scans == 0) {
-        if (auto spinning = spinningScanIn(*file, source)) return std::move(*spinning);
+        const auto readOther = addon().readPackets;
+        if (readOther == nullptr)
+            return source.refused(std::string("this capture holds no scan telegram of a SICK scanner, and ") + kNoRobots, kBuildWithRobots);
+        if (auto other = readOther(*file, source)) return std::move(*other);
         return source.refused("this capture holds " + counted(file->packets.size(), "packet", "packets") + ", " +
                                   std::to_string(tcp.packets) +
                                   " of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster",

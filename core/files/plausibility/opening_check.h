@@ -1,8 +1,8 @@
 // What was taken for granted when a scan was opened, what speaks against it, and how else it can be read.
 #pragma once
 
+#include "core/files/addons/topics.h"
 #include "core/files/plausibility/sentence.h"
-#include "core/files/ros/bag_listing.h"
 #include "core/scan/grid/reading_options.h"
 
 #include <string_view>

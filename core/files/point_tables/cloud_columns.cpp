@@ -4,7 +4,6 @@
 #include "core/base/number_text.h"
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/edge_colours.h"
-#include "core/files/point_tables/every_cell.h"
 #include "core/files/point_tables/text_layout.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"
@@ -18,12 +17,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostHeaderLines = 4096;
-constexpr std::size_t kFewOneIn = 8; // of a line: fewer cells cost less one by one
+constexpr double kLargestInFloat = 1e4; // metres; beyond it a 4-byte float steps by a millimetre and more
+constexpr std::size_t kFewOneIn = 8;    // of a line: fewer cells cost less one by one
 
 /// Polar points are computed and are within the scanner's reach: 4-byte floats hold them to a thousandth of a millimetre. Points
 /// that were read keep every bit, which may take 8 bytes. Large numbers always do: they are mine coordinates.
@@ -35,6 +36,12 @@ bool floatsSuffice(const std::vector<Eigen::Vector3d>& points, bool computed) {
         }
     }
     return true;
+}
+
+/// Whether 4-byte floats hold all coordinates of polar cells: none is larger than its range.
+bool areWithinFloats(const std::vector<float>& rangesMm) {
+    constexpr auto kLargestMm = static_cast<float>(0.99 * kLargestInFloat * 1000.0);
+    return std::ranges::all_of(rangesMm, [](float range) { return std::abs(range) < kLargestMm; });
 }
 
 template <class T>
@@ -153,7 +160,7 @@ void addCells(CloudColumns& cloud, const Scan& scan, const Chosen& chosen, std::
 
 enum class Columns : std::uint8_t { Places, PlacesAndCells };
 
-CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, CoordinateFrame frame,
+CloudColumns columnsFor(const Scan& scan, const CartesianTables& tables, const Chosen& chosen, bool every, CoordinateFrame frame,
                         Columns columns = Columns::PlacesAndCells) {
     const std::vector<CellOfPoint>& cells = chosen.cells;
     const std::size_t ownPoints = cells.size() - chosen.attached.size();
@@ -164,7 +171,6 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     cloud.frame = frame;
     if (scan.acquisition) cloud.lineTimesS = scan.acquisition->lineTimesS;
     cloud.startS = startOfScan(scan);
-    const CartesianTables tables(scan);
     cloud.sensorM = tables.sensor();
     const auto* given = std::get_if<PointGeometry>(&scan.geometry);
     std::vector<float> ranges = rangesOfChosen(scan, chosen, tables);
@@ -260,19 +266,35 @@ Chosen edgeCellsOf(const Scan& scan, const Grid<std::uint8_t>& edgeMask, bool wi
 } // namespace
 
 CloudColumns everyCellByLines(const Scan& scan, CoordinateFrame frame) {
-    auto byLines = cellsByLines(scan, frame);
-    CloudColumns cloud;
-    if (byLines) {
-        cloud = std::move(*byLines);
-    } else {
-        const Chosen every = cellsWhere(scan, false, nullptr, [](std::size_t) { return true; });
-        cloud = columnsFor(scan, every, true, frame);
+    const auto ofLines = [&scan, frame, tables = std::make_shared<const CartesianTables>(scan)](std::size_t first, std::size_t last) {
+        Chosen every;
+        every.cells.reserve((last - first) * static_cast<std::size_t>(scan.beams()));
+        for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
+            for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(scan.beams()); ++j) every.cells.push_back({i, j});
+        }
+        CloudColumns cloud = columnsFor(scan, *tables, every, true, frame);
         addColumn<std::uint8_t>(cloud, "state", every.cells, [&](const CellOfPoint& cell) { return valueAt(scan.state, cell); });
-        cloud.width = static_cast<std::size_t>(scan.beams());
-        cloud.height = static_cast<std::size_t>(scan.lines());
-    }
+        return cloud;
+    };
+    // The columns of all cells together take more memory than the file; those of some lines stay in the cache.
+    const bool later =
+        frame == CoordinateFrame::Scanner && std::holds_alternative<PolarGeometry>(scan.geometry) && areWithinFloats(scan.rangeMm.cells);
+    CloudColumns cloud = ofLines(0, later ? 0 : static_cast<std::size_t>(scan.lines()));
+    cloud.width = static_cast<std::size_t>(scan.beams());
+    cloud.height = static_cast<std::size_t>(scan.lines());
     cloud.description = descriptionText(scan, "", -1);
+    if (later) {
+        cloud.linesLater = [ofLines](std::size_t first, std::size_t last, std::vector<CloudColumn>& columns) {
+            columns = ofLines(first, last).columns;
+        };
+    }
     return cloud;
+}
+
+void makeAll(CloudColumns& cloud) {
+    if (!cloud.linesLater) return;
+    cloud.linesLater(0, cloud.height, cloud.columns);
+    cloud.linesLater = nullptr;
 }
 
 CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
@@ -284,7 +306,7 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
                          const Grid<edges::DepthEdge>* classes, std::span<const CellColumn> given) {
     const Chosen valid = validCells(scan, withAttached);
-    CloudColumns cloud = columnsFor(scan, valid, false, frame);
+    CloudColumns cloud = columnsFor(scan, CartesianTables(scan), valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
                             [&](const CellOfPoint& cell) { return edgeMask != nullptr && valueAt(*edgeMask, cell) != 0 ? 255 : 0; });
     addGiven(cloud, valid.cells, given);
@@ -295,7 +317,7 @@ CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, C
 CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
                         const Grid<edges::DepthEdge>* classes, std::span<const CellColumn> given) {
     const Chosen edges = edgeCellsOf(scan, edgeMask, withAttached);
-    CloudColumns cloud = columnsFor(scan, edges, false, frame);
+    CloudColumns cloud = columnsFor(scan, CartesianTables(scan), edges, false, frame);
     addGiven(cloud, edges.cells, given);
     addClasses(cloud, edges.cells, &edgeMask, classes);
     return cloud;
@@ -303,7 +325,7 @@ CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, Co
 
 CloudColumns placesOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached) {
     const Chosen chosen = edgeMask != nullptr ? edgeCellsOf(scan, *edgeMask, withAttached) : validCells(scan, withAttached);
-    return columnsFor(scan, chosen, false, frame, Columns::Places);
+    return columnsFor(scan, CartesianTables(scan), chosen, false, frame, Columns::Places);
 }
 
 void dropColumns(CloudColumns& cloud, bool (*dropped)(std::string_view name)) {

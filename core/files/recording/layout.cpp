@@ -192,8 +192,8 @@ std::int64_t RecordingEncoder::publishNs(const RecordingMessage& message) {
 std::uint16_t RecordingEncoder::channelOf(const RecordingMessage& message) {
     constexpr std::uint16_t kFirstOfBridge = 101;
     if (message.topic != RecordingTopic::Bridge || !message.channel) return channelIdOf(message.topic);
-    const scanner::BridgeChannel& of = *message.channel;
-    const auto same = [&](const scanner::BridgeChannelPtr& other) {
+    const RecordedChannel& of = *message.channel;
+    const auto same = [&](const RecordedChannelPtr& other) {
         return other == message.channel || (other->topic == of.topic && other->type == of.type && other->definition == of.definition &&
                                             other->encoding == of.encoding && other->definitionEncoding == of.definitionEncoding);
     };

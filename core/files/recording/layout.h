@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/containers/mcap/writer.h"
-#include "core/scanner/foxglove/protocol.h"
 #include "core/scanner/sweep_assembly/counters.h"
 #include "core/scanner/sweep_assembly/stepper_track.h"
 
@@ -21,13 +20,26 @@ inline constexpr int kRecordingTopics = 6; ///< without Bridge
 /// "/lidar/cola_rx", "/stepper" ...
 [[nodiscard]] std::optional<RecordingTopic> topicNamed(std::string_view name);
 
+/// A topic of a robot's bridge.
+struct RecordedChannel {
+    std::uint32_t id = 0; ///< as the bridge counts it
+    std::string topic;
+    std::string encoding;           ///< of its messages: "cdr", "ros1", "json"
+    std::string type;               ///< "sensor_msgs/msg/LaserScan"
+    std::string definition;         ///< text
+    std::string definitionEncoding; ///< "ros2msg"; empty: the bridge does not say
+
+    bool operator==(const RecordedChannel&) const = default;
+};
+using RecordedChannelPtr = std::shared_ptr<const RecordedChannel>;
+
 /// One message, made once, never changed.
 struct RecordingMessage {
     RecordingTopic topic = RecordingTopic::ColaRx;
-    std::int64_t hostNs = 0;             ///< first byte received, sent, or read; ns since 1970 UTC
-    Bytes payload;                       ///< the exact frame, or JSON, or a message of a robot as it came
-    scanner::BridgeChannelPtr channel{}; ///< of Bridge
-    std::int64_t bridgeNs = 0;           ///< of Bridge: when the bridge received it
+    std::int64_t hostNs = 0;      ///< first byte received, sent, or read; ns since 1970 UTC
+    Bytes payload;                ///< the exact frame, or JSON, or a message of a robot as it came
+    RecordedChannelPtr channel{}; ///< of Bridge
+    std::int64_t bridgeNs = 0;    ///< of Bridge: when the bridge received it
 };
 using RecordingMessagePtr = std::shared_ptr<const RecordingMessage>;
 
@@ -53,7 +65,7 @@ private:
     [[nodiscard]] std::uint16_t channelOf(const RecordingMessage& message);
 
     containers::McapEncoder encoder_;
-    std::vector<scanner::BridgeChannelPtr> bridge_;   ///< channels of a bridge that have been written
+    std::vector<RecordedChannelPtr> bridge_;          ///< channels of a bridge that have been written
     std::map<std::uint16_t, std::uint32_t> sequence_; // by channel
     scanner::DeviceClock clock_;
     std::optional<std::int64_t> deviceUs_; // of the last line, unwrapped

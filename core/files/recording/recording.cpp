@@ -3,10 +3,10 @@
 
 #include "core/base/inputs.h"
 #include "core/base/utc_time.h"
-
-#include <algorithm>
+#include "core/files/addons/addon.h"
 
 namespace edgescan::files {
+
 Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::path& path, const std::function<bool()>& goOn) {
     const auto read = readInput(path);
     if (!read) return read.error();
@@ -14,15 +14,11 @@ Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::
     auto recording = std::make_shared<Recording>();
     const auto taken = recording->take(Bytes(first, first + read->size()), path.string(), goOn);
     std::vector<RecordedMessage>& messages = recording->messages_;
-    if (messages.empty()) {
-        auto robot = containers::rosBagOf(recording->content_, path.string(), goOn);
-        if (!robot) return robot.error();
-        recording->robot_ = std::move(*robot);
-        for (const containers::RosBagMessage& message : recording->robot_.messages) {
-            const std::int64_t ns = std::clamp(message.logNs, std::int64_t{0}, kLatestNs);
-            messages.push_back({RecordingTopic::Bridge, ns, ns, message.bytes, message.topic});
-        }
-        std::ranges::stable_sort(messages, {}, &RecordedMessage::logNs); // some bags are by topic
+    if (messages.empty() && addon().recorded != nullptr) {
+        auto source = addon().recorded(recording->content_, path.string(), goOn);
+        if (!source) return source.error();
+        recording->source_ = std::move(*source);
+        if (recording->source_) messages = recording->source_->messages();
     }
     if (!taken && messages.empty()) return taken.error();
     return std::shared_ptr<const Recording>(std::move(recording));

@@ -3,8 +3,8 @@
 
 #include "core/base/result.h"
 #include "core/containers/mcap/reader.h"
-#include "core/containers/ros/bag.h"
 #include "core/files/recording/layout.h"
+#include "core/files/recording/recorded_source.h"
 
 #include <filesystem>
 #include <functional>
@@ -13,19 +13,11 @@
 
 namespace edgescan::files {
 
-struct RecordedMessage {
-    RecordingTopic topic = RecordingTopic::ColaRx;
-    std::int64_t logNs = 0;     ///< when it was received, ns since 1970 UTC
-    std::int64_t publishNs = 0; ///< a line's own time
-    ByteView payload;
-    std::uint32_t robotTopic = 0; ///< of Bridge: index in Recording::robot().topics
-};
-
 /// Never changed; messages point into the bytes it holds.
 class Recording {
 public:
-    /// Of a robot, too. `goOn` is called many times a second; false cancels. Error: cannot be read, is not MCAP, holds nothing of "sweep/1"
-    /// and of a robot, or cancelled; from bytes without the robot's.
+    /// Of another source, too. `goOn` is called many times a second; false cancels. Error: cannot be read, is not MCAP, holds nothing of
+    /// "sweep/1" and of another source, or cancelled; from bytes without the other source's.
     static Result<std::shared_ptr<const Recording>> open(const std::filesystem::path& path, const std::function<bool()>& goOn = {});
     static Result<std::shared_ptr<const Recording>> fromBytes(Bytes bytes, const std::string& where,
                                                               const std::function<bool()>& goOn = {});
@@ -33,8 +25,8 @@ public:
     [[nodiscard]] const std::vector<RecordedMessage>& messages() const { return messages_; }
     /// The record "sweep".
     [[nodiscard]] const scanner::SweepMetadata& metadata() const { return metadata_; }
-    /// What a robot's bridge sent, or the file is its bag, and no scanner of SICK: its messages are those of the recording.
-    [[nodiscard]] const containers::RosBag& robot() const { return robot_; }
+    /// What plays the messages, where they are not telegrams of a SICK scanner; else null.
+    [[nodiscard]] const RecordedSource* source() const { return source_.get(); }
     /// Everything else that the file says of itself.
     [[nodiscard]] const containers::McapContent& content() const { return content_; }
     /// The file was closed properly and nothing in it is damaged.
@@ -53,7 +45,7 @@ private:
 
     Bytes bytes_;
     containers::McapContent content_;
-    containers::RosBag robot_;
+    std::unique_ptr<RecordedSource> source_;
     scanner::SweepMetadata metadata_;
     std::vector<RecordedMessage> messages_;
     std::vector<std::string> warnings_;

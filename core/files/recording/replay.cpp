@@ -3,7 +3,6 @@
 
 #include "core/files/recording/recorded_grid.h"
 #include "core/files/recording/recorded_robot.h"
-#include "core/files/ros/turned_first.h"
 #include "core/scanner/sick_lms/scan_telegram.h"
 #include "core/scanner/sweep_assembly/played_line.h"
 
@@ -54,27 +53,15 @@ Replay::Replay(std::shared_ptr<const Recording> recording, const ReadingOptions&
     settings_ = found.settings;
     sayAssumed(settings_, options);
     warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
-    findLaser(options);
+    if (recording_->source() != nullptr) player_ = atBegin_ = recording_->source()->player(settings_, options);
     feed_ = scanner::SweepFeed(settings_);
     for (std::size_t i = 0; i < recording_->messages().size(); ++i) {
         if (isLine(recording_->messages()[i])) lineAt_.push_back(i);
     }
 }
 
-/// The laser that openScan() takes.
-void Replay::findLaser(const ReadingOptions& options) {
-    if (recording_->robot().topics.empty()) return;
-    auto topics = topicsToTry(recording_->robot(), options.topic, "");
-    if (!topics) return;
-    turnedFirst(recording_->robot(), options.joint, *topics, [&] { return !options.progress || options.progress("reading", 1.0); });
-    if (topics->front().gives != TopicGives::Lines) return;
-    laserTopic_ = topics->front().topic;
-    joint_ = options.joint;
-    laser_.emplace(settings_, joint_);
-}
-
 bool Replay::isLine(const RecordedMessage& message) const {
-    if (message.topic == RecordingTopic::Bridge) return message.robotTopic == laserTopic_;
+    if (message.topic == RecordingTopic::Bridge) return player_.has_value() && player_->isLine(message);
     return isScanTelegram(message);
 }
 
@@ -87,11 +74,10 @@ std::int64_t Replay::timeNs(int line) const {
 void Replay::playOne() {
     const std::size_t message = next_++;
     const RecordedMessage& played = recording_->messages()[message];
-    if (played.topic != RecordingTopic::Bridge) {
+    if (played.topic != RecordingTopic::Bridge)
         feedMessage(feed_, played);
-    } else if (const auto& topic = recording_->robot().topics[played.robotTopic]; laser_ && (isLine(played) || givesAngles(topic.type))) {
-        laser_->take(topic, played.payload, feed_.assembler());
-    }
+    else if (player_)
+        player_->play(played, feed_.assembler());
     const auto line = static_cast<std::size_t>(position_);
     if (line < lineAt_.size() && lineAt_[line] == message) ++position_;
     if (atEnd()) feed_.assembler().finish();
@@ -106,7 +92,7 @@ bool Replay::step() {
 void Replay::seek(int line) {
     if (line < position_) {
         feed_ = scanner::SweepFeed(settings_);
-        if (laser_) laser_.emplace(settings_, joint_);
+        player_ = atBegin_;
         next_ = 0;
         position_ = 0;
     }
@@ -120,11 +106,10 @@ Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::s
     const scanner::SweepMetadata& metadata = recording.metadata();
     sweep.format = "recording";
     if (const auto note = metadata.find("note"); note != metadata.end()) sweep.note = note->second;
-    const bool ofRobot = !recording.robot().topics.empty();
-    if (ofRobot) sweep.format = recording.robot().kind;
+    if (recording.source() != nullptr) sweep.format = recording.source()->kind();
     if (metadata.contains(kMadeFromKey))
         sweep.acquisition.reset(); // telegrams made of another file: neither their times nor their sender are real
-    else if (!ofRobot)
+    else if (recording.source() == nullptr)
         nameScanner(sweep, recording);
     if (options.unitMm && *options.unitMm != sweep.unitMm)
         return Error{"--unit does not apply: the telegrams of a recording say their unit themselves", where, "leave --unit out"};

@@ -1,9 +1,9 @@
-// A recording played through the same path as live: frames or messages of a robot, telegrams, sweep assembly; at any speed, line by line.
+// A recording played through the same path as live: frames or messages of another source, telegrams, sweep assembly; at any speed, line by
+// line.
 #pragma once
 
 #include "core/files/point_tables/source.h"
 #include "core/files/recording/recording.h"
-#include "core/files/ros/live_laser.h"
 #include "core/scanner/sick_lms/sweep_feed.h"
 
 #include <functional>
@@ -16,7 +16,7 @@ bool feedMessage(scanner::SweepFeed& feed, const RecordedMessage& message);
 /// A value: a place in a recording and the sweep as it was then. Lines are counted over the whole recording, from 0.
 class Replay {
 public:
-    /// `options` say what of the mounting the recording only assumes, and which laser of a robot is played.
+    /// `options` say what of the mounting the recording only assumes, and which topic is played.
     explicit Replay(std::shared_ptr<const Recording> recording, const ReadingOptions& options = {});
 
     [[nodiscard]] const Recording& recording() const { return *recording_; }
@@ -41,7 +41,6 @@ public:
 
 private:
     void playOne();
-    void findLaser(const ReadingOptions& options);
     [[nodiscard]] bool isLine(const RecordedMessage& message) const;
 
     std::shared_ptr<const Recording> recording_;
@@ -49,10 +48,8 @@ private:
     std::vector<std::string> warnings_;
     std::vector<std::size_t> lineAt_; // message of each line
     scanner::SweepFeed feed_;
-    std::optional<std::uint32_t> laserTopic_; // of a robot
-    std::string joint_;
-    std::optional<LiveLaser> laser_;
-    std::size_t next_ = 0; // message
+    std::optional<LinePlayer> player_, atBegin_; // of a source that is not a SICK scanner
+    std::size_t next_ = 0;                       // message
     int position_ = 0;
 };
 

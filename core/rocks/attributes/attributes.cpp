@@ -2,9 +2,10 @@
 #include "core/rocks/attributes/attributes.h"
 
 #include "core/base/bands.h"
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/rocks/attributes/cells.h"
-#include "core/rocks/attributes/free_below.h"
 #include "core/rocks/attributes/visible_spans.h"
+#include "core/rocks/segmentation/segments.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/beam_width.h"
 #include "core/scan/grid/cartesian.h"
@@ -19,6 +20,71 @@
 
 namespace edgescan::rocks {
 namespace {
+
+constexpr double kStepM = 0.05;
+constexpr double kMarginM = 0.05; // the measured range must be this much longer than the distance to the step
+constexpr double kMostM = 30.0;
+constexpr double kOffCells = 1.0; // largest distance, in cells, between the step and the nearest beam
+
+// Finds the cell whose beam points best in a direction by moving from cell to cell. The angle to the direction decreases on the way, as it
+// does on every grid of beams.
+class BeamFinder {
+public:
+    BeamFinder(const Inputs& inputs, const CartesianTables& tables, std::size_t k)
+        : inputs_(inputs), tables_(tables), line_(static_cast<int>(k / beams())), beam_(static_cast<int>(k % beams())) {}
+
+    /// Returns false if no beam passes close enough.
+    bool find(const Eigen::Vector3d& way) {
+        double off = offOf(line_, beam_, way);
+        for (bool moved = true; moved;) {
+            moved = false;
+            for (const auto& [i, j] :
+                 {std::pair(line_ - 1, beam_), std::pair(line_ + 1, beam_), std::pair(line_, beam_ - 1), std::pair(line_, beam_ + 1)}) {
+                if (!inputs_.scan->rangeMm.contains(i, j)) continue;
+                const double there = offOf(i, j, way);
+                if (!(there < off)) continue;
+                off = there;
+                line_ = i;
+                beam_ = j;
+                moved = true;
+                break;
+            }
+        }
+        const AngularSteps& steps = inputs_.surface->steps;
+        const auto cell = static_cast<double>(std::max(steps.beam[static_cast<std::size_t>(beam_)], steps.lineAt(line_, beam_)));
+        return off < kOffCells * cell;
+    }
+    [[nodiscard]] std::size_t cell() const { return inputs_.scan->rangeMm.index(line_, beam_); }
+
+private:
+    [[nodiscard]] std::size_t beams() const { return static_cast<std::size_t>(inputs_.scan->beams()); }
+    [[nodiscard]] double offOf(int line, int beam, const Eigen::Vector3d& way) const {
+        return (tables_.direction(line, beam) - way).norm();
+    }
+
+    const Inputs& inputs_;
+    const CartesianTables& tables_;
+    int line_, beam_;
+};
+
+/// Metres of free space below the point (frame of the scan, seen from its sensor near cell `k`), in steps of 5 cm. A step is free if a beam
+/// passes through it and was measured to end behind it. Cells without a return do not count as free, so the true height may be larger.
+/// `tables`: of the scan.
+double freeHeightM(const Inputs& inputs, const CartesianTables& tables, const Eigen::Vector3d& pointM, std::size_t k,
+                   const Eigen::Vector3d& up) {
+    BeamFinder finder(inputs, tables, k);
+    double freeM = 0.0;
+    while (freeM < kMostM) {
+        const Eigen::Vector3d step = pointM - tables.sensor() - (freeM + kStepM) * up;
+        const double awayM = step.norm();
+        if (!(awayM > kMarginM) || !finder.find(step / awayM)) break;
+        const std::size_t cell = finder.cell();
+        if (inputs.surface->inverse.support[cell] != Support::Measured) break;
+        if (0.001 * static_cast<double>(inputs.scan->rangeMm[cell]) <= awayM + kMarginM) break;
+        freeM += kStepM;
+    }
+    return freeM;
+}
 
 constexpr double kTolerance = 2.0; // times the resolution: this covers 89 % of the errors of a and 97 % of those of b
 constexpr float kLeastDepthMm = 100.0F;

@@ -7,13 +7,17 @@
 #include "core/rocks/segmentation/cell_moves.h"
 #include "core/rocks/segmentation/equal_runs.h"
 #include "core/rocks/segmentation/inner_cells.h"
+#include "core/rocks/segmentation/lanes.h"
 #include "core/rocks/segmentation/planes.h"
-#include "core/rocks/segmentation/segment_choice.h"
+#include "core/rocks/segmentation/segments.h"
 #include "core/scan/grid/beam_width.h"
+#include "core/scan/grid/inverse_range.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <span>
@@ -21,6 +25,148 @@
 
 namespace edgescan::rocks {
 namespace {
+
+/// A cell and its neighbours by line, then beam.
+inline constexpr std::size_t kThreeByThree = 9;
+
+/// Cells that choose among the segments of their neighbours, a cell per lane.
+struct ChoosingCells {
+    /// Cracks between the cells of the 3 x 3, by line, then beam: six towards the next beam, six towards the next line.
+    enum Crack : std::size_t {
+        kAboveLeft,
+        kAboveRight,
+        kLeft,
+        kRight,
+        kBelowLeft,
+        kBelowRight,
+        kUpLeft,
+        kUp,
+        kUpRight,
+        kDownLeft,
+        kDown,
+        kDownRight,
+        kCracks
+    };
+    std::array<Lanes<std::uint32_t>, kThreeByThree> solid; ///< segments as in InnerCells
+    std::array<Lanes<float>, kCracks> edge;                ///< 0..1: strength of the jump or valley there
+    Lanes<float> u;                                        ///< 1/m
+};
+
+/// The segments that each cell may choose: those of the cell and its neighbours. A cell with fewer than others has kNoSegment there.
+struct SegmentChoices {
+    std::size_t most = 0; ///< number of choices of the cell that has most
+    std::array<Lanes<std::uint32_t>, kThreeByThree> segment;
+    /// Weights of the neighbours in it, in units of kWeightUnit; of the first segment the largest.
+    std::array<Lanes<std::int32_t>, kThreeByThree> weight;
+};
+
+/// Weights are whole multiples of this, so that their sums are exact.
+inline constexpr double kWeightUnit = 1.0 / (1U << 24U);
+
+constexpr float kAcrossEdge = 0.5F; // weight of a neighbour behind a full jump or valley
+constexpr double kLeastU = 1e-4;    // 1/m
+constexpr double kLeastNoiseMm = 0.1;
+
+template <class Vector>
+EDGESCAN_INLINE Vector weightBehind(const Vector& edge) {
+    return (1.0F - kAcrossEdge * edge) * static_cast<float>(1.0 / kWeightUnit);
+}
+
+template <class Vector>
+using NeighbourWeights = std::array<typename At<Vector>::Numbers, kThreeByThree>;
+
+template <class Vector>
+EDGESCAN_INLINE void weighNeighbours(const ChoosingCells& cells, const At<Vector>& at, NeighbourWeights<Vector>& weights) {
+    using In = ChoosingCells;
+    std::array<Vector, In::kCracks> edge;
+    for (std::size_t n = 0; n < edge.size(); ++n) edge[n] = at(cells.edge[n]);
+    const std::array<Vector, kThreeByThree> behind{
+        smaller(larger(edge[In::kLeft], edge[In::kUpLeft]), larger(edge[In::kUp], edge[In::kAboveLeft])),
+        edge[In::kUp],
+        smaller(larger(edge[In::kRight], edge[In::kUpRight]), larger(edge[In::kUp], edge[In::kAboveRight])),
+        edge[In::kLeft],
+        Vector{},
+        edge[In::kRight],
+        smaller(larger(edge[In::kLeft], edge[In::kDownLeft]), larger(edge[In::kDown], edge[In::kBelowLeft])),
+        edge[In::kDown],
+        smaller(larger(edge[In::kRight], edge[In::kDownRight]), larger(edge[In::kDown], edge[In::kBelowRight]))};
+    for (std::size_t k = 0; k < kThreeByThree; ++k)
+        weights[k] = __builtin_convertvector(weightBehind(behind[k]), typename At<Vector>::Numbers);
+    weights[kThreeByThree / 2] = typename At<Vector>::Numbers{}; // the cell itself
+}
+
+// True if a lane has a bit.
+template <class Numbers>
+EDGESCAN_INLINE bool any(const Numbers& numbers) {
+    std::array<std::uint64_t, sizeof(Numbers) / sizeof(std::uint64_t)> words;
+    std::memcpy(words.data(), &numbers, sizeof numbers);
+    std::uint64_t all = 0;
+    for (const std::uint64_t word : words) all |= word;
+    return all != 0;
+}
+
+template <class Vector>
+EDGESCAN_INLINE void listAll(const ChoosingCells& cells, SegmentChoices& choices) {
+    using Numbers = typename At<Vector>::Numbers;
+    choices.most = 0;
+    for (auto& segment : choices.segment) segment.fill(kNoSegment);
+    for (std::size_t lane = 0; lane < kCellsAtOnce; lane += kLanes<Vector>) {
+        const At<Vector> at{lane};
+        NeighbourWeights<Vector> weights;
+        weighNeighbours(cells, at, weights);
+        std::array<Numbers, kThreeByThree> left; // segments that are not listed yet, otherwise kNoSegment
+        Numbers some{};
+        for (std::size_t k = 0; k < left.size(); ++k) {
+            const Numbers solid = at(cells.solid[k]);
+            left[k] = solid & (solid != static_cast<std::int32_t>(kVoidCell));
+            some |= left[k];
+        }
+        Numbers first{}, mostWeight{};
+        for (std::size_t n = 0; any(some); ++n) {
+            Numbers segment{}, weight{};
+            for (std::size_t k = left.size(); k-- > 0;) segment = left[k] != 0 ? left[k] : segment;
+            some = Numbers{};
+            for (std::size_t k = 0; k < left.size(); ++k) {
+                const Numbers isIn = left[k] == segment;
+                weight += weights[k] & isIn;
+                left[k] &= ~isIn;
+                some |= left[k];
+            }
+            weight &= segment != 0;
+            // The segment with the most neighbours changes places with the first one.
+            const Numbers isMore = n == 0 ? Numbers{} - 1 : Numbers(weight > mostWeight);
+            const Numbers here = (first & isMore) | (segment & ~isMore), hereWeight = (mostWeight & isMore) | (weight & ~isMore);
+            first = (segment & isMore) | (first & ~isMore);
+            mostWeight = (weight & isMore) | (mostWeight & ~isMore);
+            at.put(choices.segment[n], here);
+            at.put(choices.weight[n], hereWeight);
+            choices.most = std::max(choices.most, n + 1);
+        }
+        at.put(choices.segment[0], first);
+        at.put(choices.weight[0], mostWeight);
+    }
+}
+
+EDGESCAN_INLINE void measureAll(const WindowSums& windows, const Lanes<float>& u, const RangeNoise& noise, double without,
+                                Lanes<double>& __restrict off) {
+    for (std::size_t n = 0; n < kCellsAtOnce; ++n) {
+        const double rangeM = 1.0 / static_cast<double>(u[n]);
+        const double noiseMm = std::max(noise.at(rangeM), kLeastNoiseMm);
+        const PlaneSums sums(windows, n);
+        const double deviations = 1000.0 * std::abs(1.0 / std::max(sums.height(), kLeastU) - rangeM) / noiseMm;
+        off[n] = sums.n > 0 ? deviations : without;
+    }
+}
+
+/// A neighbour behind an edge weighs less. For a diagonal neighbour: the path around the corner with the larger weight.
+void listChoices(const ChoosingCells& cells, SegmentChoices& choices) {
+    vectorised<listAll<FourLanes>, listAll<EightLanes>, listAll<SixteenLanes>>(cells, choices);
+}
+
+/// How far the ranges of the cells are from the planes, in standard deviations of the noise; `without` where a plane has no cells.
+void measureDeviations(const WindowSums& windows, const Lanes<float>& u, const RangeNoise& noise, double without, Lanes<double>& off) {
+    vectorised<measureAll>(windows, u, noise, without, off);
+}
 
 constexpr int kPasses = 4;
 // mostDeviations(): ratio of the beam's growth to the step from beam to beam.

@@ -1,0 +1,72 @@
+// ROS topics of an MCAP recording.
+#include "core/base/checked_size.h"
+#include "core/containers/mcap/reader.h"
+#include "core/robots/bags/bag.h"
+
+#include <map>
+#include <optional>
+
+namespace edgescan::robots {
+namespace {
+
+std::optional<RosTopic> topicOf(const containers::McapContent& content, const containers::McapChannel& channel) {
+    const auto schema = content.schemas.find(channel.schema);
+    if (schema == content.schemas.end()) return std::nullopt;
+    return rosTopic(channel.topic, channel.encoding, schema->second.name, schema->second.encoding, schema->second.text);
+}
+
+} // namespace
+
+std::optional<RosTopic> rosTopic(const std::string& name, std::string_view encoding, std::string_view type,
+                                 std::string_view definitionEncoding, const std::string& definition) {
+    const bool cdr = encoding == "cdr";
+    if (!cdr && encoding != "ros1") return std::nullopt;
+    RosTopic topic{name, rosTypeName(type), definition, cdr ? RosEncoding::Cdr : RosEncoding::Ros1, false};
+    const bool known = definitionEncoding.empty() || definitionEncoding == (cdr ? "ros2msg" : "ros1msg");
+    if (known && !definition.empty()) return topic;
+    topic.definition = commonRosDefinition(topic.type);
+    topic.assumed = true;
+    return topic;
+}
+
+bool hasRosTopics(const containers::McapContent& content) {
+    for (const auto& [id, channel] : content.channels) {
+        if (topicOf(content, channel)) return true;
+    }
+    return false;
+}
+
+Result<RosBag> rosBagOf(const containers::McapContent& content, const std::string& where, const std::function<bool()>& goOn) {
+    RosBag bag;
+    bag.kind = "ROS 2 bag (MCAP)";
+    std::map<std::uint16_t, std::uint32_t> topics;
+    for (const auto& [id, channel] : content.channels) {
+        auto topic = topicOf(content, channel);
+        if (!topic) continue;
+        topics[id] = static_cast<std::uint32_t>(bag.topics.size());
+        bag.topics.push_back(std::move(*topic));
+    }
+    std::uint64_t packed = 0;
+    for (const containers::McapMessage& message : content.messages) packed += message.payload.size();
+    bag.mayUnpack = mostUnpackedBytes(packed);
+    constexpr std::size_t kBetweenLooks = 64; // at the wish to stop
+    std::size_t bad = 0, looked = 0;
+    for (const containers::McapMessage& message : content.messages) {
+        const auto topic = topics.find(message.channel);
+        if (topic == topics.end()) continue;
+        if (goOn && looked++ % kBetweenLooks == 0 && !goOn()) return Error{"cancelled", where, ""};
+        const auto bytes = plainMessage(bag, message.payload, where, goOn);
+        if (bytes)
+            bag.messages.push_back({topic->second, static_cast<std::int64_t>(message.logNs), *bytes});
+        else
+            ++bad;
+    }
+    if (bad > 0 && goOn && !goOn()) return Error{"cancelled", where, ""};
+    bag.warnings = content.warnings;
+    if (!content.clean && content.badChunks == 0 && content.warnings.empty())
+        bag.warnings.emplace_back("The bag was cut off: everything up to the cut is here.");
+    if (bad > 0) bag.warnings.push_back(std::to_string(bad) + " messages are compressed and damaged and were left out.");
+    return bag;
+}
+
+} // namespace edgescan::robots

@@ -1,0 +1,36 @@
+// What reading a database may cost.
+#pragma once
+
+#include <sqlite3.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace edgescan::robots {
+
+/// Steps and bytes by the size of the file: pages that several others name, and SQL that the file holds, give more rows than the file has
+/// bytes. SQLite ends what it does with SQLITE_INTERRUPT where they are spent. It must outlive all use of the database.
+class DatabaseAllowance {
+public:
+    /// Views, triggers and functions of the file's own SQL are off from now on. `goOn` is asked many times a second; it may be empty.
+    DatabaseAllowance(sqlite3* database, std::size_t bytes, const std::function<bool()>& goOn);
+    ~DatabaseAllowance();
+    DatabaseAllowance(const DatabaseAllowance&) = delete;
+    DatabaseAllowance& operator=(const DatabaseAllowance&) = delete;
+
+    /// Counts the bytes of a row. False: the rows so far need more than the file has.
+    bool take(sqlite3_stmt* row);
+    [[nodiscard]] bool isSpent() const { return isSpent_; }
+    [[nodiscard]] bool isCancelled() const { return isCancelled_; }
+
+private:
+    static int ends(void* self); // called by SQLite
+
+    sqlite3* database_;
+    const std::function<bool()>& goOn_;
+    std::uint64_t mayHold_, maySteps_;
+    bool isSpent_ = false, isCancelled_ = false;
+};
+
+} // namespace edgescan::robots

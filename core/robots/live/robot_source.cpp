@@ -1,0 +1,168 @@
+// Chooses topics, counts messages, and passes them to the laser or to the clouds.
+#include "core/robots/live/robot_source.h"
+
+#include "core/files/live_feed/live_feed.h"
+#include "core/robots/bridge/bridge_connection.h"
+#include "core/robots/live/bridge_topics.h"
+#include "core/robots/live/live_cloud.h"
+#include "core/robots/sweeps/bag_listing.h"
+#include "core/robots/sweeps/live_laser.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgescan::robots {
+namespace {
+
+constexpr std::size_t kMostStanding = 64;
+constexpr auto kLive = scanner::ConnectionPhase::Live;
+
+std::optional<RosTopic> topicOf(const BridgeChannel& channel) {
+    return rosTopic(channel.topic, channel.encoding, channel.type, channel.definitionEncoding, channel.definition);
+}
+
+/// A cloud has its angles: nothing of its mounting is assumed.
+scanner::SweepSettings settingsOf(const Scan* cloud) {
+    scanner::SweepSettings settings;
+    settings.degPerLine.reset();
+    const auto* polar = cloud != nullptr ? std::get_if<PolarGeometry>(&cloud->geometry) : nullptr;
+    if (polar != nullptr) settings.axis = polar->axis;
+    return settings;
+}
+
+class RobotSource final : public files::LiveSource {
+public:
+    /// `mutex`: the lock with which the feed calls the source.
+    RobotSource(std::string topic, std::string joint, const scanner::SweepSettings& sweep, std::function<void()> changed, std::mutex& mutex)
+        : topic_(std::move(topic)), joint_(std::move(joint)), changed_(std::move(changed)), mutex_(mutex), laser_(sweep, joint_) {}
+
+    std::unique_ptr<scanner::LiveConnection> connect(scanner::ConnectionSettings settings, Events events) override;
+    void heard(const files::RecordingMessagePtr& message, std::int64_t monotonicNs) override;
+    int play(const files::RecordingMessagePtr& message, scanner::SweepAssembler& to) override;
+    void useSweep(const scanner::SweepSettings& settings) override { laser_ = LiveLaser(settings, joint_); }
+    [[nodiscard]] std::optional<scanner::SweepState> newest() const override;
+    void complete(files::LiveStatus& status) const override;
+    [[nodiscard]] std::vector<files::OfferedTopic> offered() const override;
+    [[nodiscard]] const std::vector<files::RecordingMessagePtr>& standing() const override { return standing_; }
+    void finish() override;
+
+private:
+    const std::string topic_, joint_; // as asked for
+    const std::function<void()> changed_;
+    std::mutex& mutex_; // of all that follows
+    LiveLaser laser_;
+    std::vector<files::RecordingMessagePtr> standing_; // fixed transforms, which come only once
+    std::string linesTopic_;
+    std::unique_ptr<LiveCloud> cloud_; // if that topic gives clouds
+    struct Heard {
+        std::int64_t messages = 0, firstNs = 0, lastNs = 0;
+        files::RecordingMessagePtr first;
+    };
+    std::vector<BridgeChannelPtr> offered_;
+    std::map<std::string, Heard> heard_; // by topic
+};
+
+std::unique_ptr<scanner::LiveConnection> RobotSource::connect(scanner::ConnectionSettings settings, Events feed) {
+    BridgeEvents events;
+    events.stateChanged = std::move(feed.stateChanged);
+    events.choose = [this, where = scanner::addressText(settings.host, settings.port)](const auto& offered) {
+        auto choice = chooseTopics(offered, topic_, where);
+        const std::lock_guard lock(mutex_);
+        offered_ = offered;
+        if (!choice) return choice;
+        if (linesTopic_.empty()) {
+            linesTopic_ = choice->lines->topic;
+            if (isCloud(*choice->lines)) cloud_ = std::make_unique<LiveCloud>(changed_);
+        }
+        return choice;
+    };
+    events.received = [this, received = std::move(feed.received)](const auto& channel, const auto& data, const auto& time) {
+        received({files::RecordingTopic::Bridge, 0, Bytes(data.payload.begin(), data.payload.end()), channel, data.bridgeNs}, time,
+                 channel->topic == linesTopic_);
+    };
+    return std::make_unique<BridgeConnection>(std::move(settings), std::move(events));
+}
+
+void RobotSource::heard(const files::RecordingMessagePtr& message, std::int64_t monotonicNs) {
+    const std::string& topic = message->channel->topic;
+    Heard& heard = heard_[topic];
+    if (heard.messages++ == 0) heard = {1, monotonicNs, 0, message};
+    heard.lastNs = monotonicNs;
+    if (topic.ends_with("tf_static") && standing_.size() < kMostStanding) standing_.push_back(message);
+}
+
+int RobotSource::play(const files::RecordingMessagePtr& message, scanner::SweepAssembler& to) {
+    const auto topic = topicOf(*message->channel);
+    if (!topic) return 0;
+    if (!cloud_) return laser_.take(*topic, message->payload, to);
+    if (topic->name != linesTopic_) return 0;
+    cloud_->take(*topic, message);
+    return 1;
+}
+
+std::optional<scanner::SweepState> RobotSource::newest() const { return cloud_ ? std::optional(cloud_->newest()) : std::nullopt; }
+
+void RobotSource::complete(files::LiveStatus& status) const {
+    status.undecodable += laser_.leftOut();
+    if (status.whyUndecodable.empty()) status.whyUndecodable = laser_.whyLeftOut();
+    status.sweep.duplicates += laser_.repeated();
+    status.noReturns = laser_.noReturns();
+    status.wholeClouds = cloud_ != nullptr;
+    const bool live = status.connection.phase == kLive;
+    if (const std::string wait = laser_.waitsFor(); !wait.empty() && status.lines == 0 && live) {
+        const Error unknown{"lines come, but their angle is not known: " + wait, linesTopic_,
+                            "give the joint that turns the laser (--joint), or the step from line to line (--line-step)"};
+        status.connection.sentence = unknown.sentence();
+        status.connection.problem = unknown;
+    }
+    if (!cloud_) return;
+    const std::shared_ptr<const Scan> newest = cloud_->newest().scan;
+    const std::optional<Error> problem = cloud_->whyUnusable();
+    status.sweep = cloud_->progress();
+    status.settings = settingsOf(newest.get());
+    status.undecodable += cloud_->unusable();
+    if (problem) status.whyUndecodable = problem->what;
+    if (newest || !live) return;
+    status.connection.problem = problem;
+    if (problem) status.connection.sentence = problem->sentence();
+}
+
+std::vector<files::OfferedTopic> RobotSource::offered() const {
+    std::vector<files::OfferedTopic> all;
+    for (const BridgeChannelPtr& channel : offered_) {
+        const auto topic = topicOf(*channel);
+        if (!topic) continue;
+        files::OfferedTopic row;
+        const auto heard = heard_.find(channel->topic);
+        row.subscribed = heard != heard_.end();
+        row.lines = channel->topic == linesTopic_;
+        row.topic = listedTopic(*topic, row.subscribed ? ByteView(heard->second.first->payload) : ByteView());
+        if (row.subscribed) {
+            row.topic.messages = static_cast<std::size_t>(heard->second.messages);
+            const double seconds = static_cast<double>(heard->second.lastNs - heard->second.firstNs) * 1e-9;
+            if (seconds > 0) row.topic.hertz = static_cast<double>(heard->second.messages - 1) / seconds;
+        }
+        all.push_back(std::move(row));
+    }
+    std::ranges::sort(all, {}, [](const files::OfferedTopic& row) { return row.topic.name; });
+    return all;
+}
+
+void RobotSource::finish() {
+    if (cloud_) cloud_->finish();
+}
+
+} // namespace
+
+std::unique_ptr<files::LiveSource> liveRobot(const scanner::ConnectionSettings& asked, const scanner::SweepSettings& sweep,
+                                             std::function<void()> changed, std::mutex& mutex) {
+    return std::make_unique<RobotSource>(asked.topic, asked.joint, sweep, std::move(changed), mutex);
+}
+
+} // namespace edgescan::robots
