@@ -61,10 +61,12 @@ RockTable::RockTable(QWidget* parent)
     smallest_->setSingleStep(0.1);
     smallest_->setDecimals(2);
     smallest_->setSuffix(tr(" m"));
-    const QString smallestHelp = tr("Rocks with a smaller visible width b are left out of the table, and in the views only their outline is drawn");
+    const QString smallestHelp =
+        tr("Rocks with a smaller visible width b are left out of the table, and in the views only their outline is drawn");
     auto* least = new QLabel(tr("b at least"));
     for (QWidget* each : std::initializer_list<QWidget*>{least, smallest_}) each->setToolTip(smallestHelp);
-    sureOnly_->setToolTip(tr("Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only their outline is drawn"));
+    sureOnly_->setToolTip(tr("Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only "
+                             "their outline is drawn"));
 
     count_->setWordWrap(true);
     count_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
