@@ -162,7 +162,7 @@ Error unexpected(const CLI::App& app, const std::vector<std::string>& words, con
 /// "FILE", "NUMBER": what a flag takes, without its limits.
 std::string valueOf(const CLI::Option& option) {
     const std::string type = option.get_type_name();
-    const std::string word = type.substr(0, type.find_first_of(" {:"));
+    const std::string word = type.substr(0, type.find_first_of(type.starts_with("NUMBER") ? "{:" : " {:")); // with its limits
     return word.empty() || word == "TEXT" ? "VALUE" : word;
 }
 
