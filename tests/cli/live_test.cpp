@@ -211,8 +211,9 @@ TEST_F(Live, WhereNothingComesItIsSaidOnceAndWhy) {
     const std::string recording = (folder / "none.mcap").string();
     const auto record = runCli("record 127.0.0.1:1 -o " + recording + " --seconds 1"); // no program listens on this port
     EXPECT_NE(record.code, 0);
-    EXPECT_EQ(record.err, "edgescan-cli: 127.0.0.1:1: the connection is refused; check the port (2111 or 2112) and that no other program "
-                          "holds the scanner.\n");
+    const std::string why =
+        "edgescan-cli: 127.0.0.1:1: the connection is refused; check the port (2111 or 2112) and that no other program holds the scanner.";
+    EXPECT_EQ(record.err, why + " Trying again in 0.5 s. Ctrl+C ends.\n" + why + "\n");
     EXPECT_FALSE(std::filesystem::exists(recording));
 }
 

@@ -313,7 +313,8 @@ TEST_F(PlacedReport, SaysWhereEachRockIsAndWhenTheScanWasMade) {
     }
     EXPECT_EQ(rows, 25U);
     for (const char* phrase :
-         {"<dt>Scanned</dt><dd>2026-11-20 10:00:00 UTC to 2026-11-20 10:00:40 UTC (as the pose says)</dd>", "<dt>Robot</dt><dd>Mule 7</dd>",
+         {"<dt>Scanned</dt><dd>2026-11-20 10:00:00 UTC to 2026-11-20 10:00:40 UTC (as the pose says)</dd>",
+          "<dt>Robot</dt><dd translate=\"no\">Mule 7</dd>",
           "<dt>Pose</dt><dd>2026-11-20 09:59:58 UTC, 2 s before the start of the scan</dd>", "<dt>Uncertainty</dt><dd>ranges ± "})
         EXPECT_NE(text.find(phrase), std::string::npos) << phrase;
     EXPECT_TRUE(std::regex_search(text, std::regex("<dt>Made</dt><dd>[0-9]{4}-[0-9]{2}-[0-9]{2} [0-9:]{8} UTC</dd>")));

@@ -1,4 +1,5 @@
 // The real window with real events: the shown data is consistent and equals the result of the command line.
+#include "core/edges/settings/command_text.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "core/edges/settings/slider_scale.h"
@@ -54,11 +55,7 @@ void compareWithCommandLine(WindowFixture& on) {
              static_cast<int>(detection.edges->size() - rims));
     QVERIFY(window.viewer().statusLine.countsShown().contains(
         QLocale(QLocale::English).toString(static_cast<qulonglong>(detection.edges->size())) + " edge cells"));
-    std::string flags;
-    const nlohmann::json settings = edges::settingsToJson(detection.settings);
-    for (const auto& [key, value] : settings.items())
-        flags += " --" + key + " " + (value.is_string() ? value.get<std::string>() : value.dump());
-    const auto run = test::runCli("detect '" + detection.scan->path + "' --json -" + flags);
+    const auto run = test::runCli("detect '" + detection.scan->path + "' --json - " + edges::settingsFlags(detection.settings));
     QCOMPARE(run.code, 0);
     const auto report = nlohmann::json::parse(run.out);
     QCOMPARE(report["edges"].get<std::size_t>(), detection.edges->size());

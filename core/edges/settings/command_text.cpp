@@ -13,6 +13,7 @@ namespace {
 std::vector<std::string> differences(const Settings& from, const Settings& to) {
     std::vector<std::string> flags;
     for (const Parameter& p : parameters()) {
+        if (!p.usedBy(to)) continue; // it would be refused
         const std::string value = formatValue(p, p.get(to));
         if (formatValue(p, p.get(from)) != value) flags.push_back(std::string("--") + p.key + " " + value);
     }
