@@ -51,7 +51,8 @@ TEST(ExportKinds, AnExtensionThatNamesNoFormatIsRefused) {
     const auto check = [](ExportContent content, const char* path) { return checkExtension(exportKind(content), path, path, " or "); };
     EXPECT_TRUE(check(ExportContent::RockHulls, "a.OBJ"));
     EXPECT_TRUE(check(ExportContent::RockCloud, "a.las"));
-    EXPECT_TRUE(check(ExportContent::EdgeImage, "a.anything"));
+    EXPECT_TRUE(check(ExportContent::EdgeImage, "a.png"));
+    EXPECT_FALSE(check(ExportContent::EdgeImage, "a.anything"));
     EXPECT_FALSE(check(ExportContent::FullCloud, "a.png"));
     const auto refused = check(ExportContent::RockOutlines, "a.obj");
     ASSERT_FALSE(refused);

@@ -87,7 +87,7 @@ TEST(Calibration, SaysWhatIsWrong) {
     expectSentence(with("stepper", "mount_m", {1, 2, "x"}), "must hold numbers, not string");
     expectSentence(with("stepper", "direction", 0.5), "must be 1 or -1");
     expectSentence(with("stepper", "step_deg", 0), "is 0 and must be from 0.0001 to 10");
-    expectSentence(with("inclinometer", "viewing", "sideways"), "must be \"forward\" or \"up\" or \"rpy\" or \"matrix\"");
+    expectSentence(with("inclinometer", "viewing", "sideways"), "must be \"forward\" or \"up\" or \"down\" or \"rpy\" or \"matrix\"");
     expectSentence(with("inclinometer", "rpy_deg", {0, 0, 0}), "needs \"viewing\": \"rpy\"");
     expectSentence(with("boom", "arm_m", {0, 0, 0}), "needs \"pivot_in_robot_m\"");
     expectSentence(with("talin", "in_robot_m", {400, 0, 0}), "is 400 and must be from -100 to 100");
