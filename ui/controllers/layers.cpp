@@ -307,8 +307,12 @@ void Layers::load(std::size_t layer, const std::vector<inspect::PointPair>& pair
 void Layers::take(const LayerAsked& asked, const Loaded& loaded) {
     work_.reset();
     if (Held* held = of(asked.layer.scan)) {
+        const QString twiceWords = tr("The same scan is a layer already: remove one of the two.");
         if (!loaded) {
-            held->trouble = coreSentence(loaded.error().sentence());
+            // A file that was added again has no further scan.
+            const bool again = std::ranges::any_of(
+                layers_, [&](const Held& each) { return &each != held && each.layer.scan.path == held->layer.scan.path; });
+            held->trouble = again ? twiceWords : coreSentence(loaded.error().sentence());
         } else {
             const bool twice = std::ranges::any_of(layers_, [&](const Held& each) {
                 return &each != held && inspect::isSame(each.layer.scan.identity, loaded->layer.scan.identity);
@@ -321,7 +325,7 @@ void Layers::take(const LayerAsked& asked, const Loaded& loaded) {
             if (twice) {
                 held->layer.scan.identity = {};
                 held->cloud = nullptr;
-                held->trouble = tr("The same scan is a layer already: remove one of the two.");
+                held->trouble = twiceWords;
             }
         }
         const QString warnings = held->layer.place ? warningText(*held->layer.place) : QString();
