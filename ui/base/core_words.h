@@ -20,12 +20,12 @@ namespace edgescan::ui {
 /// A short text of a live scanner, such as "LOST 12 s" or "no return 4.2 %", in the language of the window.
 [[nodiscard]] QString coreWords(const std::string& text);
 
-/// Texts of the core, in which %1 to %9 stand for any text in their order. They must outlive it.
+/// Texts of the core, in which %1 to %9 are any text, in their order. They must outlive it.
 class CoreTexts {
 public:
     /// `whole`: each is a text of its own; otherwise they are parts of longer ones.
     CoreTexts(std::span<const char* const> sources, bool whole);
-    /// What is one of them in the language of the window; the rest as it is. `inner` translates what stands for %1 to %9; null: nothing.
+    /// What is one of them in the language of the window; the rest as it is. `inner` translates the text of %1 to %9; null: nothing.
     [[nodiscard]] QString translated(QString text, QString (*inner)(const QString&) = nullptr) const;
 
 private:

@@ -45,7 +45,7 @@ std::string fact(const std::string& name, const std::string& value) {
     return "<div><dt>" + htmlText(name) + "</dt><dd>" + htmlText(value.empty() ? kUnknown : value) + "</dd></div>\n";
 }
 
-/// What somebody wrote stays in every language.
+/// What a person wrote remains in every language.
 std::string writtenFact(const std::string& name, const std::string& value) {
     return "<div><dt>" + htmlText(name) + "</dt><dd translate=\"no\">" + htmlText(value) + "</dd></div>\n";
 }
