@@ -35,7 +35,7 @@ std::vector<fs::path> allPages() {
                                 root / "examples/README.md"};
     for (const auto& entry : fs::recursive_directory_iterator(kManual)) {
         const fs::path& page = entry.path();
-        const bool isOfHelp = page.parent_path().filename() == "commands" || page.filename() == "settings.md"; // docs/make-commands
+        const bool isOfHelp = page.parent_path().filename() == "commands" || page.stem() == "settings"; // docs/make-commands
         if (page.extension() == ".md" && !isOfHelp) pages.push_back(page);
     }
     return pages;
