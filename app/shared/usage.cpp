@@ -159,10 +159,10 @@ Error unexpected(const CLI::App& app, const std::vector<std::string>& words, con
     return Error{"there is no such flag", typed, hintFor(name, typed, known, list)};
 }
 
-/// "FILE", "NUMBER": what a flag takes, without its limits.
+/// "FILE", "NUMBER 0..1": the value of a flag; only a number with its limits.
 std::string valueOf(const CLI::Option& option) {
     const std::string type = option.get_type_name();
-    const std::string word = type.substr(0, type.find_first_of(type.starts_with("NUMBER") ? "{:" : " {:")); // with its limits
+    const std::string word = type.substr(0, type.find_first_of(type.starts_with("NUMBER") ? "{:" : " {:"));
     return word.empty() || word == "TEXT" ? "VALUE" : word;
 }
 

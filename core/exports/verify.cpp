@@ -67,7 +67,7 @@ Result<fs::path> findScan(const std::string& sha256, const std::string& oldName,
     likelyFirst(files, oldName);
     if (scansFolder) {
         if (!fs::is_directory(*scansFolder, problem))
-            return Error{"there is no such folder", scansFolder->string(), "give --scans the folder that holds the scan"};
+            return Error{"there is no such folder", scansFolder->string(), "give --scans the folder of the scan"};
         std::vector<fs::path> more;
         addFiles(more, fs::recursive_directory_iterator(*scansFolder, fs::directory_options::skip_permission_denied, problem));
         likelyFirst(more, oldName);

@@ -3,12 +3,14 @@
 #include "core/base/whole_file.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
+#include "core/inspect/measure/notebook.h"
 #include "core/inspect/session_file/session_file.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 #include "tests/ui/patience.h"
 #include "ui/controllers/rocks/rock_sidecar.h"
 #include "ui/controllers/sessions/autosaves.h"
+#include "ui/controllers/targets/target_store.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/change/comparison.h"
 
@@ -91,6 +93,32 @@ private slots:
         QVERIFY(!writeWholeFile(folder / "before.u16", std::string("an export")));
         picture = std::shared_ptr<const Picture>();
         QVERIFY(writeWholeFile(path, std::string("an export")));
+    }
+
+    // A look at stored targets, as the list of layers has it, begins no work on them: what another window added stays.
+    void aLookAtStoredTargetsLeavesThoseOfAnotherWindow() {
+        const test::TemporaryFolder folder;
+        const std::string path = (folder / "a.json").string();
+        QVERIFY(files::saveScan(test::boxesScan(24, 30, 3), path));
+        const inspect::NotebookScan scan = inspect::notebookScan(*files::openScan(path));
+        const auto notebookOf = [](const std::vector<int>& numbers) {
+            inspect::Notebook notebook;
+            for (const int number : numbers) notebook.targets.push_back({number, "", static_cast<std::uint32_t>(10 * number)});
+            return notebook;
+        };
+        TargetStore store(QString::fromStdString((folder / "targets").string()));
+        const std::string file = store.pathOf(scan).toStdString();
+        const auto stored = [&] { return inspect::notebookFromText(test::fileText(file), scan, file); };
+        QVERIFY(bool(store.load(scan)));
+        store.save(notebookOf({1}), scan);
+        QVERIFY(eventually([&] { return std::filesystem::exists(file) && stored() && *stored() == notebookOf({1}); }));
+        QVERIFY(writeWholeFile(file, inspect::notebookText(notebookOf({1, 2}), scan))); // another window
+        QVERIFY(eventually([&] {                                                        // the own ones are delivered by then
+            const auto read = store.peek(scan);
+            return read && read->targets.size() == 2;
+        }));
+        store.save(notebookOf({1, 3}), scan);
+        QVERIFY(eventually([&] { return stored() && stored()->targets.size() == 3; }));
     }
 
     void editsOfAnotherWindowAreNotRemoved() {

@@ -244,7 +244,7 @@ void Layers::activate(int layer) {
     files_.openAgain(inspect::SessionScan(held->layer.scan));
 }
 
-std::map<int, inspect::PointPair> Layers::targetsInBoth(const Held& held) {
+std::map<int, inspect::PointPair> Layers::targetsInBoth(const Held& held) const {
     std::map<int, inspect::PointPair> pairs;
     const auto there = targets_.notebookOf(held.layer.scan.identity);
     if (!there || !held.cloud) return pairs;

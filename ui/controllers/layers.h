@@ -76,7 +76,7 @@ private:
     [[nodiscard]] Held* other(int layer);
     [[nodiscard]] bool isActive(const Held& held) const;
     [[nodiscard]] const Scan* shownScan() const;
-    [[nodiscard]] std::map<int, inspect::PointPair> targetsInBoth(const Held& held); // by number
+    [[nodiscard]] std::map<int, inspect::PointPair> targetsInBoth(const Held& held) const; // by number
 
     Engine& engine_;
     LinkedViews& views_;

@@ -216,14 +216,14 @@ QString decoded(QString text) {
     return text;
 }
 
-QString inLanguage(const QString& text) {
+QString textInLanguage(const QString& text) {
     static const CoreTexts whole(kTexts, true), sentences(kSentences, false);
     if (const QString label = QObject::tr(exactBytes(text).c_str()); label != text) return label; // of a setting or a column
-    if (const QString known = whole.translated(text, inLanguage); known != text) return known;
+    if (const QString known = whole.translated(text, textInLanguage); known != text) return known;
     if (const QString known = sentences.translated(text); known != text) return known;
     if (text.contains(", ")) { // a list
         QStringList each = text.split(", ");
-        for (QString& one : each) one = whole.translated(QObject::tr(exactBytes(one).c_str()), inLanguage);
+        for (QString& one : each) one = whole.translated(QObject::tr(exactBytes(one).c_str()), textInLanguage);
         return each.join(", ");
     }
     return coreSentence(text);
@@ -234,7 +234,7 @@ std::string translated(std::string_view text) {
     const auto first = text.find_first_not_of(" \n"), last = text.find_last_not_of(" \n");
     if (first == text.npos) return std::string(text);
     const QString before = decoded(exactText(std::string(text.substr(first, last - first + 1))));
-    const QString after = inLanguage(before);
+    const QString after = textInLanguage(before);
     if (after == before) return std::string(text);
     return std::string(text.substr(0, first)) + exactBytes(after.toHtmlEscaped()) + std::string(text.substr(last + 1));
 }

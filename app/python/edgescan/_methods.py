@@ -51,7 +51,7 @@ def to_dict(self, *, rocks: Optional[Rocks] = None) -> Dict[str, NDArray[Any]]:
 
 @method(Result)
 def save_npz(self, path: Path, *, rocks: Optional[Rocks] = None) -> int:
-    """Writes the arrays of to_dict() for numpy.load(), and returns their number. There is no record next to the file.
+    """Writes the arrays of to_dict() for numpy.load(), and returns their number. No record is written with the file.
 
     >>> result.save_npz(folder / "edges.npz") == len(result.to_dict())
     True

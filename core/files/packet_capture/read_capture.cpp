@@ -18,8 +18,6 @@
 namespace edgescan::files {
 namespace {
 
-ByteView bytesOf(const Source& source) { return {reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size()}; }
-
 /// Telegrams out of one or more streams of one scanner.
 struct Heard {
     std::vector<RecordingMessagePtr> messages;
@@ -168,11 +166,11 @@ void tellLosses(std::vector<std::string>& warnings, const PacketFile& file, cons
 
 } // namespace
 
-bool looksLikePackets(const Source& source) { return isPacketFile(bytesOf(source)); }
+bool looksLikePackets(const Source& source) { return isPacketFile(source.octets()); }
 
 bool looksLikeColaStream(const Source& source) {
     constexpr std::size_t kFirstPart = 4 * scanner::kLongestFrame;
-    const ByteView bytes = bytesOf(source);
+    const ByteView bytes = source.octets();
     if (bytes.empty() || source.text().substr(0, kFirstPart).find('\x02') == std::string_view::npos) return false;
     scanner::ColaStream stream;
     return !stream.push(bytes.first(std::min(bytes.size(), kFirstPart))).empty();
@@ -182,7 +180,7 @@ Result<Scan> readPacketCapture(const Source& source) {
     const std::string where = source.path.string();
     constexpr std::uint64_t kMemoryPerByte = 4; // the shortest packets that carry anything take 70 bytes, and we a little more of each
     if (auto enough = checkMemory(source.bytes.size() * kMemoryPerByte, where); !enough) return enough.error();
-    const auto file = readPackets(bytesOf(source), where);
+    const auto file = readPackets(source.octets(), where);
     if (!file) return file.error();
     if (!source.goOn("putting packets together", 0.1)) return source.cancelled();
     const TcpStreams tcp = tcpStreams(file->packets);
@@ -215,7 +213,7 @@ Result<Scan> readPacketCapture(const Source& source) {
 
 Result<Scan> readColaCapture(const Source& source) {
     constexpr std::size_t kAtOnce = 1U << 20U;
-    const ByteView bytes = bytesOf(source);
+    const ByteView bytes = source.octets();
     Heard heard;
     scanner::ColaStream stream;
     DeviceTime time;

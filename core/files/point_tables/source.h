@@ -1,6 +1,7 @@
 // What a reader gets: the bytes of one file, where they came from, and what the user said.
 #pragma once
 
+#include "core/base/bytes.h"
 #include "core/base/number_text.h"
 #include "core/base/result.h"
 #include "core/scan/grid/reading_options.h"
@@ -34,6 +35,7 @@ struct Source {
     std::function<void(std::span<const Eigen::Vector3d>)> takePlaces = {};
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+    [[nodiscard]] ByteView octets() const { return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}; }
     /// Named scan.pcd.gz: what is packed carries its own extension before the last one.
     [[nodiscard]] bool isNamedPacked() const {
         const std::string last = lowerCase(path.extension());

@@ -166,9 +166,9 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
 }
 
 Result<Scan> readRecording(const Source& source) {
-    const auto* first = reinterpret_cast<const std::uint8_t*>(source.bytes.data());
+    const ByteView bytes = source.octets();
     const auto recording =
-        Recording::fromBytes(Bytes(first, first + source.bytes.size()), source.path.string(), [&] { return source.goOn("reading", 0.0); });
+        Recording::fromBytes(Bytes(bytes.begin(), bytes.end()), source.path.string(), [&] { return source.goOn("reading", 0.0); });
     if (!recording) return recording.error();
     return scanOf(*recording, source.path.string(), *source.options, source.played);
 }

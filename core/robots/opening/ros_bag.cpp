@@ -16,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ByteView bytesOf(const files::Source& source) { return {reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size()}; }
-
 std::function<bool()> goOnOf(const files::Source& source) {
     return [&source] { return source.goOn("reading", 0.0); };
 }
@@ -55,7 +53,7 @@ Result<files::Reading> scanIn(const RosBag& bag, const files::Source& source) {
 }
 
 bool looksLikeBag(const files::Source& source) {
-    const ByteView bytes = bytesOf(source);
+    const ByteView bytes = source.octets();
     return looksLikeRosBag(bytes) || looksLikeSqlite(bytes);
 }
 
@@ -80,7 +78,7 @@ Result<std::vector<HeldFile>> logsOf(const files::Source& source, std::vector<Da
 }
 
 Result<RosBag> bagIn(const files::Source& source) {
-    const ByteView bytes = bytesOf(source);
+    const ByteView bytes = source.octets();
     const std::string where = source.path.string();
     if (!looksLikeSqlite(bytes)) return readRosBag(bytes, where, goOnOf(source));
     std::vector<DatabaseLog> logs;
@@ -104,11 +102,11 @@ struct WholeBag {
 Result<RosBag> bagOf(const BagPart& part, const ReadingOptions* options, std::list<containers::McapContent>& contents) {
     const files::Source source{part.path, part.bytes, options};
     const std::string name = part.path.filename().string();
-    if (!containers::looksLikeMcap(bytesOf(source))) {
+    if (!containers::looksLikeMcap(source.octets())) {
         if (!looksLikeBag(source)) return source.refused("it is not a file of a bag", "copy it again");
         return bagIn(source);
     }
-    auto content = containers::readMcap(bytesOf(source), name, goOnOf(source));
+    auto content = containers::readMcap(source.octets(), name, goOnOf(source));
     if (!content) return content.error();
     return rosBagOf(contents.emplace_back(std::move(*content)), name, goOnOf(source));
 }
@@ -158,7 +156,7 @@ files::Format rosBagFormat() {
 }
 
 std::optional<Result<files::Reading>> readRosMcap(const files::Source& source) {
-    const auto content = containers::readMcap(bytesOf(source), source.path.string(), goOnOf(source));
+    const auto content = containers::readMcap(source.octets(), source.path.string(), goOnOf(source));
     if (!content || !hasRosTopics(*content)) return std::nullopt;
     auto bag = rosBagOf(*content, source.path.string(), goOnOf(source));
     if (!bag) return Result<files::Reading>(bag.error());
@@ -166,8 +164,8 @@ std::optional<Result<files::Reading>> readRosMcap(const files::Source& source) {
 }
 
 std::optional<Result<BagListing>> bagListing(const files::Source& source) {
-    if (containers::looksLikeMcap(bytesOf(source))) {
-        const auto content = containers::readMcap(bytesOf(source), source.path.string(), goOnOf(source));
+    if (containers::looksLikeMcap(source.octets())) {
+        const auto content = containers::readMcap(source.octets(), source.path.string(), goOnOf(source));
         if (!content || !hasRosTopics(*content)) return std::nullopt;
         auto bag = rosBagOf(*content, source.path.string(), goOnOf(source));
         return bag ? Result<BagListing>(listingOf(onceEach(std::move(*bag)))) : Result<BagListing>(bag.error());

@@ -166,6 +166,11 @@ Study studyRocks(const Inputs& inputs, const RockSettings& settings, const std::
     study.settings = settings;
     study.edits = edits;
     if (before != nullptr && !sameInputs(before->segmentation->inputs, inputs)) before = nullptr;
+    if (before != nullptr && before->settings == settings && before->edits == edits) {
+        study = *before;
+        study.listed.reset();
+        return study;
+    }
     const std::vector<CutLine> cuts = cutsOf(edits);
     const bool sameSegments = before != nullptr && cutsOf(before->edits) == cuts;
     study.uncut = before != nullptr ? before->uncut : std::make_shared<const Segmentation>(segmentRocks(inputs));

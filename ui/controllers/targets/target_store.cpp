@@ -50,17 +50,19 @@ QString TargetStore::pathOf(const inspect::NotebookScan& scan) const {
     return folder_.isEmpty() || name.empty() ? QString() : folder_ + "/" + exactText(name);
 }
 
-Result<inspect::Notebook> TargetStore::load(const inspect::NotebookScan& scan) {
+Result<inspect::Notebook> TargetStore::peek(const inspect::NotebookScan& scan) const {
     const std::string path = exactBytes(pathOf(scan));
-    if (path.empty()) return inspect::Notebook{};
     if (const auto waits = waiting_.find(path); waits != waiting_.end()) return waits->second.notebook;
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) {
-        files_->begin(path, {});
-        return inspect::Notebook{};
-    }
+    if (path.empty() || !std::filesystem::exists(path, ignored)) return inspect::Notebook{};
     const auto bytes = readWholeFile(path, kMostNotebookBytes);
-    auto notebook = bytes ? inspect::notebookFromText(textOf(*bytes), scan, path) : Result<inspect::Notebook>(bytes.error());
+    return bytes ? inspect::notebookFromText(textOf(*bytes), scan, path) : Result<inspect::Notebook>(bytes.error());
+}
+
+Result<inspect::Notebook> TargetStore::load(const inspect::NotebookScan& scan) {
+    const std::string path = exactBytes(pathOf(scan));
+    auto notebook = peek(scan);
+    if (path.empty() || waiting_.contains(path)) return notebook;
     if (!notebook) {
         refused_.insert(path);
         return notebook;

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] QString pathOf(const inspect::NotebookScan& scan) const;
     /// An empty notebook if no file exists. Error: the file is damaged or belongs to another scan; it is not changed or overwritten.
     Result<inspect::Notebook> load(const inspect::NotebookScan& scan);
+    /// The same of a scan that is not on the screen: it may be read at any time, and what save() merges with stays as it is.
+    [[nodiscard]] Result<inspect::Notebook> peek(const inspect::NotebookScan& scan) const;
     void save(const inspect::Notebook& notebook, const inspect::NotebookScan& scan);
 
     /// Targets wait that could not be written.

@@ -66,7 +66,7 @@ public:
     void followPicture();
     [[nodiscard]] const inspect::Notebook& notebook() const { return notebook_; }
     /// Of another scan, as it was stored.
-    [[nodiscard]] Result<inspect::Notebook> notebookOf(const inspect::NotebookScan& scan) { return store_.load(scan); }
+    [[nodiscard]] Result<inspect::Notebook> notebookOf(const inspect::NotebookScan& scan) const { return store_.peek(scan); }
     /// The file of the notebook; empty: none.
     [[nodiscard]] QString notebookFile() const;
     /// The target whose card is shown; null: none.
