@@ -10,7 +10,8 @@
 namespace edgescan::ui {
 
 /// No test passes or fails by the time that something takes: this only ends a test that waits for what never comes.
-constexpr int kPatienceMs = 120000;
+inline const int kPatienceMs =
+    qEnvironmentVariableIsSet("EDGESCAN_PATIENCE_MS") ? qEnvironmentVariableIntValue("EDGESCAN_PATIENCE_MS") : 120000;
 
 /// The window works until `done` holds; false if it never does.
 template <class Condition>
