@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace edgescan::ui {
@@ -160,15 +159,6 @@ void ImageView::setTaken(int pixels) {
     if (std::exchange(taken_, pixels) != pixels) update();
 }
 
-void ImageView::setTitle(const QString& title) {
-    title_ = title;
-    update();
-}
-
-void ImageView::setTopTaken(int pixels) {
-    if (std::exchange(topTaken_, pixels) != pixels) update();
-}
-
 void ImageView::setNote(const QString& note) {
     note_ = note;
     update();
@@ -240,8 +230,8 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     if (pyramid.empty()) return;
     const QSizeF cell = viewPort_->cellSize(size()) * devicePixelRatioF();
     const double scale = std::min(cell.width(), cell.height());
-    // The nearest level for shares: drawn much smaller, a line of one cell would lose its light.
-    const double forLevel = pyramid.shrink() == Shrink::Share ? scale * std::numbers::sqrt2 / 2.0 : scale;
+    // For lines the level whose pixels are at least as large as those of the screen: drawn smaller, they would lose their light.
+    const double forLevel = pyramid.shrink() == Shrink::Lines && scale < 1.0 ? scale / 2.0 : scale;
     const QImage& image = pyramid.level(pyramidLevel(forLevel));
     const QSizeF full = pyramid.image()->size();
     // For odd sizes the last pixel of a level covers fewer cells; therefore cells per pixel is a power of two, not the quotient of the
@@ -258,7 +248,7 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
         QRectF(seen.topLeft() / cellsPerPixel, seen.bottomRight() / cellsPerPixel).toAlignedRect().intersected(image.rect());
     QRectF cells(QPointF(source.topLeft()) * cellsPerPixel, QSizeF(source.size()) * cellsPerPixel);
     const QRectF target = toPixels(cells);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1.0);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1.0 && pyramid.shrink() != Shrink::Lines);
     painter.save();
     painter.setClipRect(toPixels(QRectF({0.0, 0.0}, full)));
     painter.drawImage(target, image, source);
@@ -365,10 +355,9 @@ void ImageView::drawDragged(QPainter& painter) const {
 }
 
 void ImageView::drawTexts(QPainter& painter) {
-    const QRect inner = rect().adjusted(11, 8 + topTaken_, -11, -8);
-    texts_.clear();
-    if (picture_.empty()) drawLabel(painter, inner, Qt::AlignCenter, note_);
-    for (const QRect& text : drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_)) texts_.emplace_back(text);
+    const QRect inner = rect().adjusted(11, 8, -11, -8);
+    const Qt::Alignment place = picture_.empty() ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignTop;
+    texts_ = {QRectF(drawLabel(painter, inner.adjusted(0, 0, -taken_, 0), place, note_))};
 }
 
 } // namespace edgescan::ui

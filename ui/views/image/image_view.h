@@ -43,7 +43,7 @@ public:
     /// One pixel per cell. Setting the same pointer again is free; the image must never change. Null = empty.
     void setImage(std::shared_ptr<const QImage> image, Shrink shrink = Shrink::Average);
     /// Drawn over the image with this opacity (edges over gray); usually ARGB with a transparent background.
-    void setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink = Shrink::Share);
+    void setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink = Shrink::Lines);
     /// Drawn between the image and the overlay: coloured faces, transparent elsewhere. `faded`: they belong to an older picture.
     void setFaces(std::shared_ptr<const QImage> faces, bool faded = false);
     /// Shown until the next call; an empty list removes it. Sides of cells, with ends at corners of cells (x = beam, y = line).
@@ -54,7 +54,6 @@ public:
     [[nodiscard]] bool facesFaded() const { return facesFaded_; }
     [[nodiscard]] const std::vector<QLine>& outline() const { return outline_; }
     [[nodiscard]] const QString& tip() const { return tip_; }
-    [[nodiscard]] const QString& title() const { return title_; }
     [[nodiscard]] const std::shared_ptr<const QImage>& image() const { return picture_.image(); }
     [[nodiscard]] const std::shared_ptr<const QImage>& overlay() const { return overlay_.image(); }
 
@@ -87,13 +86,10 @@ public:
     void setLost(std::vector<QRect> areas);
     /// Area of lines that a sweep does not have, or not yet, x = beam, y = line: hatched. Empty: it has all.
     void setToCome(const QRect& area);
-    void setTitle(const QString& title);
     /// Pixels at the top right that another widget covers: the texts avoid them.
     void setTaken(int pixels);
     /// Short text over the picture: "preview", "no scan open". Empty = no text.
     void setNote(const QString& note);
-    /// Texts are drawn below the upper `pixels`, which another widget covers.
-    void setTopTaken(int pixels);
     [[nodiscard]] const QString& note() const { return note_; }
     void setBackground(const QColor& colour);
     void setPictureFrame(const PictureFrame& frame);
@@ -174,9 +170,8 @@ private:
     std::optional<QPoint> marked_, crosshair_, hoveredCell_;
     std::optional<QRect> box_;
     EdgeTrail trail_;
-    QString title_, note_;
+    QString note_;
     PictureFrame pictureFrame_;
-    int topTaken_ = 0;
     int taken_ = 0;
     std::vector<QRect> lost_;
     QRect toCome_;

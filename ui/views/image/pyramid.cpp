@@ -24,7 +24,11 @@ const std::vector<std::uint8_t>& levelsOfLight() {
     return levels;
 }
 
-int meanLight(int a, int b, int c, int d) { return levelsOfLight()[static_cast<std::size_t>((a * a + b * b + c * c + d * d + 2) / 4)]; }
+/// Twice the mean, at most the brightest: a line through 2 x 2 is two of them.
+int lineLight(int a, int b, int c, int d) {
+    const int most = std::max({a, b, c, d});
+    return levelsOfLight()[static_cast<std::size_t>(std::min(most * most, (a * a + b * b + c * c + d * d + 1) / 2))];
+}
 
 int meanLevel(int a, int b, int c, int d) { return (a + b + c + d + 2) / 4; }
 
@@ -62,7 +66,7 @@ QImage halve(const QImage& from, Merge merge) {
 
 QImage halved(const QImage& image, Shrink shrink) {
     if (image.isNull()) return image;
-    const auto mean = shrink == Shrink::Share ? meanLight : meanLevel;
+    const auto mean = shrink == Shrink::Lines ? lineLight : meanLevel;
     if (image.format() == QImage::Format_Grayscale8) {
         using Gray = std::uint8_t;
         return halve<Gray>(image, [mean](Gray a, Gray b, Gray c, Gray d) { return static_cast<Gray>(mean(a, b, c, d)); });

@@ -1,5 +1,4 @@
-// Images of half, quarter ... size for zooming out: mean levels for gray, mean light for edges (a pixel shows the share of edge cells in
-// it).
+// Images of half, quarter ... size for zooming out: mean levels for gray; lines of edges stay as bright as they are.
 #pragma once
 
 #include <QImage>
@@ -11,7 +10,7 @@ namespace edgescan::ui {
 
 enum class Shrink {
     Average, ///< mean level of 2 x 2
-    Share,   ///< mean light of 2 x 2: levels are roots of light, so a thin line stays thin and visible, and single cells fade
+    Lines,   ///< twice the mean light of 2 x 2, levels are roots of light: a line of one cell keeps its light, and single cells fade
 };
 
 /// Half the size, rounded up; an odd last row or column is copied. Gray stays gray (8 bit), other formats become ARGB32 premultiplied.
