@@ -287,11 +287,12 @@
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Cerrar</translation></message>
+<message><source>Details</source><translation>Detalles</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Muestra la siguiente de las notas que no se cerraron</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Error</source><translation>Error</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Listo</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>%1 MB</source><translation>%1 MB</translation></message>
 <message><source>%1 kB</source><translation>%1 kB</translation></message>
 <message><source>Saved %1%2, %3.</source><translation>Guardado %1%2, %3.</translation></message>
@@ -303,8 +304,6 @@
 <message><source>Undone: %1.</source><translation>Deshecho: %1.</translation></message>
 <message><source>It is back.</source><translation>Está de nuevo.</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
-<message><source>More</source><translation>Más</translation></message>
-<message><source>Less</source><translation>Menos</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Doble clic: en lugar de la nube, y de vuelta</translation></message>
 <message><source>All views again</source><translation>Todas las vistas de nuevo</translation></message>
 <message><source>This view alone</source><translation>Esta vista sola</translation></message>
@@ -1022,6 +1021,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Close the keys</source><translation>Cerrar las teclas</translation></message>
 <message><source>Capital letter</source><translation>Mayúscula</translation></message>
 <message><source>Space</source><translation>Espacio</translation></message>
+<message><source>More</source><translation>Más</translation></message>
 <message><source>Previous target or measurement</source><translation>Objetivo o medición anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Objetivo o medición siguiente</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
@@ -1038,10 +1038,10 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Zoom out</source><translation>Alejar</translation></message>
 <message><source>+ edges gained</source><translation>+ bordes ganados</translation></message>
 <message><source>− edges lost</source><translation>− bordes perdidos</translation></message>
-<message><source>edges kept (cells of B)</source><translation>bordes conservados (celdas de B)</translation></message>
-<message><source>? edges not seen in the other</source><translation>? bordes no vistos en el otro</translation></message>
-<message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
-<message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
+<message><source>edges kept</source><translation>bordes que siguen</translation></message>
+<message><source>? edges not seen</source><translation>? bordes no vistos</translation></message>
+<message><source>surface nearer</source><translation>superficie más cerca</translation></message>
+<message><source>surface farther</source><translation>superficie más lejos</translation></message>
 <message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A tiene %1 celdas de borde: %2 perdidas, %3 junto a bordes de B, %4 sin punto de B</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ FUERA DE TOLERANCIA</translation></message>
 <message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
@@ -1238,6 +1238,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
 <message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>El veredicto en los términos del método, los puntos a través de la celda y los números</translation></message>
+<message><source>Less</source><translation>Menos</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
 <message><source>on</source><translation>activado</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
@@ -1702,6 +1703,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Layers</source><translation>Capas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Hide panel</source><translation>Ocultar panel</translation></message>
+<message><source>&amp;Legends at the Side</source><translation>&amp;Leyendas al lado</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
@@ -1870,7 +1872,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>
 <message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
 <message><source>By &amp;Line</source><translation>Por &amp;línea</translation></message>
-<message><source>Images F&amp;irst</source><translation>&amp;Imágenes primero</translation></message>
+<message><source>&amp;Sizes of Views</source><translation>&amp;Tamaños de las vistas</translation></message>
+<message><source>&amp;Next Sizes of Views</source><translation>&amp;Siguientes tamaños de las vistas</translation></message>
+<message><source>&amp;Balanced</source><translation>&amp;Equilibrado</translation></message>
+<message><source>&amp;Images Large</source><translation>&amp;Imágenes grandes</translation></message>
+<message><source>&amp;Cloud Large</source><translation>&amp;Nube grande</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:

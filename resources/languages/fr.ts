@@ -287,11 +287,12 @@
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
+<message><source>Details</source><translation>Détails</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Montre la suivante des notes qui n'ont pas été fermées</translation></message>
-<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>Error</source><translation>Erreur</translation></message>
 <message><source>Note</source><translation>Remarque</translation></message>
 <message><source>Done</source><translation>Terminé</translation></message>
+<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>%1 MB</source><translation>%1 Mo</translation></message>
 <message><source>%1 kB</source><translation>%1 ko</translation></message>
 <message><source>Saved %1%2, %3.</source><translation>Enregistré %1%2, %3.</translation></message>
@@ -303,8 +304,6 @@
 <message><source>Undone: %1.</source><translation>Annulé : %1.</translation></message>
 <message><source>It is back.</source><translation>C'est de retour.</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>
-<message><source>More</source><translation>Plus</translation></message>
-<message><source>Less</source><translation>Moins</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Double-clic : à la place du nuage, et retour</translation></message>
 <message><source>All views again</source><translation>Toutes les vues à nouveau</translation></message>
 <message><source>This view alone</source><translation>Cette vue seule</translation></message>
@@ -1022,6 +1021,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Close the keys</source><translation>Fermer les touches</translation></message>
 <message><source>Capital letter</source><translation>Majuscule</translation></message>
 <message><source>Space</source><translation>Espace</translation></message>
+<message><source>More</source><translation>Plus</translation></message>
 <message><source>Previous target or measurement</source><translation>Cible ou mesure précédente</translation></message>
 <message><source>Next target or measurement</source><translation>Cible ou mesure suivante</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
@@ -1038,10 +1038,10 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Zoom out</source><translation>Zoom arrière</translation></message>
 <message><source>+ edges gained</source><translation>+ arêtes gagnées</translation></message>
 <message><source>− edges lost</source><translation>− arêtes perdues</translation></message>
-<message><source>edges kept (cells of B)</source><translation>arêtes conservées (cellules de B)</translation></message>
-<message><source>? edges not seen in the other</source><translation>? arêtes non vues dans l'autre</translation></message>
-<message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
-<message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
+<message><source>edges kept</source><translation>arêtes gardées</translation></message>
+<message><source>? edges not seen</source><translation>? arêtes non vues</translation></message>
+<message><source>surface nearer</source><translation>surface plus proche</translation></message>
+<message><source>surface farther</source><translation>surface plus loin</translation></message>
 <message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A a %1 cellules d'arête : %2 perdues, %3 près d'arêtes de B, %4 sans point de B</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ HORS TOLÉRANCE</translation></message>
 <message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
@@ -1238,6 +1238,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>Le verdict dans les termes de la méthode, les points en travers de la cellule et les nombres</translation></message>
+<message><source>Less</source><translation>Moins</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
 <message><source>on</source><translation>activé</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
@@ -1702,6 +1703,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Layers</source><translation>Couches</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Hide panel</source><translation>Masquer le panneau</translation></message>
+<message><source>&amp;Legends at the Side</source><translation>&amp;Légendes sur le côté</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
@@ -1870,7 +1872,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>By &amp;Range</source><translation>Par &amp;distance</translation></message>
 <message><source>By &amp;Height</source><translation>Par &amp;hauteur</translation></message>
 <message><source>By &amp;Line</source><translation>Par &amp;ligne</translation></message>
-<message><source>Images F&amp;irst</source><translation>&amp;Images d'abord</translation></message>
+<message><source>&amp;Sizes of Views</source><translation>&amp;Tailles des vues</translation></message>
+<message><source>&amp;Next Sizes of Views</source><translation>Tailles &amp;suivantes des vues</translation></message>
+<message><source>&amp;Balanced</source><translation>É&amp;quilibrée</translation></message>
+<message><source>&amp;Images Large</source><translation>&amp;Grandes images</translation></message>
+<message><source>&amp;Cloud Large</source><translation>&amp;Nuage en grand</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :

@@ -287,11 +287,12 @@
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
+<message><source>Details</source><translation>Detalhes</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Mostra a próxima das notas que não foram fechadas</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Error</source><translation>Erro</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Concluído</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>%1 MB</source><translation>%1 MB</translation></message>
 <message><source>%1 kB</source><translation>%1 kB</translation></message>
 <message><source>Saved %1%2, %3.</source><translation>Salvo %1%2, %3.</translation></message>
@@ -303,8 +304,6 @@
 <message><source>Undone: %1.</source><translation>Desfeito: %1.</translation></message>
 <message><source>It is back.</source><translation>Está de volta.</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
-<message><source>More</source><translation>Mais</translation></message>
-<message><source>Less</source><translation>Menos</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Duplo clique: no lugar da nuvem, e de volta</translation></message>
 <message><source>All views again</source><translation>Todas as vistas de novo</translation></message>
 <message><source>This view alone</source><translation>Só esta vista</translation></message>
@@ -1022,6 +1021,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Close the keys</source><translation>Fechar as teclas</translation></message>
 <message><source>Capital letter</source><translation>Maiúscula</translation></message>
 <message><source>Space</source><translation>Espaço</translation></message>
+<message><source>More</source><translation>Mais</translation></message>
 <message><source>Previous target or measurement</source><translation>Alvo ou medição anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Alvo ou medição seguinte</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
@@ -1038,10 +1038,10 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Zoom out</source><translation>Afastar</translation></message>
 <message><source>+ edges gained</source><translation>+ bordas ganhas</translation></message>
 <message><source>− edges lost</source><translation>− bordas perdidas</translation></message>
-<message><source>edges kept (cells of B)</source><translation>bordas mantidas (células de B)</translation></message>
-<message><source>? edges not seen in the other</source><translation>? bordas não vistas na outra</translation></message>
-<message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
-<message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
+<message><source>edges kept</source><translation>bordas mantidas</translation></message>
+<message><source>? edges not seen</source><translation>? bordas não vistas</translation></message>
+<message><source>surface nearer</source><translation>superfície mais perto</translation></message>
+<message><source>surface farther</source><translation>superfície mais longe</translation></message>
 <message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A tem %1 células de borda: %2 perdidas, %3 junto a bordas de B, %4 sem ponto de B</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ FORA DE TOLERÂNCIA</translation></message>
 <message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
@@ -1238,6 +1238,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
 <message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>O veredito nos termos do método, os pontos através da célula e os números</translation></message>
+<message><source>Less</source><translation>Menos</translation></message>
 <message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
@@ -1702,6 +1703,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Layers</source><translation>Camadas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Hide panel</source><translation>Ocultar painel</translation></message>
+<message><source>&amp;Legends at the Side</source><translation>&amp;Legendas ao lado</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
@@ -1870,7 +1872,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>
 <message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
 <message><source>By &amp;Line</source><translation>Por &amp;linha</translation></message>
-<message><source>Images F&amp;irst</source><translation>&amp;Imagens primeiro</translation></message>
+<message><source>&amp;Sizes of Views</source><translation>&amp;Tamanhos das vistas</translation></message>
+<message><source>&amp;Next Sizes of Views</source><translation>&amp;Próximos tamanhos das vistas</translation></message>
+<message><source>&amp;Balanced</source><translation>&amp;Equilibrado</translation></message>
+<message><source>&amp;Images Large</source><translation>&amp;Imagens grandes</translation></message>
+<message><source>&amp;Cloud Large</source><translation>&amp;Nuvem grande</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:

@@ -19,6 +19,7 @@
 #include "ui/panels/start/start_page.h"
 #include "ui/views/cloud/scale_plate.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/side_column.h"
 #include "ui/window/start.h"
 #include "ui/window/theme.h"
 
@@ -157,7 +158,8 @@ private slots:
             QVERIFY(!placeOf(*dock).intersects(placeOf(on.window.cab().frame().side())));
             QVERIFY(!placeOf(*dock).intersects(placeOf(on.window.cab().frame().tools())));
             QTRY_VERIFY(table->rowHeight(0) >= kGlovePx && table->horizontalHeader()->height() >= kGlovePx);
-            QVERIFY2(table->viewport()->height() >= 3 * kGlovePx, qPrintable(QString::number(table->viewport()->height())));
+            QVERIFY2(table->viewport()->height() >= (size.height() < 500 ? 2 : 3) * kGlovePx,
+                     qPrintable(QString::number(table->viewport()->height())));
             QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(table->model()->index(0, 1)).center());
             QTRY_VERIFY(on.window.findChild<QLabel*>("cab-target")->text().startsWith("Rock "));
             auto* close = dock->titleBarWidget()->findChild<QToolButton*>("fold");
@@ -184,7 +186,7 @@ private slots:
             }
             return false;
         };
-        const char* const ofDesk[] = {"Fly to Point under Cursor", "Panels",        "Mouse", "Images First", "Reset Layout",
+        const char* const ofDesk[] = {"Fly to Point under Cursor", "Panels",        "Mouse", "Sizes of Views", "Reset Layout",
                                       "Find a Command…",           "Keys and Mouse"};
         for (const bool cab : {true, false}) {
             on.window.cab().set(cab);
@@ -354,7 +356,7 @@ private slots:
         const auto* line = static_cast<const ElidedLabel*>(on.viewer.notice.findChild<QLabel*>("notice-line"));
         const QString name = "the-north-draw-bell-after-the-third-blast-of-november-seen-from-the-west-drift-with-the-new-mast.json";
         on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "The file " + QString(4, 'x') + name + " has 12,345 points beyond 80 m.");
-        QVERIFY2(eventually([&] { return line->shown().contains("…-mast.json…"); }), qPrintable(line->shown()));
+        QVERIFY2(eventually([&] { return line->shown().contains("…-mast.json"); }), qPrintable(line->shown()));
         for (const QString& each : line->shown().split("…")) QVERIFY(line->text().contains(each.left(10)));
         // A sentence ends after a whole word.
         const QString sentences = QString("Numbers follow each other in the wrong order in a telegram. ").repeated(6).trimmed();
@@ -375,7 +377,7 @@ private slots:
                 const ScalePlate& scale = on.viewer.scalePlate;
                 const QByteArray where = QString("%1 at %2 x %3").arg(language.code).arg(size.width()).arg(size.height()).toUtf8();
                 QTRY_VERIFY2(scale.isVisible() && !scale.barText().isEmpty(), where);
-                QVERIFY2(on.viewer.views.cloud().rect().contains(scale.geometry()), where);
+                QTRY_VERIFY2(placeOf(on.window.side()).contains(placeOf(scale)), where);
             }
         }
     }
@@ -422,7 +424,7 @@ private slots:
             for (int n = 0; n < 2; ++n) { // before and after the first tap on Next
                 const auto isFree = [&] {
                     const auto at = cloud.pixelOf(on.viewer.comparing.someOfRegion().front());
-                    return at && cloud.rect().contains(at->toPoint()) && !legend.geometry().contains(at->toPoint());
+                    return at && cloud.rect().contains(at->toPoint());
                 };
                 QTRY_VERIFY2(isFree(), qPrintable(QString("%1, %2").arg(size.width()).arg(n)));
                 for (const auto* each : legend.findChildren<QToolButton*>())
@@ -431,28 +433,6 @@ private slots:
                 QVERIFY2(legend.height() < cloud.height() / 3, qPrintable(QString::number(legend.height())));
                 QTest::mouseClick(legend.next(), Qt::LeftButton);
                 QTRY_VERIFY(cloud.atRest());
-            }
-        }
-    }
-
-    // A legend that unfolds draws no frame: the scale leaves its place all the same. Its content ends with a whole row.
-    void theScaleLeavesAComparisonThatUnfolds() {
-        for (const QSize size : {QSize(853, 480), QSize(853, 533), QSize(1280, 800)}) {
-            WindowFixture on;
-            QVERIFY(comparesInCab(on, size));
-            ChangeLegend& legend = on.viewer.changeLegend;
-            QTRY_VERIFY(on.viewer.cloud.atRest() && on.viewer.comparing.settled());
-            auto* fold = legend.findChild<QToolButton*>("change-fold");
-            if (fold->isChecked()) QTest::mouseClick(fold, Qt::LeftButton);
-            const ScalePlate& scale = on.viewer.scalePlate;
-            const auto isFree = [&] { return !scale.isVisible() || !scale.geometry().intersects(legend.geometry()); };
-            QTRY_VERIFY2(!fold->isChecked() && isFree(), qPrintable(QString::number(size.height())));
-            const auto* area = legend.findChild<QScrollArea*>();
-            for (const QWidget* each : area->widget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-                const int top = each->y(), bottom = each->geometry().bottom() + 1, end = area->viewport()->height();
-                if (each->isVisible())
-                    QVERIFY2(top >= end || bottom <= end,
-                             qPrintable(QString("%1: %2 to %3 of %4").arg(size.height()).arg(top).arg(bottom).arg(end)));
             }
         }
     }

@@ -85,11 +85,10 @@ private slots:
         QVERIFY2(!on.window.cab().corner().isVisible(), "without a scan there is nothing to show in it");
         QVERIFY(on.open(scan_));
         QTRY_VERIFY(on.window.cab().corner().isVisible());
-        // The caption of all rocks ends where the corner picture begins.
-        on.viewer.views.cloud().setCaption("what holds for all of them");
+        // A note of the view ends where the corner picture begins.
+        on.viewer.views.setAsked(QString("a prompt of many words ").repeated(5));
         const auto* overlay = on.viewer.views.cloud().findChild<CloudOverlay*>();
-        QTRY_COMPARE(overlay->marks().caption, QString("what holds for all of them"));
-        QCOMPARE(on.viewer.views.cloud().width() - overlay->marks().captionRoom, on.window.cab().corner().x());
+        QTRY_VERIFY(!overlay->label().isEmpty() && overlay->label().right() < on.window.cab().corner().x());
         // The picture's text fits below it in every font.
         CornerPicture& corner = on.window.cab().corner();
         corner.setWords("⇄ Image de distances");
@@ -99,7 +98,6 @@ private slots:
                  qPrintable(QString("%1 of %2").arg(corner.height()).arg(words.height())));
         QVERIFY(tapEntry(on.window, "cab-images", SmallEntry));
         QVERIFY(!on.window.cab().corner().isVisible());
-        QCOMPARE(overlay->marks().captionRoom, 0);
         on.window.cab().set(false);
     }
 
@@ -177,13 +175,13 @@ private slots:
     // What looks at a rock or a region meanwhile leaves the images whole on the desk.
     void theImagesAreWholeAfterTheCab() {
         for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 775), QSize(1600, 900)}) {
-            for (const bool imagesFirst : {false, true}) {
+            for (const Share share : {Share::Balanced, Share::Images}) {
                 for (const char* large : {"", "gray", "edges"}) {
                     WindowFixture on;
                     on.window.resize(size);
                     QVERIFY(on.showWith(scan_));
                     on.viewer.notice.hide();
-                    on.window.places().setImagesFirst(imagesFirst);
+                    on.window.places().setShare(share);
                     on.window.places().use(large);
                     on.viewer.rocks.setShown(true);
                     QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
@@ -196,7 +194,7 @@ private slots:
                         on.viewer.rocks.lookAtLargest();
                         on.window.cab().set(false);
                         QTRY_COMPARE(on.window.size(), size);
-                        const QString where = QString("%1, images first %2, large %3").arg(size.width()).arg(imagesFirst).arg(large);
+                        const QString where = QString("%1, share %2, large %3").arg(size.width()).arg(static_cast<int>(share)).arg(large);
                         const auto whole = [&] {
                             for (const ImageView* view : {&on.viewer.gray, &on.viewer.edges}) {
                                 const QPointF from = port.toPixel({0, 0}, view->size());
@@ -1124,15 +1122,15 @@ private slots:
         QTRY_VERIFY(asked);
         QTest::touchEvent(&cloud, touch_).release(0, at, &cloud);
         QVERIFY(!low);
-        // A finger on a plate over the cloud is not on the cloud, and switches what it is on.
+        // A finger on the legend switches what it is on.
         QCheckBox* edges = on.viewer.legend.findChild<QCheckBox*>("legend-edges");
-        const QPoint onSwitch = edges->mapTo(&cloud, QPoint(10, edges->height() / 2));
-        QTest::touchEvent(&on.window, touch_).press(0, onSwitch, &cloud);
-        QTest::touchEvent(&on.window, touch_).release(0, onSwitch, &cloud);
+        const QPoint onSwitch(10, edges->height() / 2);
+        QTest::touchEvent(&on.window, touch_).press(0, onSwitch, edges);
+        QTest::touchEvent(&on.window, touch_).release(0, onSwitch, edges);
         QTRY_VERIFY(!edges->isChecked());
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         edges->setChecked(true);
-        const auto* scale = cloud.findChild<QWidget*>("scale-plate");
+        const auto* scale = on.window.findChild<QWidget*>("scale-plate");
         QTRY_VERIFY(scale->isVisible());
         QTest::mouseClick(on.window.windowHandle(), Qt::LeftButton, Qt::NoModifier, scale->mapTo(&on.window, scale->rect().center()));
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));

@@ -282,41 +282,6 @@ private slots:
         QVERIFY(view_->camera().forward().isApprox(scanners.forward()));
     }
 
-    // In a view by name and by Fit, little of the cloud is under what covers the view; without that, it has the whole view.
-    void aFittedCloudIsBetweenThePlates() {
-        view_->setScan(scan_);
-        view_->setEdges(edges_);
-        const auto covered = [&](const QRect& place) {
-            int in = 0, all = 0;
-            for (const CloudView::Sample& each : view_->samples()) {
-                if (!each.pixel || !QRectF(view_->rect()).contains(*each.pixel)) continue;
-                ++all;
-                in += place.contains(each.pixel->toPoint()) ? 1 : 0;
-            }
-            return all == 0 ? 1.0 : static_cast<double>(in) / all;
-        };
-        QWidget plate(view_.get());
-        plate.setGeometry(0, 0, view_->width() * 2 / 5, view_->height());
-        const std::vector<std::pair<const char*, std::function<void()>>> ways{{"front", [&] { view_->viewFront(); }},
-                                                                              {"left", [&] { view_->viewLeft(); }},
-                                                                              {"top", [&] { view_->viewTop(); }},
-                                                                              {"isometric", [&] { view_->viewIsometric(); }},
-                                                                              {"fit", [&] { view_->zoomToFit(); }}};
-        for (const auto& [name, go] : ways) {
-            plate.hide();
-            go();
-            const double before = covered(plate.geometry()), distance = view_->camera().distance();
-            plate.show();
-            go();
-            QVERIFY2(before > 0.2 && covered(plate.geometry()) < 0.1,
-                     qPrintable(QString("%1: %2, %3").arg(name).arg(before).arg(covered(plate.geometry()))));
-            QVERIFY(view_->camera().distance() > distance);
-            plate.hide();
-            go();
-            QVERIFY(std::abs(view_->camera().distance() - distance) < 1e-9 * distance);
-        }
-    }
-
     void growingScanKeepsTheCamera() {
         view_->setScan(scan_);
         drag(*view_, Qt::LeftButton, Qt::NoModifier, {400, 300}, {450, 330});

@@ -172,12 +172,12 @@ private slots:
 
     // Note, view shown alone, tour, selection, card of the target: each takes one press, in images first too, which stays.
     void theOthersEndInTheirOrder() {
-        for (const bool imagesFirst : {false, true}) {
+        for (const Share share : {Share::Balanced, Share::Images}) {
             for (int n = 0; n < 3; ++n) {
                 WindowFixture on;
                 on.window.resize(1600, 900);
                 QVERIFY(on.showWith(boxes_) && on.activate());
-                on.window.places().setImagesFirst(imagesFirst);
+                on.window.places().setShare(share);
                 QVERIFY(pinned(on));
                 on.viewer.selection.select({1, 2, 3});
                 startTour(on.window);
@@ -209,7 +209,7 @@ private slots:
                 press(view);
                 QVERIFY(on.viewer.selection.cells().empty() && on.viewer.targets.active() != nullptr);
                 press(view);
-                QVERIFY(on.viewer.targets.active() == nullptr && on.window.places().imagesFirst() == imagesFirst);
+                QVERIFY(on.viewer.targets.active() == nullptr && on.window.places().share() == share);
                 QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{1});
             }
         }

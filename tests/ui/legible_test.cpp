@@ -10,7 +10,6 @@
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/status_line.h"
-#include "ui/views/cloud/cloud_overlay.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/theme.h"
@@ -108,33 +107,6 @@ private slots:
             const auto* settings = on.viewer.statusLine.findChild<QLabel*>("settings");
             QVERIFY2(settings->isVisible() && settings->text().contains("1 changed"), qPrintable(QString::number(width)));
             QVERIFY2(on.viewer.statusLine.findChild<QLabel*>("place")->isVisible(), qPrintable(QString::number(width)));
-        }
-    }
-
-    // The notice bar covers the top of the cloud: the texts of the view are below it, and at the top again when it is closed.
-    void textsOfTheViewsAreBelowTheNotice() {
-        for (const bool cab : {false, true}) {
-            WindowFixture on;
-            QVERIFY(on.showWith(bare_));
-            resizeTo(on.window, {1280, 800});
-            if (cab) on.window.cab().set(true);
-            auto& cloud = on.viewer.views.cloud();
-            const auto* overlay = cloud.findChild<CloudOverlay*>();
-            QVERIFY(overlay != nullptr);
-            on.viewer.views.setAsked("Distance: click the two ends of the length that you look for.");
-            on.viewer.notice.showNotice(NoticeBar::Kind::Warning,
-                                        "Sweep 1 has ended.\nIts mounting is assumed.\nA third line.\nA fourth one.");
-            const auto covered = [&] {
-                const QRect bar(on.viewer.notice.mapTo(&on.window, QPoint()), on.viewer.notice.size());
-                return bar.bottom() + 1 - cloud.mapTo(&on.window, QPoint()).y();
-            };
-            QTRY_VERIFY(covered() > 0 && overlay->marks().topTaken == covered());
-            const int folded = covered();
-            on.viewer.notice.unfold(true);
-            QTRY_VERIFY(covered() > folded && overlay->marks().topTaken == covered());
-            on.viewer.notice.hide();
-            QTRY_COMPARE(overlay->marks().topTaken, 0);
-            on.window.cab().set(false); // the theme is that of the program
         }
     }
 
@@ -264,24 +236,6 @@ private slots:
                 QVERIFY(labels > 2);
                 QVERIFY2(panel->width() <= panel->parentWidget()->width(), "cut off at the right");
             }
-        }
-    }
-
-    // A note of two lines moves the caption down: both end at the left of the cube of directions.
-    void textsOfTheCloudAreNotUnderTheCube() {
-        WindowFixture on;
-        QVERIFY(on.showWith(bare_));
-        CloudView& cloud = on.viewer.views.cloud();
-        const auto* cube = cloud.findChild<QWidget*>("view-cube");
-        const auto* overlay = cloud.findChild<CloudOverlay*>();
-        const QString words = QString("a long text about the picture ").repeated(4);
-        QTRY_VERIFY(on.viewer.engine.bordered() != nullptr); // their picture sets the caption again
-        cloud.setCaption(words);
-        for (const int width : {1280, 1600, 1920}) {
-            resizeTo(on.window, {width, 800});
-            on.viewer.views.setAsked(words + QString::number(width));
-            QTRY_VERIFY(cube->isVisible() && !overlay->labels()[0].isNull() && overlay->labels()[1].top() > overlay->labels()[0].bottom());
-            for (const QRect& label : overlay->labels()) QVERIFY2(!label.intersects(cube->geometry()), qPrintable(QString::number(width)));
         }
     }
 

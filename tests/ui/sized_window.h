@@ -19,8 +19,7 @@ inline bool useTexts(const char* code) { return useLanguage(code, QString::fromS
 
 /// Waits until the desktop has set the size.
 inline void resizeTo(MainWindow& window, QSize size) {
-    window.resize(size);
-    QTRY_COMPARE(window.size(), size);
+    QTRY_VERIFY((window.resize(size), window.size() == size)); // what folds on the way makes room for a smaller window
     QApplication::processEvents();
 }
 

@@ -5,6 +5,7 @@
 #include "ui/base/themes.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/warning_button.h"
+#include "ui/window/side_column.h"
 #include "ui/window/theme.h"
 
 #include <QAction>
@@ -121,11 +122,12 @@ private slots:
             QCOMPARE(shot.pixelColor(on.window.statusBar()->mapTo(&on.window, QPoint(2, 2))), theme.window);
             const CloudView& cloud = on.viewer.views.cloud();
             QCOMPARE(shot.pixelColor(cloud.mapTo(&on.window, QPoint(cloud.width() - 2, 2))), QColor(48, 48, 48));
-            // The plate over the cloud is the same in all themes.
-            EdgeLegend& legend = on.viewer.legend;
-            const QImage plate = legend.grab().toImage();
-            QCOMPARE(plate.pixelColor(4, 4), QColor(0x1b, 0x1d, 0x1f));
-            QVERIFY2(spread(plate.copy(legend.findChild<QLabel*>()->geometry())) >= 4.5, theme.key);
+            // The column at their side is the same in all themes.
+            SideColumn& side = on.window.side();
+            const QImage column = side.grab().toImage();
+            QCOMPARE(column.pixelColor(2, 2), viewPalette().color(QPalette::Window));
+            const auto* words = on.viewer.legend.findChild<QLabel*>();
+            QVERIFY2(spread(column.copy(QRect(words->mapTo(&side, QPoint()), words->size()))) >= 4.5, theme.key);
         }
     }
 

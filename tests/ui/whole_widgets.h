@@ -1,8 +1,6 @@
 // Searches a window for widgets that are cut off, squeezed or covered.
 #pragma once
 
-#include "ui/base/view_plate.h"
-
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDockWidget>
@@ -85,16 +83,6 @@ namespace edgescan::ui {
             if (!kind.startsWith('Q') || kind == "QAbstractButton") continue; // it fits its text itself
             const int words = button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width();
             if (button->width() < words) addFault(*button, QString("%1 wide are needed").arg(words));
-        }
-    }
-    const auto plates = window.findChildren<ViewPlate*>();
-    for (const ViewPlate* plate : plates) {
-        if (!plate->isVisible()) continue;
-        if (!plate->parentWidget()->rect().contains(plate->geometry())) addFault(*plate, "stands over the edge of its view");
-        for (const ViewPlate* other : plates) {
-            if (other < plate && other->isVisible() && other->parentWidget() == plate->parentWidget() &&
-                other->geometry().intersects(plate->geometry()))
-                addFault(*plate, "lies over " + other->objectName());
         }
     }
     return faults;

@@ -19,15 +19,9 @@ public:
     }
     [[nodiscard]] QString shown() const { return lines(contentsRect().width()).join(QString()); }
     [[nodiscard]] bool fits(int wide) const { return lines(wide).join(QString()) == text(); }
-    /// As high as its lines, `most` of them.
     void setLines(int most) {
         most_ = most;
-        highAsLines_ = most > 1;
-        updateGeometry();
-    }
-    [[nodiscard]] bool hasHeightForWidth() const override { return highAsLines_; }
-    [[nodiscard]] int heightForWidth(int wide) const override {
-        return highAsLines_ ? static_cast<int>(lines(wide).size()) * fontMetrics().height() : QLabel::heightForWidth(wide);
+        update();
     }
 
 protected:
@@ -72,7 +66,6 @@ private:
     }
 
     int most_;
-    bool highAsLines_ = false;
 };
 
 } // namespace edgescan::ui

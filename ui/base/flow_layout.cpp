@@ -74,36 +74,10 @@ std::vector<FlowLayout::Line> FlowLayout::lines(const std::vector<QLayoutItem*>&
         line.width += (line.items.empty() ? 0 : spacing()) + needed;
         line.items.push_back(item);
     };
-    if (atEnd_)
-        lines = linesFromEnd(shown, width);
-    else
-        std::ranges::for_each(shown, add);
+    std::ranges::for_each(shown, add);
     for (Line& line : lines) {
         for (QLayoutItem* item : line.items) line.height = std::max(line.height, highOf(*item, widthIn(line, *item, width)));
     }
-    return lines;
-}
-
-/// The last line has as many as it has room for: Close is not alone, and the text has the width. What is before the text stays with it.
-std::vector<FlowLayout::Line> FlowLayout::linesFromEnd(const std::vector<QLayoutItem*>& shown, int width) const {
-    std::vector<Line> lines;
-    const auto text = std::ranges::find_if(shown, [](QLayoutItem* item) { return grows(*item); });
-    auto rest = text == shown.end() ? shown.begin() : text + 1;
-    const auto widthTo = [&](auto end) {
-        int sum = 0;
-        for (auto item = shown.begin(); item != end; ++item) sum += widthOf(**item, width) + (item == shown.begin() ? 0 : spacing());
-        return sum;
-    };
-    if (widthTo(rest) > width) rest = shown.begin();
-    const auto addBefore = [&](auto first, auto end, int needed) {
-        const bool fits = !lines.empty() && needed + spacing() + lines.front().width <= width;
-        if (!fits) lines.insert(lines.begin(), Line{});
-        Line& line = lines.front();
-        line.width += (line.items.empty() ? 0 : spacing()) + needed;
-        line.items.insert(line.items.begin(), first, end);
-    };
-    for (auto item = shown.end(); item != rest; --item) addBefore(item - 1, item, widthOf(**(item - 1), width));
-    if (rest != shown.begin()) addBefore(shown.begin(), rest, widthTo(rest));
     return lines;
 }
 
@@ -146,12 +120,11 @@ void FlowLayout::setGeometry(const QRect& rect) {
     const QRect inner = rect.marginsRemoved(contentsMargins());
     int y = inner.top();
     for (const Line& line : lines(inner.width())) {
-        const bool fills = std::ranges::any_of(line.items, [](QLayoutItem* item) { return grows(*item); });
-        int x = inner.left() + (atEnd_ && !fills ? std::max(0, inner.width() - line.width) : 0);
+        int x = inner.left();
         for (QLayoutItem* item : line.items) {
             const int wide = widthIn(line, *item, inner.width());
             const int high = highOf(*item, wide);
-            item->setGeometry(QRect(x, atEnd_ ? y : y + (line.height - high) / 2, wide, high));
+            item->setGeometry(QRect(x, y + (line.height - high) / 2, wide, high));
             x += wide + spacing();
         }
         y += line.height + spacing() / 2;

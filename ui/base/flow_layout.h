@@ -13,9 +13,6 @@ public:
     explicit FlowLayout(QWidget* parent = nullptr);
     ~FlowLayout() override;
 
-    /// Lines are filled from the last widget on and end at the right, and all widgets are at the top of theirs: the last ones stay where
-    /// they are while those before them come and go, or grow.
-    void keepAtEnd() { atEnd_ = true; }
     void addItem(QLayoutItem* item) override;
     [[nodiscard]] int count() const override { return static_cast<int>(items_.size()); }
     [[nodiscard]] QLayoutItem* itemAt(int index) const override;
@@ -38,11 +35,9 @@ private:
     [[nodiscard]] std::vector<Line> lines(const std::vector<QLayoutItem*>& shown, int width) const;
     [[nodiscard]] std::vector<Line> lines(int width) const { return lines(shown(), width); }
     [[nodiscard]] int heightOf(const std::vector<QLayoutItem*>& shown, int width) const;
-    [[nodiscard]] std::vector<Line> linesFromEnd(const std::vector<QLayoutItem*>& shown, int width) const;
     [[nodiscard]] static int widthIn(const Line& line, QLayoutItem& item, int width);
 
     std::vector<QLayoutItem*> items_;
-    bool atEnd_ = false;
 };
 
 } // namespace edgescan::ui

@@ -16,31 +16,6 @@ QRect drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, 
     return box;
 }
 
-namespace {
-
-constexpr int kBetween = 10; // px
-
-/// The place, or its part at the left of the corner where the label would be under the corner.
-QRect leftOf(const QRect& corner, QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text) {
-    const QRect box = painter.boundingRect(place, static_cast<int>(alignment) | Qt::TextWordWrap, text);
-    if (!box.adjusted(-kBetween, -3, kBetween, 3).intersects(corner)) return place;
-    return {place.topLeft(), QPoint(corner.left() - kBetween, place.bottom())};
-}
-
-} // namespace
-
-std::array<QRect, 2> drawLabels(QPainter& painter, const QRect& place, const QString& left, const QString& right, int taken,
-                                const QRect& corner) {
-    constexpr Qt::Alignment kLeft = Qt::AlignLeft | Qt::AlignTop, kRight = Qt::AlignRight | Qt::AlignTop;
-    const QRect free = place.adjusted(0, 0, -taken, 0);
-    const QRect first = drawLabel(painter, leftOf(corner, painter, free, kLeft, left), kLeft, left);
-    if (right.isEmpty()) return {first, QRect()};
-    const QRect level = painter.boundingRect(free, static_cast<int>(kRight) | Qt::TextWordWrap, right);
-    const bool touch = !first.isNull() && level.left() - kBetween < first.right();
-    const QRect second = touch ? free.adjusted(0, first.bottom() + kBetween - free.top(), 0, 0) : free;
-    return {first, drawLabel(painter, leftOf(corner, painter, second, kRight, right), kRight, right)};
-}
-
 QRect tipBox(const QFontMetrics& metrics, const QRect& place, const QPoint& at, const QString& text) {
     constexpr int kOffset = 14; // px
     QRect box = metrics.boundingRect(QRect(0, 0, place.width() - 12, place.height()), Qt::TextWordWrap, text).adjusted(-6, -3, 6, 3);

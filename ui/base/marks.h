@@ -4,8 +4,6 @@
 #include <QPainter>
 #include <QString>
 
-#include <array>
-
 namespace edgescan::ui {
 
 /// Draws twice: dark and wide, then light and thin.
@@ -19,11 +17,6 @@ void strokeTwice(QPainter& painter, const QPen& dark, const QPen& light, Draw dr
 
 /// A short text on a dark background, aligned in `place`. Returns the box that it covers; null if `text` is empty.
 QRect drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text);
-
-/// Two texts at the top of `place`: the first at the left, the second at the right, or below the first where they would touch. The `taken`
-/// pixels at the right end belong to another widget, and so does `corner` at the right. Returns the boxes that they cover.
-std::array<QRect, 2> drawLabels(QPainter& painter, const QRect& place, const QString& left, const QString& right, int taken = 0,
-                                const QRect& corner = {});
 
 /// A short text on a white background next to a point, completely inside `place`.
 void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QString& text);

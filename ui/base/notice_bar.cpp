@@ -1,14 +1,14 @@
-// The bar above the views.
+// The line above the views.
 #include "ui/base/notice_bar.h"
 
 #include "ui/base/core_words.h"
 #include "ui/base/elided_label.h"
-#include "ui/base/flow_layout.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 #include "ui/base/undo_step.h"
 
 #include <QApplication>
+#include <QBoxLayout>
 #include <QClipboard>
 #include <QDesktopServices>
 #include <QDir>
@@ -16,7 +16,7 @@
 #include <QHideEvent>
 #include <QLabel>
 #include <QRegularExpression>
-#include <QScopedValueRollback>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QUndoStack>
 #include <QUrl>
@@ -29,42 +29,49 @@ namespace edgescan::ui {
 namespace {
 
 constexpr std::size_t kMostEarlier = 9;
-constexpr int kLeastText = 200;      // px
-constexpr int kLongName = 28;        // letters of it
-constexpr int kNameEnd = 10;         // letters at each end of a long name
-constexpr double kWholeFrom = 100.0; // kB, of a file's size
+constexpr int kLeastText = 160;       // px of the line, next to the button of a note
+constexpr double kMostOfWindow = 0.4; // of its height, for all of the text
+constexpr int kLongName = 28;         // letters of it
+constexpr int kNameEnd = 10;          // letters at each end of a long name
+constexpr double kWholeFrom = 100.0;  // kB, of a file's size
 constexpr int kUndoneMs = 8000, kTouchedMs = 1000;
-constexpr int kNarrow = 480; // px of a bar with large buttons that has no room for the number of notes: Close shows the next one too
 
 } // namespace
 
 NoticeBar::NoticeBar(QWidget* parent)
-    : QFrame(parent), sign_(new QLabel), line_(new ElidedLabel), text_(new QLabel), action_(new QToolButton), folder_(new QToolButton),
-      unfold_(new QToolButton), more_(new QToolButton) {
+    : QFrame(parent), sign_(new QLabel), line_(new ElidedLabel), text_(new QLabel), all_(new QScrollArea), details_(new QWidget),
+      head_(new QHBoxLayout), below_(new QVBoxLayout), action_(new QToolButton), folder_(new QToolButton), unfold_(new QToolButton),
+      more_(new QToolButton) {
     setObjectName("notice-bar");
+    QSizePolicy stays(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    stays.setRetainSizeWhenHidden(true);
+    setSizePolicy(stays);
     line_->setObjectName("notice-line");
     action_->setObjectName("notice-action");
     folder_->setObjectName("notice-folder");
     folder_->setText(tr("Open folder"));
     folder_->hide();
     connect(folder_, &QToolButton::clicked, this, [this] { openPath(folderOf_); });
-    auto* line = new FlowLayout(this); // in a narrow window the buttons are below the text
-    line->setContentsMargins(10, 4, 6, 4);
-    line->keepAtEnd();
     QFont bold = sign_->font();
     bold.setBold(true);
     sign_->setFont(bold);
     text_->setObjectName("notice-text");
     text_->setWordWrap(true);
     text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path must not widen the window
-    text_->setMinimumWidth(kLeastText);
+    text_->setAlignment(Qt::AlignTop);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     text_->setTextFormat(Qt::PlainText);
-    auto* copy = copy_ = new QToolButton;
+    all_->setFrameShape(QFrame::NoFrame);
+    all_->setWidgetResizable(true);
+    all_->setWidget(text_);
+    all_->viewport()->setAutoFillBackground(false);
+    auto* copy = new QToolButton;
     copy->setText(tr("Copy"));
     connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(words_); });
     auto* close = new QToolButton;
-    close->setText(tr("Close"));
+    close->setText(QString::fromUtf8("✕"));
+    close->setToolTip(tr("Close"));
+    close->setAccessibleName(tr("Close"));
     close->setObjectName("notice-close");
     connect(close, &QToolButton::clicked, this, &NoticeBar::closeShown);
     connect(action_, &QToolButton::clicked, this, [this] {
@@ -72,14 +79,28 @@ NoticeBar::NoticeBar(QWidget* parent)
         if (onAction_) onAction_();
     });
     unfold_->setObjectName("notice-unfold");
+    unfold_->setText(tr("Details"));
     unfold_->setCheckable(true);
     connect(unfold_, &QToolButton::toggled, this, &NoticeBar::unfold);
     more_->setObjectName("notice-earlier");
     more_->setToolTip(tr("Shows the next of the notes that were not closed"));
     more_->hide();
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
-    for (QWidget* each : std::initializer_list<QWidget*>{copy, close}) line->addWidget(each);
-    placeButtons();
+    head_->addWidget(sign_);
+    head_->addWidget(line_, 1);
+    for (QWidget* each : std::initializer_list<QWidget*>{action_, unfold_, close}) head_->addWidget(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{more_, folder_, copy}) below_->addWidget(each);
+    below_->addStretch(1);
+    auto* inner = new QHBoxLayout(details_);
+    inner->setContentsMargins(0, 0, 0, 4);
+    inner->addWidget(all_, 1);
+    inner->addLayout(below_);
+    details_->hide();
+    setMinimumHeight(heightOfLine());
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(10, 2, 6, 2);
+    rows->addLayout(head_);
+    rows->addWidget(details_);
     for (QToolButton* each : findChildren<QToolButton*>()) connect(each, &QToolButton::pressed, this, [this] { touched_.start(); });
     hide();
     leaves_.setParent(this);
@@ -87,6 +108,12 @@ NoticeBar::NoticeBar(QWidget* parent)
     leaves_.setInterval(kUndoneMs);
     connect(&leaves_, &QTimer::timeout, this, &NoticeBar::leave);
     followColours(*this, [this](const Theme&) { paintKind(); });
+}
+
+/// The same with any buttons, and while it is hidden.
+int NoticeBar::heightOfLine() const {
+    constexpr int kForGloves = 52; // px
+    return large_ ? std::max(kForGloves, 2 * fontMetrics().height() + 4) : 2 * fontMetrics().height();
 }
 
 // A strip and an icon have the colour of the kind of notice; the text has the normal colour. The text names the kind as well.
@@ -98,6 +125,14 @@ void NoticeBar::paintKind() {
     QPalette letters = sign_->palette();
     letters.setColor(QPalette::WindowText, colour);
     sign_->setPalette(letters);
+}
+
+void NoticeBar::showSign() {
+    const auto& [sign, word] = kind_ == Kind::Error     ? std::pair("✕", tr("Error"))
+                               : kind_ == Kind::Warning ? std::pair("▲", tr("Note"))
+                                                        : std::pair("✓", tr("Done"));
+    sign_->setText(large_ ? QString::fromUtf8(sign) : QString::fromUtf8(sign) + ' ' + word);
+    sign_->setAccessibleName(word);
 }
 
 NoticeBar::Note NoticeBar::noteOf(Kind kind, const QString& text) {
@@ -115,8 +150,6 @@ QString NoticeBar::showBehind(Kind kind, const QString& text) {
     }
     keep(note);
     countEarlier();
-    layout()->activate();
-    offerMore();
     return note.text;
 }
 
@@ -130,8 +163,7 @@ void NoticeBar::showNote(const Note& note, bool passes) {
     passes_ = passes;
     if (note.label.isEmpty() && note.kind != Kind::Error && std::ranges::any_of(earlier_, &Note::waits)) leaves_.start();
     show();
-    layout()->activate();
-    offerMore();
+    fit();
 }
 
 void NoticeBar::showHint(const QString& text) { showNote({Kind::Warning, coreSentence(shownText(text)), {}, {}}, true); }
@@ -166,14 +198,17 @@ bool NoticeBar::waits() const { return !action_->isHidden() && !used_ && !passes
 
 void NoticeBar::countEarlier() {
     more_->setText(tr("%1 of %2").arg(place_).arg(earlier_.size() + 1));
-    more_->setHidden(earlier_.empty() || (large_ && width() < kNarrow));
+    more_->setHidden(earlier_.empty());
+    unfold_->setText(tr("Details") + " (9)"); // as wide with any number: the button next to it stays
+    unfold_->setMinimumWidth(unfold_->sizeHint().width());
+    unfold_->setText(earlier_.empty() ? tr("Details") : tr("Details") + QString(" (%1)").arg(earlier_.size() + 1));
 }
 
 void NoticeBar::put(const Note& note) {
     kind_ = note.kind;
     passes_ = false;
     leaves_.stop();
-    sign_->setText(kind_ == Kind::Error ? "✕ " + tr("Error") : kind_ == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
+    showSign();
     paintKind();
     setWords(note.text);
     brief_ = note.brief;
@@ -214,9 +249,9 @@ void NoticeBar::showEarlier() {
     if (stays) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
     const std::size_t all = earlier_.size() + 1;
     place_ = stays || place_ == 0 ? place_ % all + 1 : std::min(place_, all);
+    const bool open = unfolded();
     put(before);
-    layout()->activate();
-    offerMore();
+    unfold(open); // the operator goes through them
 }
 
 /// A closed notice counts as read. Minimising the window does not close the notice.
@@ -225,7 +260,6 @@ void NoticeBar::hideEvent(QHideEvent* event) {
         earlier_.clear();
         more_->hide();
         leaves_.stop();
-        emit left(QRect(mapToGlobal(QPoint()), size()));
     }
     QFrame::hideEvent(event);
 }
@@ -249,6 +283,17 @@ void NoticeBar::showSaved(const QString& path, const QString& content, const QSt
 /// In a cab only the file itself is opened.
 void NoticeBar::showFolder() { folder_->setHidden(folderOf_.isEmpty() || large_); }
 
+/// Next to the line, or with the details where the line has no room for it.
+void NoticeBar::placeAction() {
+    int others = action_->sizeHint().width() + kLeastText + 4 * head_->spacing();
+    for (const QWidget* each : std::initializer_list<const QWidget*>{sign_, unfold_, findChild<QToolButton*>("notice-close")})
+        others += each->sizeHint().width();
+    const bool beside = width() >= others;
+    if (beside == (head_->indexOf(action_) >= 0)) return;
+    (beside ? below_ : head_)->removeWidget(action_);
+    beside ? head_->insertWidget(2, action_) : below_->insertWidget(0, action_);
+}
+
 void NoticeBar::openPath(const QString& path) {
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path))) showHint(tr("No program of this computer opened %1.").arg(path));
 }
@@ -261,8 +306,7 @@ void NoticeBar::offer(const QString& label, std::function<void()> action, const 
     used_ = false;
     leaves_.stop();
     action_->show();
-    layout()->activate();
-    offerMore();
+    fit();
 }
 
 void NoticeBar::offerUndo(QUndoStack& stack) {
@@ -292,7 +336,6 @@ void NoticeBar::leave() {
     const bool touched = touched_.isValid() && touched_.elapsed() < kTouchedMs;
     if (touched || underMouse() || (focus != nullptr && isAncestorOf(focus))) return; // until the next time
     leaves_.stop();
-    emit left(QRect(mapToGlobal(QPoint()), size())); // another note may be there now
     if (kind_ == Kind::Done || passes_) return endPassing();
     bringBack(); // the warning is among the earlier ones then
     // A press that is on its way is for the note of before.
@@ -304,14 +347,8 @@ void NoticeBar::leave() {
 
 void NoticeBar::unfold(bool on) {
     unfold_->setChecked(on);
-    // As wide with each of its words.
-    unfold_->setText(on ? tr("More") : tr("Less"));
-    const int other = unfold_->sizeHint().width();
-    unfold_->setText(on ? tr("Less") : tr("More"));
-    unfold_->setMinimumWidth(std::max(other, unfold_->sizeHint().width()));
-    text_->setVisible(on);
-    line_->setVisible(!on);
-    offerMore();
+    details_->setVisible(on);
+    fit();
 }
 
 /// Where the line is too short for a path, its folders are left out, and the middle of a long name: its ends are read.
@@ -338,20 +375,13 @@ void NoticeBar::fitLine(int room) {
     line_->setText(words.join(' '));
 }
 
-/// The button is visible only if the line, or in a cab two of them, is not enough.
-void NoticeBar::offerMore() {
-    if (offering_) return;
-    const QScopedValueRollback<bool> once(offering_, true); // to show it places the bar again, which may have another width then
-    for (int n = 0; n < 2; ++n) {
-        // Measured without the button where it has no place of its own, so that it does not cause itself.
-        const bool shares = large_ && !unfold_->isHidden() && unfold_->y() == line_->y();
-        const int room = line_->width() + (shares ? unfold_->width() + layout()->spacing() : 0);
-        fitLine(room);
-        const bool offered = unfolded() || line_->text() != words_.simplified() || !line_->fits(room);
-        if (offered != unfold_->isHidden()) return;
-        unfold_->setVisible(offered);
-        layout()->activate(); // else it would be over the others until the next event
-    }
+void NoticeBar::fit() {
+    placeAction();
+    layout()->activate();
+    fitLine(line_->width());
+    line_->setToolTip(line_->text() == words_.simplified() && line_->fits(line_->width()) ? QString() : words_);
+    const int needed = std::max(0, text_->heightForWidth(std::max(1, all_->viewport()->width())));
+    all_->setFixedHeight(std::min(needed, static_cast<int>(kMostOfWindow * window()->height())));
 }
 
 void NoticeBar::mousePressEvent(QMouseEvent* event) {
@@ -361,38 +391,19 @@ void NoticeBar::mousePressEvent(QMouseEvent* event) {
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    countEarlier();
-    layout()->activate();
-    offerMore();
-}
-
-/// Each button has its place at one of the two ends, whichever others are shown. Large buttons have no room to spare: those before the
-/// action, which usually is the widest, are next to the text in a narrow window.
-void NoticeBar::placeButtons() {
-    auto* close = findChild<QToolButton*>("notice-close");
-    std::vector<QWidget*> order{more_, sign_, line_, text_, folder_, action_, copy_, unfold_, close};
-    if (large_) order = {sign_, line_, text_, unfold_, more_, action_, folder_, copy_, close};
-    for (QWidget* each : order) {
-        layout()->removeWidget(each);
-        layout()->addWidget(each);
-    }
-    QSizePolicy place = unfold_->sizePolicy();
-    place.setRetainSizeWhenHidden(!large_);
-    unfold_->setSizePolicy(place);
+    fit();
 }
 
 bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 
 void NoticeBar::setBrief(bool on) {
-    copy_->setVisible(!on);
     large_ = on;
     setWords(words_);
-    placeButtons();
+    showSign();
     showFolder();
     line_->setLines(on ? 2 : 1);
-    layout()->setContentsMargins(10, on ? 2 : 4, 6, on ? 0 : 4);
-    countEarlier();
-    offerMore();
+    setMinimumHeight(heightOfLine());
+    fit();
 }
 
 QString NoticeBar::text() const { return words_; }

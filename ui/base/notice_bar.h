@@ -1,5 +1,5 @@
-// The bar above the views: which fault or assumption, where, and what to do, in one line; a button shows the rest. It stays until the
-// operator closes it; another button, "1 of 3", shows notices that a later one replaced.
+// The line above the views: which fault or assumption, where, and what to do. Its place is there while it is hidden: no view moves when a
+// note comes or goes. Details shows all of the text, the notes that a later one replaced, Copy, and the folder of a written file.
 #pragma once
 
 #include "core/base/result.h"
@@ -7,14 +7,15 @@
 
 #include <QElapsedTimer>
 #include <QFrame>
-#include <QRegion>
 #include <QStringList>
 #include <QTimer>
 
 #include <deque>
 #include <functional>
 
+class QBoxLayout;
 class QLabel;
+class QScrollArea;
 class QToolButton;
 class QUndoStack;
 
@@ -55,8 +56,10 @@ public:
     /// itself, unless the pointer or the focus is on it.
     void showUndone(QUndoStack& stack, bool again = false);
     [[nodiscard]] QString text() const;
-    /// Hides the Copy button; for windows with large buttons.
+    /// For windows with large buttons: the line may be two.
     void setBrief(bool on);
+    /// Only what fits: a note never makes its window wider.
+    [[nodiscard]] QSize minimumSizeHint() const override { return {0, QFrame::minimumSizeHint().height()}; }
     [[nodiscard]] Kind kind() const { return kind_; }
     /// Shows all lines, or only the first.
     void unfold(bool on);
@@ -67,8 +70,6 @@ public:
 signals:
     /// The operator closed this note.
     void closed(const QString& text);
-    /// The shown note was closed or left by itself: it was at this part of the screen, and a finger may be on its way there.
-    void left(const QRegion& place);
 
 protected:
     void hideEvent(QHideEvent* event) override;
@@ -87,7 +88,9 @@ private:
     };
     [[nodiscard]] static Note noteOf(Kind kind, const QString& text);
     void showNote(const Note& note, bool passes = false);
+    [[nodiscard]] int heightOfLine() const;
     void paintKind();
+    void showSign();
     void put(const Note& note);
     void setWords(const QString& words);
     void keepShown();
@@ -96,11 +99,11 @@ private:
     void countEarlier();
     void showEarlier();
     void bringBack();
-    void offerMore();
+    void fit();
     void fitLine(int room);
     void leave();
     void showFolder();
-    void placeButtons();
+    void placeAction();
     void openPath(const QString& path);
 
     Kind kind_ = Kind::Done;
@@ -108,18 +111,19 @@ private:
     bool used_ = false;        // its button was pressed
     bool saved_ = false;       // it names a written file
     bool large_ = false;       // the buttons are: fewer of them
-    bool offering_ = false;    // the button More is being shown or hidden
     std::deque<Note> earlier_; // the newest at the end
     std::size_t place_ = 1;    // of the shown note among all of them
     QLabel* sign_;
     ElidedLabel* line_; // the text in one line, in a cab in two
     QLabel* text_;      // all of it, on request
-    QString words_;     // as given
+    QScrollArea* all_;  // around it
+    QWidget* details_;  // below the line
+    QBoxLayout *head_, *below_;
+    QString words_; // as given
     QToolButton* action_;
     QToolButton* folder_;
     QToolButton* unfold_;
     QToolButton* more_;
-    QToolButton* copy_ = nullptr;
     std::function<void()> onAction_;
     QString brief_, folderOf_; // of the shown note
     QTimer leaves_;            // runs while the shown note is one that leaves by itself

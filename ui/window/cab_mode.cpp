@@ -24,10 +24,12 @@
 #include "ui/panels/tuning/status_line.h"
 #include "ui/panels/tuning/warning_button.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/scale_plate.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/views/image/image_view.h"
 #include "ui/window/docks.h"
 #include "ui/window/main_window.h"
+#include "ui/window/side_column.h"
 #include "ui/window/theme.h"
 #include "ui/window/tool_bar.h"
 
@@ -63,9 +65,9 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     corner_->hide();
     back_->hide();
     back_->setWords("⇄ " + QObject::tr("Back to the cloud"));
-    zoom_->setOver(window.viewer().views.cloud(), *corner_);
     connect(zoom_, &ZoomButtons::zoomed, this, &CabMode::zoom);
     window.setCentralWidget(frame_);
+    window.side().add(*zoom_);
     connectHead();
     connectSide();
     addTools();
@@ -78,7 +80,6 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
         connect(each, &CornerPicture::uncovered, this, &CabMode::noteChangeUnder);
     }
     connect(keypad_, &Keypad::closedByKey, this, &CabMode::noteChangeUnder);
-    connect(&window.viewer().notice, &NoticeBar::left, this, &CabMode::noteChangeUnder);
     follow();
     nameUndone();
 }
@@ -227,6 +228,7 @@ void CabMode::set(bool on) {
     gloveMenus_->setOn(on);
     swipes_->setOn(on);
     window_.viewer().viewCube.setForGloves(on);
+    window_.viewer().scalePlate.setBrief(on);
     for (ImageView* view : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) view->setForGloves(on);
     window_.viewer().views.cloud().setForGloves(on);
     showAsked();
@@ -245,8 +247,15 @@ void CabMode::set(bool on) {
         showSettings();
     }
     window_.layout()->activate();
-    if (!window_.isMaximized() && !window_.isFullScreen()) window_.resize(size);
-    window_.fitScreen();
+    const auto keepSize = [this, size] {
+        if (!window_.isMaximized() && !window_.isFullScreen()) window_.resize(size);
+        window_.fitScreen();
+    };
+    keepSize();
+    const auto later = [this, keepSize, left = window_.size()] { // unless it was resized since
+        if (window_.size() == left) keepSize();
+    };
+    if (!on) QTimer::singleShot(0, &window_, [this, later] { QTimer::singleShot(0, &window_, later); }); // the desk folds panels again
     left_.clear(); // all is new, and no finger is on its way to what was there
     emit changed(on);
 }

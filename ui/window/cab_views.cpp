@@ -22,7 +22,6 @@ namespace edgescan::ui {
 namespace {
 
 constexpr qint64 kSecondTapMs = 700;
-constexpr int kNarrow = 480; // px of a cloud that has no room for a note and a picture
 
 } // namespace
 
@@ -45,10 +44,8 @@ PictureMark CabMode::chosenPlace() const {
 }
 
 void CabMode::showCorner() {
-    const bool covered = !window_.viewer().notice.isHidden() && window_.viewer().views.cloud().width() < kNarrow;
-    const bool some = on_ && window_.viewer().engine.picture() != nullptr && small_ && !covered;
+    const bool some = on_ && window_.viewer().engine.picture() != nullptr && small_;
     corner_->setVisible(some);
-    window_.viewer().views.cloud().setCaptionMargin(some ? corner_->reach() : 0); // the text about all rocks must stay readable
     if (!some) return;
     corner_->setWords("⇄ " + (image_ == Large::Range ? QObject::tr("Range image") : QObject::tr("Edge map")));
     corner_->show(imageView().image(), chosenPlace());
@@ -93,7 +90,6 @@ void CabMode::showLarge(Large which) {
     window_.viewer().views.setOnlyImage(which == Large::Range);
     window_.showAlone(isImage ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
     back_->setVisible(isImage);
-    isImage ? zoom_->setOver(image, *back_) : zoom_->setOver(window_.viewer().views.cloud(), *corner_);
     back_->endAt(corner_->isHidden() ? 0 : corner_->geometry().bottom()); // a second tap at the same place swaps them back
     if (isImage) image.setTaken(back_->reach());
     showCorner();

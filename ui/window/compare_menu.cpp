@@ -4,12 +4,8 @@
 #include "ui/controllers/comparing.h"
 #include "ui/controllers/confidence.h"
 #include "ui/panels/change/change_legend.h"
-#include "ui/panels/confidence/confidence_legend.h"
 #include "ui/panels/tuning/edge_legend.h"
-#include "ui/views/cloud/cloud_view.h"
 #include "ui/window/main_window.h"
-
-#include <QVBoxLayout>
 
 namespace edgescan::ui {
 
@@ -47,10 +43,7 @@ Command compareMenu(Comparing& comparing) {
         });
 }
 
-void addChangeLegend(MainWindow& w) {
-    auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
-    // Below the legend of edges, which comes and goes with A: its buttons stay under the pointer.
-    over->insertWidget(over->indexOf(&w.viewer().legend) + 1, &w.viewer().changeLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
+void followChanges(MainWindow& w) {
     const auto follow = [&w] {
         w.viewer().changeLegend.showOverRocks(w.viewer().views.scene().pointsOver != nullptr);
         w.viewer().legend.setVisible(w.viewer().views.scene().picture != nullptr && w.viewer().views.scene().insteadNow() == nullptr);
@@ -65,11 +58,6 @@ Command confidenceCommand(Confidence& confidence) {
                       action.setProperty(kInSessions, "edges/confidence");
                       action.setToolTip(QObject::tr("Colours and sizes of edges by how many settings near these find them too"));
                   });
-}
-
-void addConfidenceLegend(MainWindow& w) {
-    auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
-    over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().confidenceLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
 }
 
 } // namespace edgescan::ui

@@ -12,10 +12,9 @@ class MainWindow;
 [[nodiscard]] Command compareMenu(Comparing& comparing);
 
 /// Over the cloud, above the legend of the edges, which is hidden while a difference is shown.
-void addChangeLegend(MainWindow& window);
+void followChanges(MainWindow& window);
 
 /// Edge confidence: its switch, and its legend at the same place; hidden while a difference is shown.
 [[nodiscard]] Command confidenceCommand(Confidence& confidence);
-void addConfidenceLegend(MainWindow& window);
 
 } // namespace edgescan::ui

@@ -349,10 +349,10 @@ void Docks::setLocked(DockLock by, bool on) {
 }
 
 /// A dock would take the room of the cab's views and numbers. The table covers the views until it is closed.
-void Docks::cover(const QWidget& views) {
+void Docks::cover(const QRect& views) {
     QDockWidget* table = named(kTable).widget;
     if (!locked() || table->isHidden()) return;
-    table->setGeometry(QRect(views.mapTo(&window_, QPoint()), views.size()));
+    table->setGeometry(views);
     table->setAutoFillBackground(true); // as a child of the window it has none
     table->raise();
 }

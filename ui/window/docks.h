@@ -35,8 +35,8 @@ public:
     void wantOpen();
     /// While locked all are hidden. In cab mode the operator can open the table of rocks; cover() places it.
     void setLocked(DockLock by, bool on);
-    /// Gives a table that is open in cab mode the place of the views.
-    void cover(const QWidget& views);
+    /// Gives a table that is open in cab mode the place of the views, in the window.
+    void cover(const QRect& views);
     [[nodiscard]] bool locked() const { return !locks_.empty(); }
     /// After fit(): gives the open docks at the right the width to which the operator dragged them, else their usual one. Returns px of the
     /// window's width that they take, with the rail.

@@ -28,18 +28,18 @@
 #include "ui/panels/tuning/warning_button.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
+#include "ui/views/cloud/view_cube.h"
 #include "ui/views/image/image_view.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/compare_menu.h"
 #include "ui/window/docks.h"
 #include "ui/window/first_tour.h"
-#include "ui/window/legend_place.h"
 #include "ui/window/manual.h"
 #include "ui/window/menus.h"
-#include "ui/window/notice_place.h"
 #include "ui/window/pane_notes.h"
 #include "ui/window/pane_places.h"
 #include "ui/window/session_menu.h"
+#include "ui/window/side_column.h"
 #include "ui/window/tool_bar.h"
 #include "ui/window/tool_buttons.h"
 #include "ui/window/view_choices.h"
@@ -124,11 +124,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     breakToolTips(*qApp);
     connect(qApp, &QApplication::focusChanged, this, &dropPassedFocus);
     layOutViews();
-    layOutLegend();
-    addChangeLegend(*this);
-    addConfidenceLegend(*this);
-    keepLegendsOffPins(viewer_.cloud, viewer_.views, viewer_.comparing, viewer_.targets);
-    viewer_.scalePlate.raise();
+    layOutLegends();
+    followChanges(*this);
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
     docks_ = new Docks(*this, *rail_, viewer_);
@@ -144,8 +141,11 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
+    Command shares = shareMenu(*this, *places_);
+    shares.submenu.insert(shares.submenu.end(),
+                          {kLine, toggle("&Legends at the Side", "", "view/side-column", true, [this](bool on) { showColumn(on); })});
     const WindowCommands commands{[this] { return screenshot(); },        [this] { resetLayout(); }, [this] { startTour(*this); },
-                                  [this] { openManual(*this); },          sessionCommands(*this),    imagesFirstCommand(*places_),
+                                  [this] { openManual(*this); },          sessionCommands(*this),    shares,
                                   cabCommand(*cab_, viewer_.preferences), [this] { quit(); }};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
@@ -212,10 +212,13 @@ void MainWindow::layOutViews() {
     auto* top = new QVBoxLayout;
     column->addLayout(top);
     column->addWidget(&viewer_.livePanel);
-    column->addWidget(splitter_, 1);
+    column->addWidget(&viewer_.notice);
+    beside_ = new QBoxLayout(QBoxLayout::LeftToRight);
+    beside_->setSpacing(0);
+    beside_->addWidget(splitter_, 1);
+    beside_->addWidget(side_ = new SideColumn);
+    column->addLayout(beside_, 1);
     column->addWidget(&viewer_.timeline);
-    viewer_.notice.setParent(centre);
-    keepOverViews(viewer_.notice, *splitter_);
     connect(&viewer_.undo, &QUndoStack::indexChanged, this, [this] {
         if (!viewer_.undo.property(kDrops).toBool()) viewer_.notice.endPassing();
     });
@@ -233,7 +236,7 @@ void MainWindow::followPlaces() {
             if (pane == places_->inCloudsPlace() && pane == panes_.back()) return maximise(pane);
             places_->swap(pane);
         });
-    connect(places_, &PanePlaces::imagesFirstChanged, this, [this] {
+    connect(places_, &PanePlaces::shareChanged, this, [this] {
         if (maximised_ != nullptr && !cab_->on()) showAlone(nullptr); // else the choice would show nothing
     });
     connect(places_, &PanePlaces::changed, this, [this] {
@@ -244,13 +247,11 @@ void MainWindow::followPlaces() {
     });
 }
 
-// Over a free part of the cloud; more legends go above it.
-void MainWindow::layOutLegend() {
-    viewer_.cloud.setMinimumSize(kLeastCloud); // not that of the legends: they shrink with it
-    auto* over = new QVBoxLayout(&viewer_.cloud);
-    over->setContentsMargins(8, 8, 8, 8);
-    over->addStretch(1);
-    over->addWidget(&viewer_.legend, 0, Qt::AlignLeft | Qt::AlignBottom);
+void MainWindow::layOutLegends() {
+    viewer_.cloud.setMinimumSize(kLeastCloud);
+    for (QWidget* part : std::initializer_list<QWidget*>{&viewer_.changeLegend, &viewer_.confidenceLegend, &viewer_.legend,
+                                                         &viewer_.scalePlate, &viewer_.viewCube})
+        side_->add(*part);
     viewer_.legend.unfold()->setChecked(viewer_.preferences.flag("view/legend-open", true));
     connect(&viewer_.legend, &EdgeLegend::unfolded, this, [this](bool open) { viewer_.preferences.keep("view/legend-open", open); });
     connect(&viewer_.cloud, &CloudView::edgesCovered, &viewer_.legend, &EdgeLegend::showCovered);

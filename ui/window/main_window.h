@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+class QBoxLayout;
 class QSplitter;
 
 namespace edgescan::ui {
@@ -24,6 +25,7 @@ class Preferences;
 class Pane;
 class PanePlaces;
 class Sessions;
+class SideColumn;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -36,6 +38,7 @@ public:
     [[nodiscard]] Sessions& sessions() { return *sessions_; }
     [[nodiscard]] CabMode& cab() { return *cab_; }
     [[nodiscard]] PanePlaces& places() { return *places_; }
+    [[nodiscard]] SideColumn& side() { return *side_; }
 
     void resetLayout();
     /// Closes the window for the operator; in cab mode it asks before.
@@ -44,6 +47,7 @@ public:
     void end();
     // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
     void useCab(bool on);
+    void showColumn(bool on);
     void lockDocks(DockLock by, bool on);
     /// Shrinks and moves the window until its frame is inside the screen.
     void fitScreen();
@@ -73,7 +77,7 @@ protected:
 
 private:
     void layOutViews();
-    void layOutLegend();
+    void layOutLegends();
     void layOutTools();
     void connectEngine();
     void showOrigin();
@@ -86,7 +90,7 @@ private:
     void showFacts();
     void arrange();
     void setImagesWidth(int width);
-    [[nodiscard]] int widthOfImagesFirst();
+    [[nodiscard]] int largeImage() const;
     void foldImages(bool fold, bool byPanel);
     void showImages();
     [[nodiscard]] bool mayClose(bool byHand);
@@ -104,6 +108,8 @@ private:
     QWidget* pictures_ = nullptr; // both images and the range window
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
+    QBoxLayout* beside_ = nullptr; // the views, and the column at their side
+    SideColumn* side_ = nullptr;
     PanePlaces* places_ = nullptr;
     CabMode* cab_ = nullptr;
     Docks* docks_ = nullptr;
@@ -111,6 +117,7 @@ private:
     bool framed_ = false;        // the desktop has reported the width of the window's frame
     bool imagesDragged_ = false; // by the operator: their width does not follow the window
     bool roomForImages_ = true;  // next to the cloud
+    bool columnWanted_ = true;   // the one at the side
     bool saidThatImagesFold_ = false;
     QTimer rememberTimer_;               // one write for a whole drag of window or splitter
     std::unique_ptr<Sessions> sessions_; // last: destroyed before the objects that it uses

@@ -187,7 +187,7 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
     add(edgeLook(v));
     add({kLine, cloudLook(v, window),
          toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }), kLine,
-         ofDesk(panelMenu(window)), ofDesk(commands.imagesFirst), ofDesk(command("Reset &Layout", "", commands.resetLayout)), kLine,
+         ofDesk(panelMenu(window)), ofDesk(commands.shares), ofDesk(command("Reset &Layout", "", commands.resetLayout)), kLine,
          ofDesk(mouseMenu(window, v.cloud, v.preferences)), themeMenu(window, v.preferences), languageMenu(window, v.preferences, v.notice),
          commands.cab,
          command("Full Scree&n", "F11", [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); })});

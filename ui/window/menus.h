@@ -16,7 +16,7 @@ struct WindowCommands {
     std::function<QImage()> screenshot;
     std::function<void()> resetLayout, tour, manual;
     std::vector<Command> sessions;
-    Command imagesFirst, cab;
+    Command shares, cab;
     std::function<void()> quit; ///< asks where it must
 };
 

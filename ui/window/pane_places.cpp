@@ -13,26 +13,18 @@ namespace edgescan::ui {
 PanePlaces::PanePlaces(QSplitter& outer, QSplitter& images, const std::array<Pane*, 3>& panes, QObject* parent)
     : QObject(parent), outer_(outer), images_(images), panes_(panes) {}
 
-void PanePlaces::setImagesFirst(bool on) {
-    if (on == imagesFirst_) return;
-    imagesFirst_ = on;
-    orient();
-    images_.setSizes({1000, 1000});
-    emit imagesFirstChanged(on);
+void PanePlaces::setShare(Share share) {
+    if (std::exchange(share_, share) == share) return;
+    Pane* large = share != Share::Images ? nullptr : swapped_ != nullptr ? swapped_ : panes_[1]; // the edge map
+    if (std::exchange(swapped_, large) != large) place();
+    emit shareChanged(share);
     emit changed();
 }
-
-void PanePlaces::setSideBySide(bool on) {
-    if (std::exchange(sideBySide_, on) == on) return;
-    orient();
-    images_.setSizes({1000, 1000});
-}
-
-void PanePlaces::orient() { images_.setOrientation(imagesFirst_ && sideBySide_ ? Qt::Horizontal : Qt::Vertical); }
 
 void PanePlaces::swap(Pane* pane) {
     swapped_ = pane == panes_.back() || pane == swapped_ ? nullptr : pane;
     place();
+    if (swapped_ == nullptr && share_ == Share::Images) emit shareChanged(share_ = Share::Balanced);
     emit changed();
 }
 
@@ -47,11 +39,18 @@ void PanePlaces::place() {
     images_.setSizes(images);
 }
 
-QString PanePlaces::text() const { return swapped_ == nullptr ? QString() : swapped_->content()->objectName(); }
+QString PanePlaces::text() const {
+    const QString large = swapped_ == nullptr ? QString() : swapped_->content()->objectName();
+    return share_ == Share::Balanced ? large : (kShareNames.at(static_cast<int>(share_)) + ' ' + large).trimmed();
+}
 
 void PanePlaces::use(const QString& text) {
-    const auto found = std::ranges::find_if(panes_, [&](const Pane* pane) { return pane->content()->objectName() == text; });
-    Pane* wanted = text.isEmpty() || found == panes_.end() || *found == panes_.back() ? nullptr : *found;
+    QStringList words = text.split(' ', Qt::SkipEmptyParts);
+    const int share = words.isEmpty() ? -1 : static_cast<int>(kShareNames.indexOf(words.front()));
+    if (share >= 0) words.removeFirst();
+    const auto found = std::ranges::find_if(panes_, [&](const Pane* pane) { return pane->content()->objectName() == words.value(0); });
+    Pane* wanted = found == panes_.end() || *found == panes_.back() ? nullptr : *found;
+    setShare(static_cast<Share>(std::max(0, share)));
     if (wanted != swapped_) swap(wanted == nullptr ? swapped_ : wanted);
 }
 

@@ -1,8 +1,8 @@
-// Which view is where: both images in a column left of the cloud, or as large as they can be; and which of them has changed places with the
-// cloud.
+// Which view is where: both images in a column left of the cloud, or one of them in the place of the cloud.
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 
 #include <array>
 
@@ -12,6 +12,11 @@ namespace edgescan::ui {
 
 class Pane;
 
+/// What most of the room is for. Images: one of them is in the place of the cloud.
+enum class Share { Balanced, Images, Cloud };
+inline const QStringList kShareNames{"balanced", "images", "cloud"};
+[[nodiscard]] constexpr Share next(Share share) { return static_cast<Share>((static_cast<int>(share) + 1) % 3); }
+
 /// GUI thread only.
 class PanePlaces : public QObject {
     Q_OBJECT
@@ -20,23 +25,19 @@ public:
     /// cloud.
     PanePlaces(QSplitter& outer, QSplitter& images, const std::array<Pane*, 3>& panes, QObject* parent);
 
-    void setImagesFirst(bool on);
-    [[nodiscard]] bool imagesFirst() const { return imagesFirst_; }
-    /// While the images are first; else one is above the other.
-    void setSideBySide(bool on);
+    void setShare(Share share);
+    [[nodiscard]] Share share() const { return share_; }
     /// The pane and the cloud change places. Of a pane that did, or of the cloud: back.
     void swap(Pane* pane);
     /// The pane in the place of the cloud.
     [[nodiscard]] Pane* inCloudsPlace() const { return swapped_ != nullptr ? swapped_ : panes_.back(); }
-    /// The name of the view in the place of the cloud, to be stored; and back.
+    /// The share, and the name of the view in the place of the cloud, to be stored; and back.
     [[nodiscard]] QString text() const;
     void use(const QString& text);
-    /// After a splitter got back a stored state, which has an orientation of its own.
-    void orient();
 
 signals:
     void changed();
-    void imagesFirstChanged(bool on);
+    void shareChanged(edgescan::ui::Share share);
 
 private:
     void place();
@@ -45,7 +46,7 @@ private:
     QSplitter& images_;
     std::array<Pane*, 3> panes_;
     Pane* swapped_ = nullptr; // it is in the place of the cloud; null: none
-    bool imagesFirst_ = false, sideBySide_ = true;
+    Share share_ = Share::Balanced;
 };
 
 } // namespace edgescan::ui

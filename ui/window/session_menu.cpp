@@ -90,8 +90,8 @@ void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
     places_->use(QString::fromUtf8(bytes("large")));
     splitter_->restoreState(bytes("views"));
     images_->restoreState(bytes("pictures"));
+    images_->setOrientation(Qt::Vertical);                                       // a state of an earlier version may have another one
     imagesDragged_ = !layout.contains("images") || bytes("images") == "dragged"; // sessions of earlier versions do not say it
-    places_->orient();
     const QByteArray alone = bytes("alone");
     const auto found = std::ranges::find_if(panes_, [&alone](const Pane* pane) { return pane->content()->objectName().toUtf8() == alone; });
     showAlone(found == panes_.end() ? nullptr : (*found)->content());

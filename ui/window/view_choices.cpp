@@ -107,9 +107,21 @@ Command colourMenu(QObject& parent, ScanLook& look) {
                                     });
 }
 
-Command imagesFirstCommand(PanePlaces& places) {
-    return following(toggle("Images F&irst", "Ctrl+M", "view/images-first", false, [&places](bool on) { places.setImagesFirst(on); }),
-                     places, &PanePlaces::imagesFirstChanged);
+Command shareMenu(QObject& parent, PanePlaces& places) {
+    auto* group = new QActionGroup(&parent);
+    const auto preset = [group, &places](const char* text, Share share) {
+        Command made = choice(toggle(text, "", nullptr, false, [&places, share](bool) { places.setShare(share); }), *group,
+                              "share-" + kShareNames.at(static_cast<int>(share)), places.share() == share);
+        return linked(made, [&places, share, link = made.link](QAction& action) {
+            link(action);
+            QObject::connect(&places, &PanePlaces::shareChanged, &action, [&action, share](Share now) {
+                if (now == share) action.setChecked(true);
+            });
+        });
+    };
+    return submenu("&Sizes of Views",
+                   {command("&Next Sizes of Views", "Ctrl+M", [&places] { places.setShare(next(places.share())); }), kLine,
+                    preset("&Balanced", Share::Balanced), preset("&Images Large", Share::Images), preset("&Cloud Large", Share::Cloud)});
 }
 
 Command cabCommand(CabMode& cab, Preferences& preferences) {

@@ -1,4 +1,4 @@
-// Choices in the menu View: theme, language, mouse, colours of the cloud, Images First and Cab Mode.
+// Choices in the menu View: theme, language, mouse, colours of the cloud, sizes of the views and Cab Mode.
 #pragma once
 
 #include "ui/panels/keys/commands.h"
@@ -25,8 +25,8 @@ class ScanLook;
 /// The colour scales of the cloud.
 [[nodiscard]] Command colourMenu(QObject& parent, ScanLook& look);
 
-/// View > Images First.
-[[nodiscard]] Command imagesFirstCommand(PanePlaces& places);
+/// Balanced, images large, cloud large; one key goes to the next.
+[[nodiscard]] Command shareMenu(QObject& parent, PanePlaces& places);
 
 /// View > Cab Mode: this command switches it on; only its button, when held, switches it off.
 [[nodiscard]] Command cabCommand(CabMode& cab, Preferences& preferences);

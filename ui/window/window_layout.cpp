@@ -3,12 +3,10 @@
 
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
-#include "ui/base/view_plate.h"
 #include "ui/base/window_room.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/keys/shortcuts.h"
 #include "ui/panels/live/state_badge.h"
-#include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
@@ -16,6 +14,7 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/docks.h"
 #include "ui/window/pane_places.h"
+#include "ui/window/side_column.h"
 #include "ui/window/tool_bar.h"
 
 #include <QAction>
@@ -33,16 +32,17 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kNarrow = 1100;             // px of the window: in a narrower one the images get their share of it
-constexpr double kCloudShare = 0.55;      // of the width, minimum
-constexpr int kLegendRoom = 320;          // px: that of a comparison in Spanish
-constexpr double kLeastCloudShare = 0.22; // of the views' width, while the images are first
-constexpr int kRangeWindowFrom = 600;     // px of the window's height
-constexpr int kLeastImages = 140;         // px of width
-constexpr int kLeastImage = 96;           // px of height; in a lower column the range image is alone
+constexpr double kImages = 0.38;                           // of the window's width: both images, one above the other
+constexpr double kPanels = 0.45;                           // of the width, at most
+constexpr double kLeastCloud = 0.22, kLeastOfNarrow = 0.4; // of the width; of that of a narrow window
+constexpr int kNarrow = 1100;                              // px of the window: in a narrower one the images get their share of it
+constexpr int kLargeImage = 600;                           // px of a square one that is large
+constexpr int kRangeWindowFrom = 600;                      // px of the window's height
+constexpr int kLeastImages = 140;                          // px of width
+constexpr int kLeastImage = 96;                            // px of height; in a lower column the range image is alone
 
-// Widths at which the cloud has most of the window and images and panel stay readable.
-int usualImages(int window) {
+// Widths at which the cloud is large and the images stay readable.
+int smallImages(int window) {
     const int wanted = window < kNarrow ? static_cast<int>(0.23 * window) : static_cast<int>(std::lround(48 + 0.1843 * window));
     return std::clamp(wanted, 140, 560);
 }
@@ -57,26 +57,26 @@ QSize usualWindow(const QRect& screen) {
 } // namespace
 
 /// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged, as
-/// far as the cloud keeps its share. Folding order: the panels, the second image, the first image.
+/// far as the cloud keeps its share. Folding order: the panels, the second image, the first image, the column at the side.
 void MainWindow::arrange() {
-    if (cab_->on()) return docks_->cover(*splitter_);
+    if (cab_->on()) return docks_->cover(QRect(splitter_->mapTo(this, QPoint()), side_->mapTo(this, side_->rect().bottomRight())));
     if (!isVisible()) return;
     const int wide = width();
-    const int besideCloud = static_cast<int>(wide * (1.0 - kCloudShare)) - splitter_->handleWidth();
+    const int leastCloud = std::max(viewer_.cloud.minimumWidth(), static_cast<int>(wide * (wide < kNarrow ? kLeastOfNarrow : kLeastCloud)));
     const int leastImages = std::max(kLeastImages, pictures_->minimumSizeHint().width());
-    docks_->fit(besideCloud);
-    const int panels = docks_->setWidths(besideCloud), most = besideCloud - panels;
-    const bool tooNarrow = most<leastImages, byPanel = panels> 0;
-    foldImages(!places_->imagesFirst() && tooNarrow, byPanel);
+    docks_->fit(static_cast<int>(wide * kPanels));
+    const int panels = docks_->setWidths(static_cast<int>(wide * kPanels)), column = side_->sizeHint().width();
+    const bool large = places_->share() == Share::Images; // a large image counts more than the column
+    const int needed = large ? leastImages + splitter_->handleWidth() + kLargeImage : leastCloud;
+    side_->setVisible(columnWanted_ && wide - panels - column >= needed);
+    const int views = wide - panels - (side_->isHidden() ? 0 : column), most = views - leastCloud - splitter_->handleWidth();
+    foldImages(most<leastImages, panels> 0);
     showImages();
     if (maximised_ != nullptr || !roomForImages_) return;
-    const bool follow = !imagesDragged_;
-    if (places_->imagesFirst()) {
-        const int both = widthOfImagesFirst();
-        if (follow || pictures_->width() > both) setImagesWidth(both);
-        return;
-    }
-    if (follow || pictures_->width() > most) setImagesWidth(std::clamp(usualImages(wide), leastImages, most));
+    int wanted = static_cast<int>(wide * kImages);
+    if (places_->share() == Share::Cloud || wide < kNarrow) wanted = smallImages(wide);
+    if (places_->share() == Share::Images) wanted = views - splitter_->handleWidth() - largeImage();
+    if (!imagesDragged_ || pictures_->width() > most) setImagesWidth(std::clamp(wanted, leastImages, most));
 }
 
 /// The badge has the same place whatever it says: no tool moves. A narrow window gives it what its tools leave.
@@ -99,26 +99,13 @@ void MainWindow::foldImages(bool fold, bool byPanel) {
         viewer_.notice.showHint(tr("The window has no room for the images next to this panel: they come back when you fold it."));
 }
 
-/// Both as large as they can be in their own aspect, side by side or one above the other; the cloud gets the rest, at least its legend's
-/// width.
-int MainWindow::widthOfImagesFirst() {
-    const QMargins around = viewer_.cloud.layout()->contentsMargins();
-    int legend = kLegendRoom; // one that is shown later does not move the images
-    for (ViewPlate* plate : viewer_.cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
-        if (!plate->isHidden() && viewer_.cloud.layout()->indexOf(plate) >= 0) legend = std::max(legend, plate->sizeHint().width());
-    }
-    legend += around.left() + around.right();
-    const int whole = splitter_->width() - splitter_->handleWidth();
-    const int most = std::max(kLeastImages, whole - std::max(legend, static_cast<int>(kLeastCloudShare * whole)));
+/// Px of the width of the image that is in the place of the cloud: as high as the views, in its own aspect.
+int MainWindow::largeImage() const {
     const ViewPort& port = *viewer_.gray.viewPort();
-    if (port.imageSize().isEmpty()) return most;
-    const double aspect = port.aspect() * port.imageSize().width() / port.imageSize().height();
-    const int title = panes_.front()->minimumSizeHint().height();
-    const int high = splitter_->height() - (height() >= kRangeWindowFrom ? viewer_.rangeWindow.sizeHint().height() : 0);
-    const double across = std::min(most / 2.0, aspect * (high - title)), stacked = std::min(1.0 * most, aspect * (high / 2.0 - title));
-    places_->setSideBySide(across >= stacked);
-    const double wanted = across >= stacked ? 2.0 * across + images_->handleWidth() : stacked;
-    return std::clamp(static_cast<int>(std::ceil(wanted)), std::min(most, pictures_->minimumSizeHint().width()), most);
+    const int high = splitter_->height() - panes_.front()->minimumSizeHint().height();
+    const QSizeF cells = port.imageSize();
+    const double aspect = cells.isEmpty() ? 1.0 : port.aspect() * cells.width() / cells.height();
+    return std::max(kLargeImage, static_cast<int>(std::ceil(aspect * high)));
 }
 
 void MainWindow::setImagesWidth(int width) {
@@ -129,7 +116,6 @@ void MainWindow::setImagesWidth(int width) {
 void MainWindow::maximise(Pane* pane) {
     maximised_ = maximised_ == pane ? nullptr : pane;
     for (Pane* each : panes_) each->showAlone(maximised_ == each);
-    viewer_.views.setCaptionIn(maximised_ == nullptr ? nullptr : qobject_cast<const ImageView*>(maximised_->content()));
     showImages();
 }
 
@@ -138,7 +124,7 @@ void MainWindow::maximise(Pane* pane) {
 void MainWindow::showImages() {
     const bool all = maximised_ == nullptr;
     const int room = splitter_->height() - (height() >= kRangeWindowFrom ? viewer_.rangeWindow.sizeHint().height() : 0);
-    const bool both = places_->imagesFirst() || room >= 2 * (kLeastImage + panes_.front()->minimumSizeHint().height());
+    const bool both = room >= 2 * (kLeastImage + panes_.front()->minimumSizeHint().height());
     const Pane* large = places_->inCloudsPlace();
     const Pane* first = large == panes_.back() ? panes_.front() : panes_.back(); // the cloud is never the one that has no room
     for (Pane* each : panes_) {
@@ -171,7 +157,7 @@ void MainWindow::restoreLayout() {
     restoreGeometry(viewer_.preferences.bytes("window/geometry"));
     restoreState(viewer_.preferences.bytes("window/state"));
     images_->restoreState(viewer_.preferences.bytes("window/images"));
-    places_->orient();
+    images_->setOrientation(Qt::Vertical); // a state of an earlier version may have another one
     places_->use(viewer_.preferences.text("window/large-view"));
     splitter_->restoreState(viewer_.preferences.bytes("window/views"));
     imagesDragged_ = viewer_.preferences.flag("window/images-dragged", false);
@@ -203,7 +189,6 @@ void MainWindow::resetLayout() {
     if (cab_->on()) return;
     if (maximised_ != nullptr) maximise(maximised_);
     places_->use(QString());
-    places_->setImagesFirst(false);
     imagesDragged_ = false;
     images_->setSizes({1000, 1000});
     actionOf(keyedCommands(actions()), "View/True Angle Aspect").setChecked(false);

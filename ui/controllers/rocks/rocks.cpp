@@ -243,12 +243,7 @@ void Rocks::showFaces() {
         overlay.facesFaded = ofAnotherPicture();
         overlay.points->colours = picture_->points;
         overlay.points->beams = picture_->labels.beams;
-        const std::vector<rocks::Rock>& all = picture_->study.rocks;
-        const auto shown = std::ranges::count_if(all, [this](const rocks::Rock& rock) { return picture_->filter.shows(rock); });
-        const bool isEach = static_cast<std::size_t>(shown) == all.size();
-        overlay.caption = (isEach ? rockCount(all.size()) : tr("%1 of %2").arg(shown).arg(rockCount(all.size()))) + " · ";
     }
-    if (engine_.picture()) overlay.caption += (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
     views_.put(std::move(overlay));
 }
 

@@ -126,27 +126,16 @@ void LinkedViews::draw() {
 void LinkedViews::applyScene() {
     gray().setImage(scene_.gray);
     gray().setOverlay(scene_.overGray, 1.0);
-    edges().setImage(scene_.edgeMap, Shrink::Share);
+    edges().setImage(scene_.edgeMap, Shrink::Lines);
     for (ImageView* view : images_) {
         view->setFaces(scene_.faces, scene_.facesFaded);
         view->setLost(scene_.picture->lost);
         view->setToCome(linesToCome(*scene_.picture));
     }
-    showCaption();
     if (cloud_.edgeColours() != scene_.colours) cloud_.setEdgeColours(scene_.colours);
     if (cloud_.edgesByClass() != scene_.byClass) cloud_.setEdgesByClass(scene_.byClass);
     cloud_.setEdges(scene_.cells);
     cloud_.setFaces(scene_.points, scene_.edgesOverPoints ? CloudView::EdgesOver::Always : CloudView::EdgesOver::AsAsked);
-}
-
-void LinkedViews::showCaption() {
-    for (ImageView* view : images_) view->setTitle(view == captionIn_ ? scene_.caption : QString());
-    cloud_.setCaption(captionIn_ == nullptr ? scene_.caption : QString());
-}
-
-void LinkedViews::setCaptionIn(const ImageView* image) {
-    captionIn_ = image;
-    showCaption();
 }
 
 void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {

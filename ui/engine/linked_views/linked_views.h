@@ -109,8 +109,6 @@ public:
     void setShapeNote(const QString& note);
     /// Of all views: the picture does not follow the scanner.
     void setPictureFrame(const PictureFrame& frame);
-    /// The caption of a scene is shown once: in the cloud, or in `image` while only that one is on the screen (null: the cloud).
-    void setCaptionIn(const ImageView* image);
     /// As the operator asked.
     void setEdgesOverImage(bool on);
     /// Also if the operator did not ask for them: no other view shows them.
@@ -184,7 +182,6 @@ private:
     void showCoarse();
     void draw();
     void applyScene();
-    void showCaption();
     void showNewScan(const Picture* same);
     void showMoreLines(const Picture& last);
     void frameFirstLines(const CameraPose& before);
@@ -197,8 +194,7 @@ private:
     void applyAspect();
 
     const Engine& engine_;
-    std::array<ImageView*, 2> images_;     // gray, edges
-    const ImageView* captionIn_ = nullptr; // null: the cloud
+    std::array<ImageView*, 2> images_; // gray, edges
     CloudView& cloud_;
     std::shared_ptr<const Picture> picture_;      // of the engine
     std::shared_ptr<const CoarsePicture> coarse_; // on the screen until the first picture of its scan

@@ -10,7 +10,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kSeen = 0.2;     // share of the points
+constexpr double kSeen = 0.1;     // share of the points: half a turn in a narrow cloud has .15
 constexpr double kMuchMore = 1.2; // times
 constexpr int kLinesToFit = 8;    // of a growing sweep: if their places are not known by now, the view stays where it is
 

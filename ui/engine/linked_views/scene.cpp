@@ -81,7 +81,6 @@ Scene sceneOf(const SceneState& state, const std::shared_ptr<const Picture>& pic
         const bool onGrid = overlay->edges && overlay->edges->map->size() == picture->edges->size();
         if (!scene.instead && onGrid) scene.instead = overlay->edges;
         if (overlay->points) (points == nullptr ? points : below) = &*overlay->points;
-        if (scene.caption.isEmpty()) scene.caption = overlay->caption;
         if (scene.faces || !overlay->faces || scene.flipped()) continue;
         scene.faces = overlay->faces;
         scene.facesFaded = overlay->facesFaded;

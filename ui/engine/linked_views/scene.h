@@ -56,7 +56,6 @@ struct Overlay {
     std::optional<OverlayPoints> points{};       ///< empty: it does not colour the points
     std::shared_ptr<const QImage> faces{};       ///< over both images; null: none
     bool facesFaded = false;                     ///< they belong to an older picture
-    QString caption{};                           ///< shown once
     bool legend = false;                         ///< it has a legend
 };
 
@@ -82,7 +81,6 @@ struct Scene {
     std::shared_ptr<const std::vector<std::uint32_t>> pointsOver;         ///< some of another overlay are over these; null: no others
     bool edgesOverPoints = false;
     // In all:
-    QString caption;
     std::shared_ptr<const OverlayEdges> instead; ///< replaces the edges of the picture, though not of one that is flipped to; null: none
     std::optional<OverlayName> legend;           ///< whose legend is shown; empty: none
 

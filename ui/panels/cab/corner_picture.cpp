@@ -67,7 +67,7 @@ void CornerPicture::place() {
     if (at.size() != size()) scaled_ = QPixmap();
     const int before = reach();
     const bool moves = at.top() != y(); // of a view that is not laid out yet: no finger is on its way to where it was
-    const QRegion left = isVisible() && !moves ? QRegion(geometry()) - at : QRegion();
+    const QRegion left = isVisible() && !moves ? QRegion(geometry().intersected(parentWidget()->rect())) - at : QRegion();
     setGeometry(at);
     if (!left.isEmpty()) emit uncovered(left.translated(parentWidget()->mapToGlobal(QPoint())));
     if (reach() != before) emit reachChanged(reach());
@@ -93,7 +93,9 @@ void CornerPicture::changeEvent(QEvent* event) {
 
 void CornerPicture::hideEvent(QHideEvent* event) {
     QAbstractButton::hideEvent(event);
-    if (!event->spontaneous()) emit uncovered(QRect(mapToGlobal(QPoint()), size()));
+    // Of a view that is not laid out yet a part is outside.
+    const QRect left = geometry().intersected(parentWidget()->rect()).translated(parentWidget()->mapToGlobal(QPoint()));
+    if (!event->spontaneous()) emit uncovered(left);
 }
 
 /// The words, in smaller letters where the line is too short for them.

@@ -6,6 +6,7 @@
 #include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
+#include "ui/base/tool_tips.h"
 #include "ui/panels/change/distance_view.h"
 
 #include <QCheckBox>
@@ -14,7 +15,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPixmap>
-#include <QRegularExpression>
 #include <QStyle>
 #include <QToolButton>
 
@@ -26,12 +26,9 @@ namespace edgescan::ui {
 
 namespace {
 
-constexpr int kAround = 32;        // px: of the plate and of the view
-constexpr int kBeforeName = 70;    // px of a row: switch, colour, gaps
-constexpr int kBetweenButtons = 6; // px
-constexpr int kForGloves = 48;     // px
-constexpr int kBesideZoom = 80;    // px: of the zoom buttons of a cab
-constexpr int kLeastLetters = 12;  // px
+constexpr int kBeforeName = 46;   // px of a row: switch, colour, gaps
+constexpr int kForGloves = 48;    // px
+constexpr int kLeastLetters = 12; // px
 
 QString nameOf(ChangeRow row) {
     switch (row) {
@@ -40,34 +37,14 @@ QString nameOf(ChangeRow row) {
     case ChangeRow::Lost:
         return ChangeLegend::tr("− edges lost");
     case ChangeRow::Unchanged:
-        return ChangeLegend::tr("edges kept (cells of B)");
+        return ChangeLegend::tr("edges kept");
     case ChangeRow::Unseen:
-        return ChangeLegend::tr("? edges not seen in the other");
+        return ChangeLegend::tr("? edges not seen");
     case ChangeRow::Nearer:
-        return ChangeLegend::tr("surface nearer than in A");
+        return ChangeLegend::tr("surface nearer");
     default:
-        return ChangeLegend::tr("surface farther than in A");
+        return ChangeLegend::tr("surface farther");
     }
-}
-
-/// Breaks lines that are wider, at blanks.
-QString broken(const QString& text, const QFontMetrics& letters, int width) {
-    static const QRegularExpression space("(?<!±) (?!(?:mm?|cm|m²)(?:\\W|$))"); // no line begins with a unit
-    QString result;
-    for (const QString& line : text.split('\n')) {
-        QString begun;
-        for (const QString& word : line.split(space)) {
-            const QString longer = begun.isEmpty() ? word : begun + ' ' + word;
-            if (begun.isEmpty() || letters.horizontalAdvance(longer) <= width) {
-                begun = longer;
-                continue;
-            }
-            result += begun + '\n';
-            begun = word;
-        }
-        result += begun + '\n';
-    }
-    return result.chopped(1);
 }
 
 /// Where the edges of A are: the rows count those of B too, and an edge of one may be next to several of the other.
@@ -83,30 +60,29 @@ QString outOfSpecWords() { return ChangeLegend::tr("▲ OUT OF SPEC"); }
 QLabel* wordsOf(QWidget* parent, const char* name) {
     auto* label = new QLabel(parent);
     label->setObjectName(name);
-    label->setTextFormat(Qt::PlainText); // line breaks are set in code: a plate over the cloud must know its height
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
     return label;
 }
 
 } // namespace
 
 ChangeLegend::ChangeLegend(QWidget* parent)
-    : ViewPlate(parent), title_(wordsOf(this, "change-title")), unit_(wordsOf(this, "change-unit")), how_(wordsOf(this, "change-how")),
+    : QWidget(parent), title_(wordsOf(this, "change-title")), unit_(wordsOf(this, "change-unit")), how_(wordsOf(this, "change-how")),
       sum_(wordsOf(this, "change-sum")), overRocks_(wordsOf(this, "change-over-rocks")), region_(wordsOf(this, "change-region")),
       summary_(wordsOf(this, "change-summary")), byDistance_(new QCheckBox(tr("colour by distance from A"), this)),
       histogram_(new DistanceView(this)), distances_(wordsOf(this, "change-distances")), fold_(new QToolButton(this)),
-      previous_(new QToolButton(this)), next_(new QToolButton(this)), end_(new QToolButton(this)) {
+      previous_(new QToolButton(this)), next_(new QToolButton(this)), end_(new QToolButton(this)), buttons_(new QWidget(this)) {
     setObjectName("change-legend");
-    for (QLabel* label : {title_, how_, sum_, region_}) words_[label] = QString();
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* content = new QWidget;
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(16);
+    grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(2);
+    grid->setColumnStretch(0, 1);
     QFont bold = title_->font();
     bold.setBold(true);
     title_->setFont(bold);
-    grid->addWidget(title_, 0, 0, 1, 2);
     unit_->setText(tr("cells"));
     grid->addWidget(unit_, 1, 1, Qt::AlignRight);
     for (int n = 0; n < kChangeRows; ++n) {
@@ -128,11 +104,8 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     byDistance_->setObjectName("change-by-distance");
     byDistance_->setFocusPolicy(Qt::TabFocus);
     connect(byDistance_, &QCheckBox::toggled, this, &ChangeLegend::distancesRequested);
-    grid->addWidget(sum_, kChangeRows + 2, 0, 1, 2);
-    grid->addWidget(how_, kChangeRows + 3, 0, 1, 2);
-    setWords(*overRocks_, tr("Other points have the colours of rocks"));
+    overRocks_->setText(tr("Other points have the colours of rocks"));
     overRocks_->hide();
-    grid->addWidget(overRocks_, kChangeRows + 4, 0, 1, 2);
     previous_->setToolTip(tr("Previous changed region"));
     previous_->setAccessibleName(previous_->toolTip());
     next_->setToolTip(tr("Next changed region"));
@@ -142,25 +115,29 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     end_->setObjectName("change-end");
     end_->setText(tr("End"));
     end_->setToolTip(tr("Ends the comparison: A is forgotten"));
-    // At the foot, which stays where it is while the plate grows upwards.
-    auto* foot = new QVBoxLayout;
+    auto* foot = new QVBoxLayout(buttons_);
+    foot->setContentsMargins(0, 0, 0, 0);
     auto* buttons = new QHBoxLayout;
-    foot->addWidget(byDistance_);
     foot->addLayout(switchOfTwo());
     foot->addLayout(buttons);
+    foot->addWidget(byDistance_);
     for (QToolButton* button : {end_, fold_, previous_, next_}) { // what ends it is never where another button was
         button->setFocusPolicy(Qt::TabFocus);
         buttons->addWidget(button, 0, Qt::AlignBottom); // where it is when the legend unfolds
         if (button == fold_) buttons->addWidget(summary_);
     }
-    buttons->addStretch(1); // they stay where they are when the plate gets wider
+    buttons->addStretch(1);
     summary_->setTextFormat(Qt::RichText);
+    summary_->setWordWrap(false);
     connect(fold_, &QToolButton::toggled, this, &ChangeLegend::showRows);
     connect(end_, &QToolButton::clicked, this, &ChangeLegend::endRequested);
-    grid->addWidget(histogram_, kChangeRows + 5, 0, 1, 2);
-    grid->addWidget(distances_, kChangeRows + 6, 0, 1, 2);
-    grid->addWidget(region_, kChangeRows + 7, 0, 1, 2);
-    setContent(*content, foot);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(buttons_);
+    column->addWidget(title_);
+    column->addWidget(content);
+    for (QWidget* each : std::initializer_list<QWidget*>{sum_, how_, overRocks_, histogram_, distances_, region_}) column->addWidget(each);
     connect(previous_, &QToolButton::clicked, this, &ChangeLegend::previousRegionRequested);
     connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionRequested);
     hide();
@@ -186,7 +163,7 @@ QHBoxLayout* ChangeLegend::switchOfTwo() {
             showRows(); // a refused choice
         });
     }
-    row->addStretch(1);                               // they stay where they are, however wide the plate is
+    row->addStretch(1);
     followColours(*this, [this](const Theme& theme) { // a border too: colour is not the only sign
         const QString look = QString("QToolButton { border: 1px solid %1; padding: 2px 7px; }"
                                      "QToolButton:checked { background: %2; color: white; border: 2px solid %3; padding: 1px 6px; }")
@@ -220,15 +197,15 @@ void ChangeLegend::showKept(const QString& before, const QString& now, const Com
                               .arg(inspect::kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
     howWords_ = how;
-    setWords(*sum_, comparison != nullptr && comparison->isOfTwoScans() ? sumOf(*comparison) : QString());
+    sum_->setText(comparison != nullptr && comparison->isOfTwoScans() ? sumOf(*comparison) : QString());
     const auto distances = comparison != nullptr && rowsShown_ ? comparison->distances : nullptr;
     histogram_->showDistances(distances);
     hasDistances_ = distances != nullptr;
     if (distances)
-        setWords(*distances_, tr("median distance to the points of A %1\n%2 are farther than %3")
-                                  .arg(shortLength(distances->histogram.medianM))
-                                  .arg(countText(distances->histogram.beyond))
-                                  .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
+        distances_->setText(tr("median distance to the points of A %1\n%2 are farther than %3")
+                                .arg(shortLength(distances->histogram.medianM))
+                                .arg(countText(distances->histogram.beyond))
+                                .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
     regions_ = comparison == nullptr ? 0 : comparison->change.regions.size();
     compared_ = comparison != nullptr;
     ofTwoScans_ = comparison != nullptr && comparison->isOfTwoScans();
@@ -237,78 +214,41 @@ void ChangeLegend::showKept(const QString& before, const QString& now, const Com
     if (compared_ && !std::exchange(begun_, true)) foldInCab();
     showFlipped(flipped_);
     show();
-    fit();
 }
 
-void ChangeLegend::setWords(QLabel& label, const QString& words) {
-    words_[&label] = words;
-    fit();
-}
-
-/// Breaks texts into lines that a narrow view has room for.
-void ChangeLegend::fit() {
-    if (parentWidget() == nullptr) return;
-    const int line = parentWidget()->width() - kAround - (brief_ ? kBesideZoom : 0); // no bar is next to the buttons
-    const int room = line - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    const std::array rest{region_, sum_, how_}; // they do not make the plate wider
-    const auto isInRest = [&rest](const QLabel* label) { return std::ranges::find(rest, label) != rest.end(); };
-    for (const auto& [label, words] : words_) label->setText(isInRest(label) ? QString() : broken(words, label->fontMetrics(), room));
+/// The names of rows break into lines: a switch does not do so by itself.
+void ChangeLegend::breakNames() {
+    byDistance_->setText(brokenText(tr("colour by distance from A"), fontMetrics(), width() - kBeforeName / 2));
     int counts = 0;
     for (const Row& row : rows_) counts = std::max(counts, row.count->sizeHint().width());
     for (int n = 0; n < kChangeRows; ++n) {
         QCheckBox& box = *rows_[static_cast<std::size_t>(n)].box;
-        box.setText(broken(nameOf(static_cast<ChangeRow>(n)), box.fontMetrics(), room - counts - kBeforeName));
+        box.setText(brokenText(nameOf(static_cast<ChangeRow>(n)), box.fontMetrics(), width() - counts - kBeforeName));
     }
-    next_->setText(next_->toolTip());
-    const auto buttonsWide = [this] {
-        int wide = 0;
-        // With room for any region: the buttons stay under the finger.
-        summary_->setMinimumWidth(summary_->fontMetrics().horizontalAdvance(QString::fromUtf8("%1/%1 ■ +88.88 m").arg(regions_)));
-        for (const QWidget* each : std::initializer_list<const QWidget*>{fold_, summary_, previous_, next_, end_})
-            wide += each->isVisibleTo(this) ? std::max(each->sizeHint().width(), each->minimumWidth()) + kBetweenButtons : 0;
-        return wide;
-    };
-    summary_->setFont(QFont()); // that of the plate
-    if (brief_ || buttonsWide() > line) next_->setText(tr("Next"));
-    QFont letters = summary_->font();
-    for (int px = QFontInfo(letters).pixelSize(); buttonsWide() > line && px > kLeastLetters; --px) {
-        letters.setPixelSize(px);
-        summary_->setFont(letters);
-    }
-    const int buttons = buttonsWide();
-    // The text of a region does not make the plate wider: its buttons stay under the pointer.
-    const int wide = std::max(region_->parentWidget()->sizeHint().width(), std::min(buttons, line));
-    for (QLabel* label : rest) label->setText(broken(words_.at(label), label->fontMetrics(), wide));
-    // A and B alone have less to say: the switch between them stays under the pointer.
-    const bool difference = rowsShown_ && !flipped_;
-    setMinimumWidth(difference || brief_ ? 0 : std::min(ofDifference_, line));
-    fitContent();
-    if (difference) ofDifference_ = sizeHint().width();
+}
+
+void ChangeLegend::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    breakNames();
 }
 
 bool ChangeLegend::event(QEvent* event) {
     if (event->type() == QEvent::HideToParent) begun_ = false;
-    if (event->type() == QEvent::ParentChange && parentWidget() != nullptr) {
-        parentWidget()->installEventFilter(this);
-        fit();
-    }
-    return ViewPlate::event(event);
+    return QWidget::event(event);
 }
 
-bool ChangeLegend::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize && watched == parentWidget()) showRows();
-    return ViewPlate::eventFilter(watched, event);
-}
-
-/// In a cab the rows that count something: the plate must leave the rocks in sight. A warning is always there. Folded: the title and the
+/// In a cab the rows that count something: the rocks must stay in sight. A warning is always there. Folded: the title and the
 /// buttons.
 void ChangeLegend::showRows() {
+    breakNames();
     const bool open = !fold_->isChecked() && !flipped_; // A has the colours of edges
     // The arrows of the style are too small for gloves.
     fold_->setArrowType(brief_ ? Qt::NoArrow : open ? Qt::DownArrow : Qt::UpArrow);
     previous_->setArrowType(brief_ ? Qt::NoArrow : Qt::LeftArrow);
+    next_->setArrowType(brief_ ? Qt::NoArrow : Qt::RightArrow);
     fold_->setText(!brief_ ? "" : open ? "▼" : "▲");
     previous_->setText(brief_ ? "◀" : "");
+    next_->setText(brief_ ? tr("Next") : QString());
     for (QToolButton* each : {fold_, previous_}) each->setMinimumSize(brief_ ? QSize(kForGloves, kForGloves) : QSize(0, 0));
     fold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     fold_->setAccessibleName(fold_->toolTip());
@@ -318,7 +258,7 @@ void ChangeLegend::showRows() {
     title_->setVisible(!isOneLine());
     summary_->setVisible(isOneLine());
     summary_->setText(summaryText());
-    region_->setVisible(!words_.at(region_).isEmpty() && !isOneLine());
+    region_->setVisible(!region_->text().isEmpty() && !isOneLine());
     for (const Row& row : rows_) {
         const QString count = row.count->text();
         const bool shown = open && rowsShown_ && !count.isEmpty() && (!brief_ || count != "0");
@@ -326,24 +266,20 @@ void ChangeLegend::showRows() {
     }
     const ShownOfTwo shown = flipped_ ? ShownOfTwo::A : rowsShown_ ? ShownOfTwo::Difference : ShownOfTwo::B;
     for (std::size_t n = 0; n < shown_.size(); ++n) {
-        shown_[n]->setVisible(compared_ && !(isOneLine() && isLow()));
+        shown_[n]->setVisible(compared_ && !isOneLine());
         shown_[n]->setMinimumSize(brief_ ? QSize(kForGloves, kForGloves) : QSize(0, 0));
         shown_[n]->setChecked(n == static_cast<std::size_t>(shown));
     }
-    const bool all = hasRoom();
-    sum_->setVisible(open && rowsShown_ && all && !words_.at(sum_).isEmpty());
+    sum_->setVisible(open && rowsShown_ && !sum_->text().isEmpty());
     const Row& lost = rows_[static_cast<std::size_t>(ChangeRow::Lost)];
-    for (QWidget* each : {static_cast<QWidget*>(lost.box), static_cast<QWidget*>(lost.count)}) each->setToolTip(words_.at(sum_));
+    for (QWidget* each : {static_cast<QWidget*>(lost.box), static_cast<QWidget*>(lost.count)}) each->setToolTip(sum_->text());
     unit_->setVisible(open && compared_ && rowsShown_ && !brief_);
     how_->setVisible(!compared_ || (rowsShown_ && (warned_ || (open && !brief_))));
-    const QString how = all || !compared_ ? howWords_ : howWords_.section('\n', 0, 1);
-    words_[how_] = open || !warned_ ? how : outOfSpecWords();
-    how_->setToolTip(how == howWords_ ? QString() : howWords_);
+    how_->setText(open || !warned_ ? howWords_ : outOfSpecWords());
     byDistance_->setVisible(open && rowsShown_ && ofTwoScans_ && !brief_);
     histogram_->setVisible(open && hasDistances_);
     distances_->setVisible(open && hasDistances_);
     overRocks_->setVisible(open && overRocksOn_);
-    fit();
 }
 
 /// The region that was visited last, with what the two colours mean.
@@ -359,24 +295,20 @@ QString ChangeLegend::summaryText() const {
 
 bool ChangeLegend::isOneLine() const { return brief_ && compared_ && rowsShown_ && regions_ > 0 && !flipped_ && fold_->isChecked(); }
 
-bool ChangeLegend::isLow() const {
-    constexpr int kLow = 480; // px
-    return brief_ && parentWidget() != nullptr && parentWidget()->height() < kLow;
-}
-
-/// For the explanations too; else they are in tips, because the legend must not cover the changes that it counts.
-bool ChangeLegend::hasRoom() const {
-    constexpr int kRoomForAll = 720;                                                       // px
-    return brief_ || parentWidget() == nullptr || parentWidget()->height() >= kRoomForAll; // a cab has no tips, and unfolds it on purpose
-}
-
-/// Open, it would cover the changes that it counts, and most of a low view.
+/// Open, it would take the room of the view with the changes that it counts.
 void ChangeLegend::foldInCab() {
-    if (brief_ && (regions_ > 0 || isLow())) fold_->setChecked(true);
+    if (brief_ && regions_ > 0) fold_->setChecked(true);
 }
 
 void ChangeLegend::setBrief(bool on) {
     brief_ = on;
+    QFont letters = font(); // of its three lines, next to buttons for gloves
+    if (on) letters.setPixelSize(kLeastLetters);
+    summary_->setFont(letters);
+    // They stay under the pointer: a column grows downwards, the strip of a cab upwards.
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->removeWidget(buttons_);
+    column->insertWidget(on ? column->count() : 0, buttons_);
     if (!on) fold_->setChecked(false); // the desk has room for it
     if (on && compared_) foldInCab();  // before a comparison the view may not have its height
     showFlipped(flipped_);
@@ -387,8 +319,7 @@ void ChangeLegend::setRowsShown(bool on) { rowsShown_ = on; }
 void ChangeLegend::showFlipped(bool flipped) {
     flipped_ = flipped;
     const bool both = !flipped && !brief_ && !now_.isEmpty();
-    setWords(*title_,
-             (flipped ? tr("On the screen: A, %1") : tr("A: %1")).arg(before_) + (both ? "\n" + tr("B: %1").arg(now_) : QString()));
+    title_->setText((flipped ? tr("On the screen: A, %1") : tr("A: %1")).arg(before_) + (both ? "\n" + tr("B: %1").arg(now_) : QString()));
     showRows();
 }
 
@@ -399,15 +330,15 @@ void ChangeLegend::showOverRocks(bool on) {
 
 void ChangeLegend::showRegion(const QString& words, const QString& brief) {
     regionBrief_ = brief;
-    setWords(*region_, words);
+    region_->setText(words);
     showRows();
 }
 
 QString ChangeLegend::counted(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].count->text(); }
-QString ChangeLegend::howText() const { return words_.at(how_); }
-QString ChangeLegend::sumText() const { return words_.at(sum_); }
-QString ChangeLegend::titleText() const { return words_.at(title_); }
-QString ChangeLegend::regionText() const { return words_.at(region_); }
+QString ChangeLegend::howText() const { return how_->text(); }
+QString ChangeLegend::sumText() const { return sum_->text(); }
+QString ChangeLegend::titleText() const { return title_->text(); }
+QString ChangeLegend::regionText() const { return region_->text(); }
 
 void ChangeLegend::setRows(const ChangeRows& rows) {
     for (std::size_t n = 0; n < rows.size(); ++n) rows_[n].box->setChecked(rows[n]);

@@ -1,11 +1,11 @@
-// The legend of a comparison over the cloud: names of the two scans, and the count of each kind of change. Each row is a switch.
+// The legend of a comparison: names of the two scans, and the count of each kind of change. Each row is a switch.
 #pragma once
 
-#include "ui/base/view_plate.h"
 #include "ui/panels/change/comparison.h"
 
+#include <QWidget>
+
 #include <array>
-#include <map>
 
 class QCheckBox;
 class QHBoxLayout;
@@ -20,7 +20,7 @@ class DistanceView;
 enum class ShownOfTwo { A, Difference, B };
 
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
-class ChangeLegend : public ViewPlate {
+class ChangeLegend : public QWidget {
     Q_OBJECT
 public:
     explicit ChangeLegend(QWidget* parent = nullptr);
@@ -30,8 +30,7 @@ public:
     void showKept(const QString& before, const QString& now, const Comparison* comparison, bool working, bool refused);
     /// Off: the differences are hidden, and so are their rows.
     void setRowsShown(bool on);
-    /// On: for a cab, without explanations and without rows that count nothing. That of two scans begins folded, over a low view as one
-    /// line.
+    /// On: for a cab, without explanations and without rows that count nothing. That of two scans begins folded.
     void setBrief(bool on);
     void setRows(const ChangeRows& rows);
     void setByDistance(bool on);
@@ -65,17 +64,14 @@ private:
         QLabel* count = nullptr;
     };
     bool event(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     [[nodiscard]] QHBoxLayout* switchOfTwo();
-    void setWords(QLabel& label, const QString& words);
-    void fit();
     void showRows();
+    void breakNames();
     void emitRows();
 
     [[nodiscard]] bool isOneLine() const;
     [[nodiscard]] QString summaryText() const;
-    [[nodiscard]] bool isLow() const;
-    [[nodiscard]] bool hasRoom() const;
     void foldInCab();
 
     QLabel *title_, *unit_, *how_, *sum_, *overRocks_, *region_;
@@ -85,13 +81,12 @@ private:
     DistanceView* histogram_;
     QLabel* distances_;
     QToolButton *fold_, *previous_, *next_, *end_;
+    QWidget* buttons_;
     std::array<QToolButton*, 3> shown_{}; // one per ShownOfTwo
     QString regionBrief_;
-    std::map<QLabel*, QString> words_; // before they are broken into lines
     QString before_, now_, howWords_;
     bool hasDistances_ = false, overRocksOn_ = false;
     bool flipped_ = false;
-    int ofDifference_ = 0; // px of the width while it is shown
     bool rowsShown_ = true;
     bool brief_ = false;
     bool begun_ = false;                                          // since the legend came, a comparison was shown

@@ -34,11 +34,9 @@ QPixmap swatchOf(const QColor& colour, std::size_t band) {
 } // namespace
 
 ConfidenceLegend::ConfidenceLegend(QWidget* parent)
-    : ViewPlate(parent), words_(new QLabel(this)), least_(new QLabel(this)), slider_(new QSlider(Qt::Horizontal, this)) {
+    : QWidget(parent), words_(new QLabel(this)), least_(new QLabel(this)), slider_(new QSlider(Qt::Horizontal, this)) {
     setObjectName("confidence-legend");
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    auto* content = new QWidget;
-    auto* grid = new QGridLayout(content);
+    auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(2);
@@ -50,6 +48,7 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
     grid->addWidget(title, 0, 0, 1, 3);
     words_->setObjectName("confidence-words");
     words_->setTextFormat(Qt::PlainText);
+    words_->setWordWrap(true);
     grid->addWidget(words_, 1, 0, 1, 3);
     for (std::size_t band = 0; band < kBands; ++band) {
         const int row = static_cast<int>(band) + 2;
@@ -75,7 +74,6 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
         emit leastRequested(percent);
     });
     least_->setText(tr("Shown: all"));
-    setContent(*content);
     setColours(bandColours(false));
     showRows(false);
     hide();
@@ -97,22 +95,17 @@ void ConfidenceLegend::showRows(bool on) {
     slider_->setVisible(on);
 }
 
-void ConfidenceLegend::showWorking(int done) {
-    words_->setText(tr("computing: %1 %").arg(done));
-    fitContent();
-}
+void ConfidenceLegend::showWorking(int done) { words_->setText(tr("computing: %1 %").arg(done)); }
 
 void ConfidenceLegend::showNone(const QString& why) {
     words_->setText(why);
     showRows(false);
-    fitContent();
 }
 
 void ConfidenceLegend::showMade(const ConfidencePicture& made) {
     words_->setText(tr("share of %1 nearby settings that find the edge").arg(made.confidence->settings));
     for (std::size_t band = 0; band < kBands; ++band) counts_[band]->setText(countText(made.counts[band]));
     showRows(true);
-    fitContent();
 }
 
 QString ConfidenceLegend::counted(std::size_t band) const { return counts_[band]->text(); }

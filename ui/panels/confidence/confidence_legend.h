@@ -1,8 +1,9 @@
-// The legend of edge confidence over the cloud: the number of edges per confidence band, and the limit from which edges are shown.
+// The legend of edge confidence : the number of edges per confidence band, and the limit from which edges are shown.
 #pragma once
 
-#include "ui/base/view_plate.h"
 #include "ui/panels/confidence/confidence_picture.h"
+
+#include <QWidget>
 
 class QLabel;
 class QSlider;
@@ -10,7 +11,7 @@ class QSlider;
 namespace edgescan::ui {
 
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
-class ConfidenceLegend : public ViewPlate {
+class ConfidenceLegend : public QWidget {
     Q_OBJECT
 public:
     explicit ConfidenceLegend(QWidget* parent = nullptr);

@@ -220,7 +220,7 @@ QString RockCard::text() const {
     for (const auto& [name, value] : rows_) {
         if (!name->isHidden()) lines << name->text() + ": " + value->text();
     }
-    lines << rockCaveat() << caveat_->text(); // on the screen it is the caption of the cloud
+    lines << rockCaveat() << caveat_->text();
     return lines.join('\n');
 }
 

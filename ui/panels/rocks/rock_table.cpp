@@ -213,7 +213,7 @@ void RockTable::showCount() {
     QString text = shown == all ? rockCount(static_cast<std::size_t>(all)) : tr("%1 of %2 rocks").arg(shown).arg(all);
     if (model_->picture()) {
         const std::vector<rocks::Rock>& rocks = model_->picture()->study.rocks;
-        text += tr(", %1 of them uncertain (hatched)").arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful));
+        text += tr(", %1 of them uncertain (hatched)").arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful)) + " · " + rockCaveat();
     }
     count_->setText((remark_.isEmpty() ? QString() : remark_ + " · ") + text);
     export_->setEnabled(all > 0);

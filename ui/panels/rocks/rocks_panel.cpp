@@ -128,7 +128,8 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
     if (!picture->study.settings.region.empty())
         text += tr("; %1 pieces outside the region of interest are left out")
                     .arg(rocks::regionCounts(picture->study.map, rocks::RegionKind::Outside).regions);
-    result_->setText(text + "\n" + tr("With the tool Pin, a click selects a rock and pins a target; Ctrl+click selects one more rock."));
+    result_->setText(text + "\n" + rockCaveat() + "\n" +
+                     tr("With the tool Pin, a click selects a rock and pins a target; Ctrl+click selects one more rock."));
     curve_->setText(sizeCurveText(rocks::sizeCurve(rocks, picture->study.settings.oversizeM)));
 }
 

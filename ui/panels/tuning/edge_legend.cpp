@@ -1,4 +1,4 @@
-// The legend over the cloud.
+// The legend of edges.
 #include "ui/panels/tuning/edge_legend.h"
 
 #include "core/edges/settings/method_traits.h"
@@ -6,6 +6,7 @@
 #include "core/scan/gap_filling/gap_filling.h"
 #include "ui/base/count_text.h"
 #include "ui/base/icons.h"
+#include "ui/base/tool_tips.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -22,8 +23,8 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kForGloves = 48, kArrow = 22;    // px
-constexpr int kLow = 260, kLowForGloves = 420; // px of a view: in a lower one the legend is one row
+constexpr int kForGloves = 48, kArrow = 22; // px
+constexpr int kBeforeName = 46;             // px of a row: switch, colour, gaps
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
 
@@ -50,12 +51,12 @@ QLabel* signOf(const QLabel* words) { return static_cast<QLabel*>(words->parentW
 
 } // namespace
 
-EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
+EdgeLegend::EdgeLegend(QWidget* parent) : QWidget(parent) {
     setObjectName("edge-legend");
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(8, 6, 8, 6);
-    grid->setHorizontalSpacing(16);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setColumnStretch(0, 1);
     grid->setVerticalSpacing(2);
     const Row all = addRow(*grid, tr("Edges"), "legend-edges");
     edges_ = all.box;
@@ -82,10 +83,9 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     unfold_->setChecked(true);
     unfold_->setFocusPolicy(Qt::TabFocus);
     connect(unfold_, &QToolButton::toggled, this, [this](bool open) {
-        (low_ ? openLow_ : brief_ ? openInCab_ : openAtDesk_) = open;
         showRows();
-        adjustSize();
-        if (brief_ || low_) return;
+        if (brief_) return;
+        openAtDesk_ = open;
         emit unfolded(open);
     });
     constexpr std::array kStrengthNames{"legend-strong", "legend-weak", "legend-thin"};
@@ -105,23 +105,27 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::emitClasses);
     }
     taken_ = new QLabel;
+    taken_->setWordWrap(true);
     taken_->setObjectName("legend-taken");
     taken_->hide();
     grid->addWidget(taken_, grid->rowCount(), 0, 1, 2);
     const Row byClass = addRow(*grid, tr("Colours by class"), "legend-by-class");
     byClass.count->hide(); // uses no row while the switch is hidden
     byClass_ = byClass.box;
+    grid->addWidget(byClass_, grid->rowCount() - 1, 0, 1, 2);
     byClass_->setToolTip(tr("Each class in its own colour, or all edges in one: C"));
     connect(byClass_, &QCheckBox::toggled, this, [this](bool on) {
         paintSwatches();
         if (!showing_) emit byClassRequested(on);
     });
     covered_ = new QLabel(tr("Rocks cover them in the cloud"));
+    covered_->setWordWrap(true);
     covered_->setObjectName("legend-covered");
     covered_->setToolTip(tr("Rocks > Edges over Rocks draws them over the rocks; the images show them."));
     covered_->hide();
     grid->addWidget(covered_, grid->rowCount(), 0, 1, 2);
     filled_ = new QLabel;
+    filled_->setWordWrap(true);
     filled_->setObjectName("legend-filled");
     filled_->setToolTip(tr("Striped green in the images; no beam measured these cells, and the cloud does not show them."));
     filled_->hide();
@@ -144,7 +148,8 @@ QLabel* EdgeLegend::addSign(QGridLayout& grid, const char* name) {
     auto* row = new QHBoxLayout(place);
     row->setContentsMargins(0, 0, 0, 0);
     auto* words = new QLabel;
-    row->addWidget(new QLabel);
+    words->setWordWrap(true);
+    row->addWidget(new QLabel, 0, Qt::AlignTop);
     row->addWidget(words, 1);
     place->hide();
     grid.addWidget(place, grid.rowCount(), 0, 1, 2);
@@ -157,7 +162,6 @@ void EdgeLegend::showStrengths(const std::optional<std::array<std::size_t, kEdge
     const std::array names{tr("Rock border, 70 % and more: %1"), tr("Perhaps, 30 to 69 %: %1"), tr("Fold in a rock, below 30 %: %1")};
     for (std::size_t n = 0; cells && n < kEdgeStrengths; ++n) strengths_[n]->setText(names[n].arg(countText((*cells)[n])));
     showRows();
-    adjustSize();
 }
 
 /// What else has a colour of its own in the views: hatched violet cells, a thin red line.
@@ -216,11 +220,24 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
     showRows();
     if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(countText(detection.filled->cells.size())));
     show();
-    adjustSize();
     showing_ = false;
 }
 
+/// The names of rows break into lines: a switch does not do so by itself.
+void EdgeLegend::breakNames() {
+    int counts = 0;
+    for (const Row& row : rows_) counts = std::max(counts, row.count->sizeHint().width());
+    for (std::size_t n = 0; n < rows_.size(); ++n)
+        rows_[n].box->setText(brief_ ? classLabel(n) : brokenText(classLabel(n), fontMetrics(), width() - counts - kBeforeName));
+}
+
+void EdgeLegend::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    breakNames();
+}
+
 void EdgeLegend::showRows() {
+    breakNames();
     const bool open = unfold_->isChecked();
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const QString count = rows_[n].count->text();
@@ -228,16 +245,18 @@ void EdgeLegend::showRows() {
         const bool shown = offered_[n] && open && (!brief_ || n < kOfRocks || n == kRimClass || counts);
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
-    for (QLabel* strength : strengths_) strength->parentWidget()->setVisible(byStrength_ && open && roomy_ && !brief_);
+    for (QLabel* strength : strengths_) strength->parentWidget()->setVisible(byStrength_ && open && !brief_);
     byClass_->setVisible(known_ && !brief_ && open);
-    unfold_->setVisible(known_ && (!low_ || canOpen()));
+    unfold_->setVisible(known_);
     unfold_->setArrowType(brief_ ? Qt::NoArrow : open ? Qt::DownArrow : Qt::UpArrow);
     unfold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     covered_->setVisible(isCovered_ && (open || !brief_));
-    edges_->setText(isCovered_ && brief_ && !low_ ? tr("Edges, under rocks") : tr("Edges")); // the number is that of the images
+    const QString under = tr("Edges, under rocks"); // the number is that of the images
+    const QFontMetrics letters = edges_->fontMetrics();
+    edges_->setText(isCovered_ && brief_ ? brokenText(under, letters, 2 * letters.horizontalAdvance(under) / 3) : tr("Edges"));
     filled_->setVisible(isFilled_ && (open || !brief_));
-    missing_->parentWidget()->setVisible(isMissing_ && open && roomy_);
-    ray_->parentWidget()->setVisible(open && roomy_);
+    missing_->parentWidget()->setVisible(isMissing_ && open);
+    ray_->parentWidget()->setVisible(open);
     taken_->setVisible(!taken_->text().isEmpty() && open);
 }
 
@@ -245,29 +264,6 @@ void EdgeLegend::showCovered(bool on) {
     isCovered_ = on;
     showSeen();
     showRows();
-    adjustSize();
-}
-
-/// One row because a target has no room otherwise: what the operator opened by hand in that state is open.
-void EdgeLegend::showFold() {
-    const QSignalBlocker quiet(unfold_);
-    unfold_->setChecked(low_ ? openLow_ && canOpen() : brief_ ? openInCab_ : openAtDesk_);
-}
-
-int EdgeLegend::leastOpen() const { return brief_ ? kLowForGloves : kLow; }
-
-bool EdgeLegend::canOpen() const { return parentWidget() != nullptr && parentWidget()->height() >= leastOpen(); }
-
-void EdgeLegend::fitInto(int height) {
-    constexpr int kForOthers = 140;                                   // px
-    const bool low = height < leastOpen() || (isCovered_ && !brief_); // the classes of edges that rocks cover are in the images only
-    const bool roomy = height >= leastOpen() + kForOthers;
-    if (low == low_ && roomy == roomy_) return;
-    low_ = low;
-    roomy_ = roomy;
-    showFold();
-    showRows();
-    adjustSize();
 }
 
 /// In a cab the row with the button is the lowest, and begins with it: it stays under the finger while rows and words come and go.
@@ -287,15 +283,16 @@ void EdgeLegend::placeHead() {
 
 void EdgeLegend::setBrief(bool on) {
     brief_ = on;
-    openInCab_ = false;
-    showFold();
+    {
+        const QSignalBlocker quiet(unfold_);
+        unfold_->setChecked(!on && openAtDesk_);
+    }
     const int side = on ? kForGloves : kArrow;
     unfold_->setFixedSize(side, side);
     unfold_->setAutoRaise(!on);
     placeHead();
     paintSwatches();
     showRows();
-    adjustSize();
 }
 
 void EdgeLegend::showColours(const EdgeColours& colours) {

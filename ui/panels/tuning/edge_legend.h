@@ -1,9 +1,10 @@
-// The legend over the cloud: the colour and count of each class. Each row is a switch of its class.
+// The legend of edges: the colour and count of each class. Each row is a switch of its class.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
-#include "ui/base/view_plate.h"
 #include "ui/views/cloud/edge_cells.h"
+
+#include <QWidget>
 
 #include <array>
 #include <optional>
@@ -17,7 +18,7 @@ class QToolButton;
 namespace edgescan::ui {
 
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
-class EdgeLegend : public ViewPlate {
+class EdgeLegend : public QWidget {
     Q_OBJECT
 public:
     explicit EdgeLegend(QWidget* parent = nullptr);
@@ -33,8 +34,6 @@ public:
     /// In a cab: one row, the switch of edges. Its button opens the classes of rocks, the rims of open voids and other classes that have
     /// edges.
     void setBrief(bool on);
-    /// Px of the view under it: in a low one only the row of all edges is shown.
-    void fitInto(int height) override;
     [[nodiscard]] QCheckBox* edges() const { return edges_; }
     [[nodiscard]] QToolButton* unfold() const { return unfold_; }
     [[nodiscard]] QCheckBox* byClass() const { return byClass_; }
@@ -51,6 +50,9 @@ signals:
     /// Its button was pressed, not in a cab.
     void unfolded(bool open);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     struct Row {
         QCheckBox* box = nullptr;
@@ -58,10 +60,8 @@ private:
     };
     [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
     void showRows();
+    void breakNames();
     void showSeen();
-    void showFold();
-    [[nodiscard]] int leastOpen() const; ///< px of a view's height
-    [[nodiscard]] bool canOpen() const;
     void placeHead();
     void paintSwatches();
     [[nodiscard]] QLabel* addSign(QGridLayout& grid, const char* name);
@@ -81,8 +81,8 @@ private:
     EdgeColours colours_ = kUsualColours;
     std::array<bool, kEdgeClasses> offered_{}; // the classes of the method
     bool known_ = false;                       // the counts of the classes are known
-    bool brief_ = false, low_ = false, roomy_ = true;
-    bool openAtDesk_ = true, openInCab_ = false, openLow_ = false; // what the operator left, with room and in one row
+    bool brief_ = false;
+    bool openAtDesk_ = true; // what the operator left
     bool areOn_ = true, isCovered_ = false, isFilled_ = false, isMissing_ = false, byStrength_ = false;
     QLabel* covered_ = nullptr;
     QToolButton* unfold_ = nullptr; // on: the rows are shown

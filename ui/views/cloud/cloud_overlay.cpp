@@ -36,7 +36,7 @@ void CloudOverlay::setMarks(const OverlayMarks& marks) {
 }
 
 QRect CloudOverlay::covered(const OverlayMarks& marks) const {
-    const bool words = !marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.caption.isEmpty() || marks.frame.colour.isValid();
+    const bool words = !marks.centreText.isEmpty() || !marks.note.isEmpty() || marks.frame.colour.isValid();
     if (words || !marks.marks.empty() || !marks.dragged.isEmpty() || marks.way) return rect();
     const double reach = kRing + 4.0;
     QRectF area;
@@ -73,8 +73,6 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
     // A plate that moved uncovers only its old place: the tags that avoid it are somewhere else.
     auto plates = platesOver();
     if (std::exchange(plates_, std::move(plates)) != plates_ && !marks_.marks.empty()) update();
-    std::vector<QRectF> texts;
-    for (const QRect& label : labels_) texts.emplace_back(label);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
@@ -89,7 +87,7 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         painter.setBrush(Qt::white);
         painter.drawEllipse(*marks_.ring, 2.0, 2.0);
     }
-    tags_ = drawScreenMarks(painter, rect(), marks_.marks, plates_, texts);
+    tags_ = drawScreenMarks(painter, rect(), marks_.marks, plates_, {QRectF(label_)});
     painter.setBrush(Qt::NoBrush);
     if (!marks_.dragged.isEmpty())
         strokeTwice(painter, QPen(QColor(0, 0, 0, 170), 3.0), QPen(Qt::white, 1.0, Qt::DashLine),
@@ -103,11 +101,10 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         painter.setBrush(Qt::NoBrush);
     }
     drawPictureFrame(painter, rect(), marks_.frame);
-    const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3 + marks_.topTaken, -kLabelMargin - 6, -kLabelMargin - 3);
-    const auto* cube = parentWidget()->findChild<QWidget*>("view-cube", Qt::FindDirectChildrenOnly);
-    const auto labels = drawLabels(painter, inner, marks_.note, marks_.caption, marks_.captionRoom,
-                                   cube != nullptr && cube->isVisible() ? cube->geometry() : QRect());
-    if (std::exchange(labels_, labels) != labels && !marks_.marks.empty()) update(); // the tags avoid them
+    const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3, -kLabelMargin - 6, -kLabelMargin - 3);
+    const int taken = plates_.empty() ? 0 : width() - static_cast<int>(plates_.front().left()); // by the picture in the corner
+    const QRect label = drawLabel(painter, inner.adjusted(0, 0, -taken, 0), Qt::AlignLeft | Qt::AlignTop, marks_.note);
+    if (std::exchange(label_, label) != label && !marks_.marks.empty()) update(); // the tags avoid it
     if (marks_.tipAt && !marks_.tip.isEmpty()) drawTipAt(painter, rect(), marks_.tipAt->toPoint(), marks_.tip);
     if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);
 }

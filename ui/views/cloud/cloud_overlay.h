@@ -10,7 +10,6 @@
 #include <QString>
 #include <QWidget>
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,17 +24,14 @@ struct OverlayMarks {
     QString note;                 ///< top left
     QString tip;                  ///< next to a point ...
     std::optional<QPointF> tipAt; ///< ... if it is in view
-    QString caption;              ///< top right ...
-    int captionRoom = 0;          ///< ... at this distance from the right edge, pixels, because another widget is in the corner
-    int topTaken = 0;             ///< height of the bar that covers the top of the view, pixels: texts are below it
     PictureFrame frame;           ///< of a picture that does not follow the scanner
     ScreenMarks marks;            ///< targets and measurements
     QPolygonF dragged;            ///< outline of the selection that the operator is drawing
 
     bool operator==(const OverlayMarks&) const = default;
     [[nodiscard]] bool empty() const {
-        return !ring && !ray && !way && !tipAt && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && !frame.colour.isValid() &&
-               marks.empty() && dragged.isEmpty();
+        return !ring && !ray && !way && !tipAt && centreText.isEmpty() && note.isEmpty() && !frame.colour.isValid() && marks.empty() &&
+               dragged.isEmpty();
     }
 };
 
@@ -49,10 +45,10 @@ public:
     [[nodiscard]] const std::vector<MarkTag>& tags() const { return tags_; }
     /// At the rim of the view or of a plate there, towards the chosen point outside of it.
     [[nodiscard]] std::optional<QLineF> arrow() const;
-    /// Legends, scale and cube: what else is over the view now.
+    /// The picture in the corner of a cab: what else is over the view now.
     [[nodiscard]] std::vector<QRectF> platesOver() const;
-    /// Note and caption, where they were drawn last.
-    [[nodiscard]] const std::array<QRect, 2>& labels() const { return labels_; }
+    /// The note, where it was drawn last.
+    [[nodiscard]] const QRect& label() const { return label_; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -63,7 +59,7 @@ private:
     OverlayMarks marks_;
     std::vector<QRectF> plates_;
     std::vector<MarkTag> tags_;
-    std::array<QRect, 2> labels_;
+    QRect label_;
 };
 
 } // namespace edgescan::ui

@@ -25,7 +25,6 @@ constexpr int kGrowingRestMs = 800;         // a growing cloud is drawn in full 
 constexpr double kFocusShare = 0.03;        // radius of the focal sphere / half height of the view
 constexpr double kLargestPoint = 12.0;      // px
 constexpr double kFactorPerStep = 1.25;     // of a point size that follows the spacing
-constexpr int kNarrowView = 460;            // px
 const QColor kCloudDimmed(121, 121, 121);   // dark enough to see edges in front of it
 const QColor kCloudBright(230, 230, 230);
 
@@ -140,18 +139,6 @@ void CloudView::setOutline(std::shared_ptr<const CellIndices> cells) {
 void CloudView::setTip(const QString& text) {
     if (text == tip_) return;
     tip_ = text;
-    updateOverlay();
-}
-
-void CloudView::setCaption(const QString& text) {
-    if (text == caption_) return;
-    caption_ = text;
-    updateOverlay();
-}
-
-void CloudView::setCaptionMargin(int pixels) {
-    if (pixels == captionRoom_) return;
-    captionRoom_ = pixels;
     updateOverlay();
 }
 
@@ -290,10 +277,6 @@ void CloudView::setDrawn(const QPolygonF& line) {
     updateOverlay();
 }
 
-void CloudView::setTopTaken(int pixels) {
-    if (std::exchange(topTaken_, pixels) != pixels) updateOverlay();
-}
-
 void CloudView::setPictureFrame(const PictureFrame& frame) {
     if (std::exchange(pictureFrame_, frame) != frame) updateOverlay();
 }
@@ -308,12 +291,8 @@ void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
 
 void CloudView::updateOverlay() {
     OverlayMarks marks;
-    marks.topTaken = topTaken_;
     marks.frame = pictureFrame_;
     marks.tip = tip_;
-    // A narrow view has the first words of it: "44 rocks, candidate".
-    marks.caption = width() < kNarrowView ? caption_.section(" - ", 0, 0) : caption_;
-    marks.captionRoom = captionRoom_;
     if (!cloud_) {
         marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;
     } else if (cloud_->validCount == 0 && whole_->validCount > 0) {

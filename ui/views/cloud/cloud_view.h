@@ -107,19 +107,12 @@ public:
     [[nodiscard]] std::optional<std::uint32_t> markedCell() const { return marked_; }
     /// Text over the picture: "no scan open" ... Empty = the view's own text ("no scan open", "no point to show").
     void setNote(const QString& note);
-    /// Texts are drawn below the upper `pixels`, which another widget covers.
-    void setTopTaken(int pixels);
     /// What a tool draws, widget pixels; empty: nothing.
     void setDrawn(const QPolygonF& line);
     void setPictureFrame(const PictureFrame& frame);
     /// A short text next to the marked cell. Empty = no text.
     void setTip(const QString& text);
     [[nodiscard]] const QString& tip() const { return tip_; }
-    /// Text in the upper right corner about the whole picture. Empty = no text.
-    void setCaption(const QString& text);
-    [[nodiscard]] const QString& caption() const { return caption_; }
-    /// Width of a widget in that corner, pixels from the right edge; 0: the corner is free.
-    void setCaptionMargin(int pixels);
     [[nodiscard]] const PictureFrame& pictureFrame() const { return pictureFrame_; }
     /// Replaces targets and measurements.
     void setMarks(CellMarks marks);
@@ -182,11 +175,9 @@ public slots:
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
     /// Looks from the scanner's side at these cells and some of their surroundings. A few cells at the rim may be outside the view.
     void lookAtCells(const CellIndices& cells);
-    /// The part of the view in which cells are shown when it goes to them: no plate, text or notice covers it.
-    [[nodiscard]] QRect freeArea() const;
     /// True of pixels that are in the view and that nothing is over now.
     [[nodiscard]] std::function<bool(QPointF)> freePixels() const;
-    /// Keeps direction and distance; the point becomes the focus, in the middle of the free area.
+    /// Keeps direction and distance; the point becomes the focus.
     void centreOn(const Eigen::Vector3d& point);
     void zoomToCells(const edgescan::ui::CloudView::CellIndices& cells);
     void flyTo(qint64 cell); ///< looks at the point from nearby; it becomes the centre of rotation
@@ -265,15 +256,7 @@ private:
     void updateOverlay();
     void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up);
     void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up, const Box3f& all);
-    /// What has to fit the whole view so that `box` fits the free area, and its aspect.
-    struct FreeBox {
-        Box3f box;
-        double aspect = 1.0;
-    };
-    [[nodiscard]] FreeBox intoFreeArea(const Box3f& box) const;
     [[nodiscard]] std::optional<QPointF> pixelIn(const ScreenView& view, const Eigen::Vector3f& point) const;
-    /// The focus is in the middle of the free area.
-    [[nodiscard]] CameraPose besidePlates(const CameraPose& pose) const;
     void drag(QPointF at);
     void selectTo(QPointF at);
     void showParts();
@@ -331,9 +314,8 @@ private:
     QColor background_{48, 48, 48};
     EdgeColours edgeColours_ = kUsualColours;
     MousePreset mousePreset_ = MousePreset::Default;
-    QString note_, tip_, caption_;
+    QString note_, tip_;
     PictureFrame pictureFrame_;
-    int captionRoom_ = 0, topTaken_ = 0;
 
     DragAction drag_ = DragAction::None;
     Press press_;

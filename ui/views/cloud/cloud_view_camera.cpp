@@ -48,25 +48,9 @@ CloudGeometry CloudView::extent() const {
 
 void CloudView::look(const Vector3d& forward, const Vector3d& up) { look(forward, up, extent().mainBounds); }
 
-/// Into the whole view; if plates cover too much of the cloud then, into the part of the view between them.
 void CloudView::look(const Vector3d& forward, const Vector3d& up, const Box3f& all) {
-    constexpr double kMostCovered = 0.07; // share of the cloud's area in the picture
-    constexpr int kPatch = 16;            // px
     if (!cloud_ || all.isEmpty()) return;
-    const CameraPose before = pose_;
-    pose_ = lookingAt(all, forward, up, before, aspect());
-    const auto isFree = freePixels();
-    std::set<std::pair<int, int>> seen, covered;
-    for (const Sample& each : samples()) {
-        if (!each.pixel || !QRectF(rect()).contains(*each.pixel)) continue;
-        const QPoint patch = each.pixel->toPoint() / kPatch;
-        seen.emplace(patch.x(), patch.y());
-        if (!isFree(*each.pixel)) covered.emplace(patch.x(), patch.y());
-    }
-    if (static_cast<double>(covered.size()) > kMostCovered * static_cast<double>(seen.size())) {
-        const FreeBox into = intoFreeArea(all);
-        pose_ = besidePlates(lookingAt(into.box, forward, up, before, into.aspect));
-    }
+    pose_ = lookingAt(all, forward, up, pose_, aspect());
     asked_ = forward;
     centre_ = pose_.focus;
     applyCamera();
@@ -152,10 +136,8 @@ void CloudView::zoomToCells(const CellIndices& cells) {
     }
     if (box.isEmpty()) return;
     box.extend(box.center() + Eigen::Vector3f::Constant(0.05F)); // a single point would have a box without size
-    const FreeBox fits = intoFreeArea(box);
-    pose_ = lookingAt(fits.box, pose_.forward(), pose_.up, pose_, fits.aspect);
+    pose_ = lookingAt(box, pose_.forward(), pose_.up, pose_, aspect());
     centre_ = pose_.focus;
-    pose_ = besidePlates(pose_);
     applyCamera();
 }
 

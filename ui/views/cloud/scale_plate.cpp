@@ -6,9 +6,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/views/cloud/cloud_view.h"
 
-#include <QAbstractButton>
 #include <QEvent>
-#include <QLayout>
 #include <QPainter>
 
 #include <algorithm>
@@ -19,122 +17,42 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kMostBar = 110.0; // px
-constexpr int kBarLeft = 12, kColours = 50;
-constexpr QSize kPlain(204, 64), kSmall(134, 46); // without axes and grid
+constexpr double kMostBar = 84.0; // px
+constexpr int kColours = 50;
+constexpr QSize kPlain(168, 64), kBrief(134, 46); // px; brief: without axes and grid
 constexpr double kAxis = 15.0;                    // px
 constexpr int kLetters = 12;                      // px, for the usual font height of the window ...
 constexpr double kUsualLetters = 17.0;            // ... which is this many px
-constexpr int kFromRim = 8;                       // px
-constexpr QSize kLeastView(300, 240);
-constexpr int kSmallView = 460; // px of width
 const QColor kInk(0xe8, 0xe8, 0xe8), kLessInk(0xb3, 0xb8, 0xbe);
 const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9, 0x62), QColor(0x6c, 0xb2, 0xff)};
 
 } // namespace
 
-ScalePlate::ScalePlate(CloudView* cloud) : ViewPlate(cloud), cloud_(cloud) {
+ScalePlate::ScalePlate(CloudView* cloud) : cloud_(cloud) {
     setObjectName("scale-plate");
     setToolTip(tr("The bar has this length at the median distance of the points in view. The distance counts from the scanner."));
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     connect(cloud, &CloudView::frameDrawn, this, &ScalePlate::follow);
     cloud->installEventFilter(this);
-    for (QObject* child : cloud->children()) watch(child);
     hide();
 }
 
 bool ScalePlate::eventFilter(QObject* watched, QEvent* event) {
-    const auto type = event->type();
-    if (watched == cloud_ && type == QEvent::Resize) place();
-    // A plate that was made as a child has its type when it is polished, another one when it is added.
-    if (watched == cloud_ && (type == QEvent::ChildAdded || type == QEvent::ChildPolished))
-        watch(static_cast<QChildEvent*>(event)->child());
-    // A legend that unfolds draws no frame. Queued: the layout moves several of them.
-    const bool moves = type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide;
-    if (watched != cloud_ && moves) QMetaObject::invokeMethod(this, &ScalePlate::place, Qt::QueuedConnection);
-    return ViewPlate::eventFilter(watched, event);
+    if (event->type() == QEvent::HideToParent) hide(); // a frame shows it
+    return QWidget::eventFilter(watched, event);
 }
 
-/// The plates and buttons that it keeps off.
-void ScalePlate::watch(QObject* child) {
-    const bool isPlate = qobject_cast<ViewPlate*>(child) != nullptr || qobject_cast<QAbstractButton*>(child) != nullptr;
-    if (isPlate && child != this) child->installEventFilter(this); // a second installation changes nothing
+void ScalePlate::setBrief(bool on) {
+    brief_ = on;
+    updateGeometry();
 }
 
 bool ScalePlate::coloured() const { return colours_.points && cloud_->pointColours() == colours_.points; }
 
-void ScalePlate::place() {
-    const auto& cloud = cloud_->geometryOfCloud();
-    isSmall_ = cloud_->width() < kSmallView;
-    const bool crowded = isSmall_ && !(cloud_->caption().isEmpty() && keptFree_.isEmpty()); // most of a small view is for the rocks
-    const bool some =
-        cloud && cloud->validCount > 0 && cloud_->width() >= kLeastView.width() && cloud_->height() >= kLeastView.height() && !crowded;
-    const auto covers = [this](const std::vector<QRect>& places) {
-        return std::ranges::any_of(places, [this](const QRect& each) { return each.intersects(geometry()); });
-    };
-    const bool inCorner =
-        geometry().bottom() >= cloud_->height() - kFromRim - 1 && (x() == kFromRim || geometry().right() >= cloud_->width() - kFromRim - 1);
-    const bool away = !inCorner && keptFree_.isEmpty() && rings_.empty();         // of no target
-    const bool sameView = std::exchange(view_, cloud_->size()) == cloud_->size(); // each time, or a view that grows and shrinks is the same
-    const bool stays = some && sameView && !away && isVisible() && size() == sizeHint() && !covers(taken());
-    resize(sizeHint());
-    auto at = !some ? std::nullopt : stays ? std::optional(pos()) : freePlace(rings_);
-    if (some && !at) at = freePlace({});
-    if (at) move(*at);
-    if (std::exchange(seeThrough_, at && covers(rings_)) != seeThrough_) update();
-    setVisible(at.has_value());
-}
-
-std::vector<QRect> ScalePlate::taken() const {
-    std::vector<QRect> places;
-    for (const ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
-        if (other != this && other->isVisible()) places.push_back(other->geometry());
-    }
-    for (const auto* button : cloud_->findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly)) { // the picture of a cab
-        if (button->isVisible()) places.push_back(button->geometry());
-    }
-    if (!keptFree_.isEmpty() && cloud_->atRest()) places.push_back(keptFree_);
-    return places;
-}
-
-void ScalePlate::keepOff(const QRect& pinned, std::vector<QRect> rings) {
-    keptFree_ = pinned;
-    rings_ = std::move(rings);
-    this->place(); // also without another place to keep free: a legend may have moved
-}
-
-/// In the corner opposite to the legends, else as near to it as it can be: at the foot of the view, or above targets or legends at its
-/// sides; empty: each place would cover something.
-std::optional<QPoint> ScalePlate::freePlace(const std::vector<QRect>& rings) const {
-    std::vector<QRect> taken = this->taken();
-    taken.insert(taken.end(), rings.begin(), rings.end());
-    bool legendsAtRight = false;
-    for (ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
-        const bool isLegend = other->isVisible() && cloud_->layout() != nullptr && cloud_->layout()->indexOf(other) >= 0;
-        legendsAtRight = legendsAtRight || (isLegend && other->geometry().center().x() > cloud_->width() / 2);
-    }
-    const int left = kFromRim, right = cloud_->width() - kFromRim - width(), bottom = cloud_->height() - kFromRim - height();
-    const QPoint corner(legendsAtRight ? left : right, bottom);
-    std::vector<QPoint> places{corner, {left + right - corner.x(), bottom}};
-    for (const QRect& other : taken) {
-        for (const int x : {left, right}) places.emplace_back(x, other.top() - kFromRim - height());
-        for (const int x : {other.left() - kFromRim - width(), other.right() + kFromRim}) places.emplace_back(x, bottom);
-    }
-    const QRect all(QPoint(left, kFromRim), QPoint(right, bottom)); // of its top left
-    std::erase_if(places, [&](const QPoint& each) { return !all.contains(each); });
-    std::ranges::stable_sort(places, {}, [&](const QPoint& each) { return (each - corner).manhattanLength(); });
-    const auto isFree = [&](const QPoint& each) {
-        return std::ranges::none_of(taken, [place = QRect(each, size())](const QRect& other) { return other.intersects(place); });
-    };
-    const auto free = std::ranges::find_if(places, isFree);
-    return free == places.end() ? std::nullopt : std::optional(*free);
-}
-
 void ScalePlate::follow() {
-    coloured_ = coloured();
-    place();
+    if (std::exchange(coloured_, coloured()) != coloured_) updateGeometry();
+    setVisible(cloud_->geometryOfCloud() && cloud_->geometryOfCloud()->validCount > 0 && cloud_->isVisible());
     if (!cloud_->geometryOfCloud()) return;
-    // Hidden too: place() may show it before the next frame.
     const double step = cloud_->groundStepM();
     const QString ground = step > 0.0 ? tr("grid %1").arg(shortLength(step)) : QString();
     if (ground != groundText_) update();
@@ -188,13 +106,15 @@ double ScalePlate::medianDepth() const {
 void ScalePlate::showColours(const CloudColours& colours) {
     colours_ = colours;
     coloured_ = coloured();
-    place();
+    updateGeometry();
     update();
 }
 
 double ScalePlate::unit() const { return std::max(1.0, fontMetrics().height() / kUsualLetters); }
 
-QSize ScalePlate::plain() const { return isSmall_ ? kSmall : kPlain; }
+QSize ScalePlate::plain() const { return brief_ ? kBrief : kPlain; }
+
+double ScalePlate::across() const { return width() / unit(); }
 
 QSize ScalePlate::sizeHint() const { return (plain() + QSize(0, coloured_ ? kColours : 0)) * unit(); }
 
@@ -227,34 +147,33 @@ std::vector<std::pair<double, QString>> ScalePlate::scaleTicks() const {
     return ticks;
 }
 
-void ScalePlate::paintEvent(QPaintEvent* event) {
-    if (!seeThrough_) ViewPlate::paintEvent(event);
+void ScalePlate::paintEvent(QPaintEvent* /*event*/) {
+    if (across() < kMostBar + 20) return; // a strip without room for it
     QPainter painter(this);
-    if (seeThrough_) painter.fillRect(rect(), QColor(0x1b, 0x1d, 0x1f, 120)); // the ring below it and its own text are both seen
     painter.setRenderHint(QPainter::Antialiasing);
     painter.scale(unit(), unit()); // scales with the font of the window
     QFont letters = painter.font();
     letters.setPixelSize(kLetters);
     painter.setFont(letters);
     drawBar(painter);
-    if (!isSmall_) drawAxes(painter);
+    if (!brief_) drawAxes(painter);
     if (coloured_) drawColours(painter);
 }
 
 void ScalePlate::drawBar(QPainter& painter) const {
     painter.setPen(kInk);
-    painter.drawText(QRectF(kBarLeft, 6, kMostBar + 10, 20), Qt::AlignLeft | Qt::AlignVCenter, barText_);
+    painter.drawText(QRectF(0, 6, kMostBar + 20, 20), Qt::AlignLeft | Qt::AlignVCenter, barText_);
     painter.setPen(QPen(kInk, 2.0));
-    const double y = 38, right = kBarLeft + barPixels_ / unit();
-    painter.drawLine(QPointF(kBarLeft, y), QPointF(right, y));
-    for (const double x : {static_cast<double>(kBarLeft), right}) painter.drawLine(QPointF(x, y - 6), QPointF(x, y));
-    if (isSmall_) return;
+    const double y = 38, right = barPixels_ / unit() + 1;
+    painter.drawLine(QPointF(1, y), QPointF(right, y));
+    for (const double x : {1.0, right}) painter.drawLine(QPointF(x, y - 6), QPointF(x, y));
+    if (brief_) return;
     painter.setPen(kLessInk);
-    painter.drawText(QRectF(kBarLeft, 44, kMostBar, 18), Qt::AlignLeft | Qt::AlignVCenter, groundText_);
+    painter.drawText(QRectF(0, 44, kMostBar, 18), Qt::AlignLeft | Qt::AlignVCenter, groundText_);
 }
 
 void ScalePlate::drawAxes(QPainter& painter) const {
-    const QPointF middle(kPlain.width() - 38, 34);
+    const QPointF middle(across() - 34, 34);
     for (std::size_t n = 0; n < axes_.size(); ++n) {
         const QPointF way(axes_[n].x(), -axes_[n].y());
         painter.setPen(QPen(kAxisInk[n], 2.0));
@@ -268,9 +187,9 @@ void ScalePlate::drawAxes(QPainter& painter) const {
 }
 
 void ScalePlate::drawColours(QPainter& painter) const {
-    const QRectF bar(kBarLeft, plain().height() + 14, plain().width() - 2 * kBarLeft, 10);
+    const QRectF bar(0, plain().height() + 14, across(), 10);
     painter.setPen(kLessInk);
-    painter.drawText(QRectF(kBarLeft, plain().height() - 6, bar.width(), 18), Qt::AlignLeft | Qt::AlignVCenter, scaleTitle());
+    painter.drawText(QRectF(0, plain().height() - 6, bar.width(), 18), Qt::AlignLeft | Qt::AlignVCenter, scaleTitle());
     for (int x = 0; x < static_cast<int>(bar.width()); ++x)
         painter.fillRect(QRectF(bar.left() + x, bar.top(), 1.0, bar.height()), QColor(colourAt(x / (bar.width() - 1.0))));
     painter.setPen(kInk);
@@ -278,7 +197,7 @@ void ScalePlate::drawColours(QPainter& painter) const {
     double free = 0.0; // x from which the line is free of text
     for (const auto& [share, text] : scaleTicks()) {
         const double x = bar.left() + share * bar.width(), wide = letters.horizontalAdvance(text);
-        const double left = std::clamp(x - wide / 2, static_cast<double>(kBarLeft), bar.right() - wide);
+        const double left = std::clamp(x - wide / 2, 0.0, bar.right() - wide);
         painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + 3));
         if (left < free) continue;
         painter.drawText(QRectF(left, bar.bottom() + 2, wide + 1, 16), Qt::AlignLeft | Qt::AlignVCenter, text);

@@ -1,16 +1,14 @@
-// The plate in the lower right corner of the cloud: a scale bar, the directions of the axes, and the colour scale of the points.
+// A scale bar of the cloud, the directions of its axes, and the colour scale of its points.
 #pragma once
 
-#include "ui/base/view_plate.h"
 #include "ui/views/cloud/camera_motion.h"
 #include "ui/views/cloud/cloud_colours.h"
 #include "ui/views/cloud/ground_grid.h"
 
 #include <Eigen/Core>
 
-#include <QPoint>
-#include <QRect>
 #include <QSize>
+#include <QWidget>
 
 #include <array>
 #include <optional>
@@ -20,17 +18,14 @@ namespace edgescan::ui {
 
 class CloudView;
 
-/// GUI thread only. Follows the camera of the view under it, in the corner opposite to the legends. It passes the mouse through. In a
-/// small view it has the bar alone, in one that is too small it is hidden.
-class ScalePlate : public ViewPlate {
+/// GUI thread only. Follows the camera of the view; hidden while the view is, or has no point.
+class ScalePlate : public QWidget {
     Q_OBJECT
 public:
     explicit ScalePlate(CloudView* cloud);
 
-    /// Parts of the view that it must not cover: the pinned target with its label, or null, and the rings of the other targets. It stays
-    /// where it is until a plate or, while the view is at rest, the pinned target is there. Over a ring it is see-through.
-    void keepOff(const QRect& pinned, std::vector<QRect> rings);
-    [[nodiscard]] bool isSeeThrough() const { return seeThrough_; }
+    /// On: without axes and grid, for a cab.
+    void setBrief(bool on);
     /// The colours of the cloud on the screen; ColourBy::Nothing: no colour scale.
     void showColours(const CloudColours& colours);
     /// "1 m at 4.9 m", the median distance of the points in view, and the length of the bar in pixels.
@@ -43,8 +38,8 @@ public:
     [[nodiscard]] QString scaleTitle() const;
     [[nodiscard]] std::vector<std::pair<double, QString>> scaleTicks() const;
 
-    [[nodiscard]] bool isSmall() const { return isSmall_; }
     [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {0, sizeHint().height()}; } // drawn whole or not at all
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -60,21 +55,12 @@ private:
         bool operator==(const Seen&) const = default;
     };
     void follow();
-    void place();
-    /// Places of the other plates and of the pinned target.
-    [[nodiscard]] std::vector<QRect> taken() const;
-    [[nodiscard]] std::optional<QPoint> freePlace(const std::vector<QRect>& rings) const;
-    bool isSmall_ = false;
-    QSize view_; // in which it found its place
-    QRect keptFree_;
-    std::vector<QRect> rings_;
-    bool seeThrough_ = false;          // it covers a ring
     [[nodiscard]] double unit() const; // 1; larger with a larger font
     [[nodiscard]] QString barWords(const QString& length, double depth) const;
     [[nodiscard]] double medianDepth() const;
-    void watch(QObject* child);
     [[nodiscard]] bool coloured() const;
-    [[nodiscard]] QSize plain() const; // without the colours, in units
+    [[nodiscard]] QSize plain() const;   // without the colours, in units
+    [[nodiscard]] double across() const; // the width in units
     void drawBar(QPainter& painter) const;
     void drawAxes(QPainter& painter) const;
     void drawColours(QPainter& painter) const;
@@ -90,6 +76,7 @@ private:
     double depth_ = 1.0; // metres, median of the points in view
     CloudColours colours_;
     bool coloured_ = false; // the points have these colours at present
+    bool brief_ = false;
 };
 
 } // namespace edgescan::ui

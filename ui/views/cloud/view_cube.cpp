@@ -14,11 +14,8 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kSide = 92;      // px of the widget
-constexpr double kHalf = 25.0; // px: half an edge of the cube
-constexpr int kFromTop = 40;   // px: below notes of the view
-constexpr int kFromRight = 8;  // px
-constexpr QSize kLeastCubeView(460, 340);
+constexpr int kSide = 92;                 // px of the widget
+constexpr double kHalf = 25.0;            // px: half an edge of the cube
 constexpr double kLeastTowardsEye = 0.05; // faces seen more edge-on have no area to click
 
 /// A face: its outward direction and one of its edges, along right, forward and up of the cloud.
@@ -44,12 +41,12 @@ const std::array<CubeFace, 6>& cubeFaces() {
 
 } // namespace
 
-ViewCube::ViewCube(CloudView* cloud) : QWidget(cloud), cloud_(cloud) {
+ViewCube::ViewCube(CloudView* cloud) : cloud_(cloud) {
     setObjectName("view-cube");
     setMouseTracking(true);
     setCursor(Qt::PointingHandCursor);
     setToolTip(tr("Click a face: look at the cloud from there") + "\n" + tr("Without a pose, up is the scanner's z"));
-    resize(kSide, kSide);
+    setFixedSize(kSide, kSide);
     connect(cloud, &CloudView::frameDrawn, this, &ViewCube::follow);
     cloud->installEventFilter(this);
     hide();
@@ -57,29 +54,23 @@ ViewCube::ViewCube(CloudView* cloud) : QWidget(cloud), cloud_(cloud) {
 
 void ViewCube::setWanted(bool on) {
     wanted_ = on;
-    place();
+    follow();
 }
 
 void ViewCube::setForGloves(bool on) {
     forGloves_ = on;
-    place();
+    follow();
 }
 
 bool ViewCube::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == cloud_ && event->type() == QEvent::Resize) place();
+    if (event->type() == QEvent::HideToParent) hide(); // a frame shows it
     return QWidget::eventFilter(watched, event);
 }
 
-void ViewCube::place() {
-    const auto& cloud = cloud_->geometryOfCloud();
-    setVisible(wanted_ && !forGloves_ && cloud && cloud->validCount > 0 && cloud_->width() >= kLeastCubeView.width() &&
-               cloud_->height() >= kLeastCubeView.height());
-    move(cloud_->width() - kFromRight - width(), kFromTop);
-}
-
 void ViewCube::follow() {
-    place();
-    if (!isVisible()) return;
+    const auto& cloud = cloud_->geometryOfCloud();
+    setVisible(wanted_ && !forGloves_ && cloud && cloud->validCount > 0 && cloud_->isVisible());
+    if (isHidden()) return;
     const CameraPose pose = cloud_->camera();
     const ViewFrame& axes = cloud_->axes();
     const auto inCloud = [&axes](const Eigen::Vector3d& way) {
@@ -127,7 +118,7 @@ void ViewCube::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(letters);
     for (const Seen& each : seen_) {
         const int light = static_cast<int>(56 + 60 * each.towardsEye);
-        painter.setPen(QPen(QColor(0x63, 0x68, 0x6e), 1.0)); // as the rim of a plate
+        painter.setPen(QPen(QColor(0x63, 0x68, 0x6e), 1.0));
         painter.setBrush(under_ == each.face ? QColor(0x1f, 0x4f, 0x80) : QColor(light, light, light));
         painter.drawPolygon(each.corners);
         if (each.towardsEye < 0.4) continue; // too narrow for letters

@@ -1,4 +1,4 @@
-// The cube in the upper right corner of the cloud: it turns with the camera, and a click on a face looks at the cloud from there.
+// The cube of directions: it turns with the camera, and a click on a face looks at the cloud from there.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ namespace edgescan::ui {
 
 class CloudView;
 
-/// GUI thread only. In a view that is too small it is hidden.
+/// GUI thread only. Hidden while the view is, or has no point.
 class ViewCube : public QWidget {
     Q_OBJECT
 public:
@@ -22,7 +22,7 @@ public:
     enum class Face { Front, Back, Left, Right, Top, Bottom };
     /// Where a face is seen; empty: it points away.
     [[nodiscard]] std::optional<QPointF> middleOf(Face face) const;
-    /// Off: hidden whatever the size of the view.
+    /// Off: hidden.
     void setWanted(bool on);
     /// Its faces are too small for gloves: hidden.
     void setForGloves(bool on);
@@ -42,7 +42,6 @@ private:
         double towardsEye = 0.0; ///< 0 .. 1
     };
     void follow();
-    void place();
     [[nodiscard]] std::optional<Face> at(QPointF pixel) const;
 
     CloudView* cloud_;

@@ -1,0 +1,33 @@
+// The column at the right of the views: directions, scale and legends, which would cover the pictures. In a cab it is a strip below them.
+#pragma once
+
+#include <QScrollArea>
+
+class QBoxLayout;
+
+namespace edgescan::ui {
+
+/// GUI thread only. Its width depends on the font only: no view moves when a legend comes or goes.
+class SideColumn : public QScrollArea {
+public:
+    explicit SideColumn(QWidget* parent = nullptr);
+
+    /// Below the others.
+    void add(QWidget& part);
+    /// On: a strip, as high as what it shows.
+    void setStrip(bool on);
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void keepWidth();
+
+    QBoxLayout* rows_;
+    bool strip_ = false;
+};
+
+} // namespace edgescan::ui
