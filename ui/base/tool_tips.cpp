@@ -1,6 +1,7 @@
 // Breaks the lines of tool tips.
 #include "ui/base/tool_tips.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QFontMetrics>
 #include <QHelpEvent>
@@ -47,6 +48,12 @@ QString brokenText(const QString& text, const QFontMetrics& letters, int width) 
         lines << line;
     }
     return lines.join('\n');
+}
+
+void setBrokenText(QAbstractButton& box, const QString& text, int width) {
+    const QFontMetrics letters = box.fontMetrics();
+    const int others = box.sizeHint().width() - letters.size(Qt::TextShowMnemonic, box.text()).width(); // its tick, its icon, gaps
+    box.setText(brokenText(text, letters, width - others));
 }
 
 void breakToolTips(QApplication& application) {

@@ -26,7 +26,7 @@ namespace edgescan::ui {
 
 namespace {
 
-constexpr int kBeforeName = 46;   // px of a row: switch, colour, gaps
+constexpr int kBesideCount = 6;   // px
 constexpr int kForGloves = 48;    // px
 constexpr int kLeastLetters = 12; // px
 
@@ -77,7 +77,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     auto* content = new QWidget;
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(6);
+    grid->setHorizontalSpacing(kBesideCount);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 1);
     QFont bold = title_->font();
@@ -218,13 +218,11 @@ void ChangeLegend::showKept(const QString& before, const QString& now, const Com
 
 /// The names of rows break into lines: a switch does not do so by itself.
 void ChangeLegend::breakNames() {
-    byDistance_->setText(brokenText(tr("colour by distance from A"), fontMetrics(), width() - kBeforeName / 2));
+    setBrokenText(*byDistance_, tr("colour by distance from A"), width());
     int counts = 0;
-    for (const Row& row : rows_) counts = std::max(counts, row.count->sizeHint().width());
-    for (int n = 0; n < kChangeRows; ++n) {
-        QCheckBox& box = *rows_[static_cast<std::size_t>(n)].box;
-        box.setText(brokenText(nameOf(static_cast<ChangeRow>(n)), box.fontMetrics(), width() - counts - kBeforeName));
-    }
+    for (const Row& row : rows_) counts = std::max(counts, kBesideCount + row.count->sizeHint().width());
+    for (int n = 0; n < kChangeRows; ++n)
+        setBrokenText(*rows_[static_cast<std::size_t>(n)].box, nameOf(static_cast<ChangeRow>(n)), width() - counts);
 }
 
 void ChangeLegend::resizeEvent(QResizeEvent* event) {

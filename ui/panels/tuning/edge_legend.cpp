@@ -24,7 +24,6 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kForGloves = 48, kArrow = 22; // px
-constexpr int kBeforeName = 46;             // px of a row: switch, colour, gaps
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
 
@@ -225,10 +224,10 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
 
 /// The names of rows break into lines: a switch does not do so by itself.
 void EdgeLegend::breakNames() {
-    int counts = 0;
-    for (const Row& row : rows_) counts = std::max(counts, row.count->sizeHint().width());
-    for (std::size_t n = 0; n < rows_.size(); ++n)
-        rows_[n].box->setText(brief_ ? classLabel(n) : brokenText(classLabel(n), fontMetrics(), width() - counts - kBeforeName));
+    const int gap = static_cast<QGridLayout*>(layout())->horizontalSpacing();
+    int counts = gap + total_->sizeHint().width();
+    for (const Row& row : rows_) counts = std::max(counts, gap + row.count->sizeHint().width());
+    for (std::size_t n = 0; n < rows_.size(); ++n) setBrokenText(*rows_[n].box, classLabel(n), brief_ ? QWIDGETSIZE_MAX : width() - counts);
 }
 
 void EdgeLegend::resizeEvent(QResizeEvent* event) {
