@@ -53,7 +53,8 @@ QString brokenText(const QString& text, const QFontMetrics& letters, int width) 
 void setBrokenText(QAbstractButton& box, const QString& text, int width) {
     const QFontMetrics letters = box.fontMetrics();
     const int others = box.sizeHint().width() - letters.size(Qt::TextShowMnemonic, box.text()).width(); // its tick, its icon, gaps
-    box.setText(brokenText(text, letters, width - others));
+    constexpr int kSlack = 3;                                                                           // px
+    box.setText(brokenText(text, letters, width - others - kSlack));
 }
 
 void breakToolTips(QApplication& application) {

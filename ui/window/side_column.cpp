@@ -13,7 +13,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kAround = 6, kBetween = 10, kBetweenInStrip = 4; // px
-constexpr double kWide = 12.5;                                 // heights of its letters: 212 px with the usual font
+constexpr double kWide = 13.0;                                 // heights of its letters: 220 px with the usual font
 constexpr double kMostOfHeight = 0.5;                          // of the window, a strip that is unfolded
 
 } // namespace
