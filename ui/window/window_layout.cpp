@@ -34,7 +34,7 @@ namespace {
 
 constexpr double kImages = 0.38;                           // of the window's width: both images, one above the other
 constexpr double kPanels = 0.45;                           // of the width, at most
-constexpr double kLeastCloud = 0.22, kLeastOfNarrow = 0.4; // of the width; of that of a narrow window
+constexpr double kLeastCloud = 0.22, kLeastOfNarrow = 0.38; // of the width; of that of a narrow window
 constexpr int kNarrow = 1100;                              // px of the window: in a narrower one the images get their share of it
 constexpr int kLargeImage = 600;                           // px of a square one that is large
 constexpr int kRangeWindowFrom = 600;                      // px of the window's height
