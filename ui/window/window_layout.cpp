@@ -32,14 +32,14 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kImages = 0.38;                           // of the window's width: both images, one above the other
-constexpr double kPanels = 0.45;                           // of the width, at most
+constexpr double kImages = 0.38;                            // of the window's width: both images, one above the other
+constexpr double kPanels = 0.45;                            // of the width, at most
 constexpr double kLeastCloud = 0.22, kLeastOfNarrow = 0.38; // of the width; of that of a narrow window
-constexpr int kNarrow = 1100;                              // px of the window: in a narrower one the images get their share of it
-constexpr int kLargeImage = 600;                           // px of a square one that is large
-constexpr int kRangeWindowFrom = 600;                      // px of the window's height
-constexpr int kLeastImages = 140;                          // px of width
-constexpr int kLeastImage = 96;                            // px of height; in a lower column the range image is alone
+constexpr int kNarrow = 1100;                               // px of the window: in a narrower one the images get their share of it
+constexpr int kLargeImage = 600;                            // px of a square one that is large
+constexpr int kRangeWindowFrom = 600;                       // px of the window's height
+constexpr int kLeastImages = 140;                           // px of width
+constexpr int kLeastImage = 96;                             // px of height; in a lower column the range image is alone
 
 // Widths at which the cloud is large and the images stay readable.
 int smallImages(int window) {
