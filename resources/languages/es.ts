@@ -287,12 +287,12 @@
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Cerrar</translation></message>
-<message><source>Details</source><translation>Detalles</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Muestra la siguiente de las notas que no se cerraron</translation></message>
 <message><source>Error</source><translation>Error</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Listo</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Details</source><translation>Detalles</translation></message>
 <message><source>%1 MB</source><translation>%1 MB</translation></message>
 <message><source>%1 kB</source><translation>%1 kB</translation></message>
 <message><source>Saved %1%2, %3.</source><translation>Guardado %1%2, %3.</translation></message>

@@ -287,12 +287,12 @@
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
-<message><source>Details</source><translation>Détails</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Montre la suivante des notes qui n'ont pas été fermées</translation></message>
 <message><source>Error</source><translation>Erreur</translation></message>
 <message><source>Note</source><translation>Remarque</translation></message>
 <message><source>Done</source><translation>Terminé</translation></message>
 <message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
+<message><source>Details</source><translation>Détails</translation></message>
 <message><source>%1 MB</source><translation>%1 Mo</translation></message>
 <message><source>%1 kB</source><translation>%1 ko</translation></message>
 <message><source>Saved %1%2, %3.</source><translation>Enregistré %1%2, %3.</translation></message>

@@ -287,12 +287,12 @@
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
-<message><source>Details</source><translation>Detalhes</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Mostra a próxima das notas que não foram fechadas</translation></message>
 <message><source>Error</source><translation>Erro</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Concluído</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Details</source><translation>Detalhes</translation></message>
 <message><source>%1 MB</source><translation>%1 MB</translation></message>
 <message><source>%1 kB</source><translation>%1 kB</translation></message>
 <message><source>Saved %1%2, %3.</source><translation>Salvo %1%2, %3.</translation></message>

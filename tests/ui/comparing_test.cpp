@@ -475,8 +475,10 @@ private slots:
             QTest::mouseClick(button, Qt::LeftButton, Qt::NoModifier, QPoint(4, 4));
             QVERIFY(eventually([&] { return on.viewer.views.cloud().atRest(); }));
             QCOMPARE(place(button), at);
-            static const QRegularExpression unit("\\n(mm?|cm|m²)(\\W|$)|±\\n");
+            static const QRegularExpression unit("\\n(mm?|cm|m²)(\\W|$)|±\\n"), breakable("[ \\n](mm?|cm|m²)(\\W|$)|±[ \\n]");
             for (const auto* label : legend.findChildren<QLabel*>()) QVERIFY2(!label->text().contains(unit), qPrintable(label->text()));
+            for (const auto* label : legend.findChildren<QLabel*>())
+                QVERIFY2(!label->wordWrap() || !label->text().contains(breakable), qPrintable(label->text()));
         };
         press(legend.next(), next);
         QVERIFY2(isRegion(1), qPrintable(legend.regionText()));

@@ -41,7 +41,7 @@ constexpr int kUndoneMs = 8000, kTouchedMs = 1000;
 NoticeBar::NoticeBar(QWidget* parent)
     : QFrame(parent), sign_(new QLabel), line_(new ElidedLabel), text_(new QLabel), all_(new QScrollArea), details_(new QWidget),
       head_(new QHBoxLayout), below_(new QVBoxLayout), action_(new QToolButton), folder_(new QToolButton), unfold_(new QToolButton),
-      more_(new QToolButton) {
+      more_(new QToolButton), close_(new QToolButton) {
     setObjectName("notice-bar");
     QSizePolicy stays(QSizePolicy::Preferred, QSizePolicy::Fixed);
     stays.setRetainSizeWhenHidden(true);
@@ -68,18 +68,16 @@ NoticeBar::NoticeBar(QWidget* parent)
     auto* copy = new QToolButton;
     copy->setText(tr("Copy"));
     connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(words_); });
-    auto* close = new QToolButton;
-    close->setText(QString::fromUtf8("✕"));
-    close->setToolTip(tr("Close"));
-    close->setAccessibleName(tr("Close"));
-    close->setObjectName("notice-close");
-    connect(close, &QToolButton::clicked, this, &NoticeBar::closeShown);
+    close_->setText(QString::fromUtf8("✕"));
+    close_->setToolTip(tr("Close"));
+    close_->setAccessibleName(tr("Close"));
+    close_->setObjectName("notice-close");
+    connect(close_, &QToolButton::clicked, this, &NoticeBar::closeShown);
     connect(action_, &QToolButton::clicked, this, [this] {
         used_ = true;
         if (onAction_) onAction_();
     });
     unfold_->setObjectName("notice-unfold");
-    unfold_->setText(tr("Details"));
     unfold_->setCheckable(true);
     connect(unfold_, &QToolButton::toggled, this, &NoticeBar::unfold);
     more_->setObjectName("notice-earlier");
@@ -88,7 +86,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
     head_->addWidget(sign_);
     head_->addWidget(line_, 1);
-    for (QWidget* each : std::initializer_list<QWidget*>{action_, unfold_, close}) head_->addWidget(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{action_, unfold_, close_}) head_->addWidget(each);
     for (QWidget* each : std::initializer_list<QWidget*>{more_, folder_, copy}) below_->addWidget(each);
     below_->addStretch(1);
     auto* inner = new QHBoxLayout(details_);
@@ -163,7 +161,7 @@ void NoticeBar::showNote(const Note& note, bool passes) {
     passes_ = passes;
     if (note.label.isEmpty() && note.kind != Kind::Error && std::ranges::any_of(earlier_, &Note::waits)) leaves_.start();
     show();
-    fit();
+    unfold(false);
 }
 
 void NoticeBar::showHint(const QString& text) { showNote({Kind::Warning, coreSentence(shownText(text)), {}, {}}, true); }
@@ -212,7 +210,6 @@ void NoticeBar::put(const Note& note) {
     paintKind();
     setWords(note.text);
     brief_ = note.brief;
-    unfold(false);
     action_->setText(note.label);
     action_->setHidden(note.label.isEmpty());
     onAction_ = note.action;
@@ -249,9 +246,8 @@ void NoticeBar::showEarlier() {
     if (stays) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
     const std::size_t all = earlier_.size() + 1;
     place_ = stays || place_ == 0 ? place_ % all + 1 : std::min(place_, all);
-    const bool open = unfolded();
     put(before);
-    unfold(open); // the operator goes through them
+    fit(); // unfolded or not, as the operator left it
 }
 
 /// A closed notice counts as read. Minimising the window does not close the notice.
@@ -286,12 +282,11 @@ void NoticeBar::showFolder() { folder_->setHidden(folderOf_.isEmpty() || large_)
 /// Next to the line, or with the details where the line has no room for it.
 void NoticeBar::placeAction() {
     int others = action_->sizeHint().width() + kLeastText + 4 * head_->spacing();
-    for (const QWidget* each : std::initializer_list<const QWidget*>{sign_, unfold_, findChild<QToolButton*>("notice-close")})
-        others += each->sizeHint().width();
-    const bool beside = width() >= others;
-    if (beside == (head_->indexOf(action_) >= 0)) return;
-    (beside ? below_ : head_)->removeWidget(action_);
-    beside ? head_->insertWidget(2, action_) : below_->insertWidget(0, action_);
+    for (const QWidget* each : std::initializer_list<const QWidget*>{sign_, unfold_, close_}) others += each->sizeHint().width();
+    const bool fits = width() >= others;
+    if (fits == (head_->indexOf(action_) >= 0)) return;
+    (fits ? below_ : head_)->removeWidget(action_);
+    fits ? head_->insertWidget(2, action_) : below_->insertWidget(0, action_);
 }
 
 void NoticeBar::openPath(const QString& path) {

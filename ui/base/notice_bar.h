@@ -124,6 +124,7 @@ private:
     QToolButton* folder_;
     QToolButton* unfold_;
     QToolButton* more_;
+    QToolButton* close_;
     std::function<void()> onAction_;
     QString brief_, folderOf_; // of the shown note
     QTimer leaves_;            // runs while the shown note is one that leaves by itself

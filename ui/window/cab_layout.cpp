@@ -12,18 +12,13 @@
 namespace edgescan::ui {
 
 void MainWindow::useCab(bool on) {
-    beside_->setDirection(on ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    viewsRow_->setDirection(on ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     side_->setStrip(on);
     side_->setVisible(on); // on the desk where it has room: arrange()
     viewer_.tools.setVisible(!on);
     findChild<QToolBar*>("badge-bar")->setVisible(!on); // the head of the cab has its own badge
     showAlone(on ? &viewer_.cloud : nullptr);
     for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own text
-}
-
-void MainWindow::showColumn(bool on) {
-    columnWanted_ = on;
-    arrange();
 }
 
 void MainWindow::lockDocks(DockLock by, bool on) { docks_->setLocked(by, on); }

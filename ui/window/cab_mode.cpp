@@ -57,7 +57,7 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
       zoom_(new ZoomButtons), menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)),
-      swipes_(new Swipes(&window)), notice_(&window.viewer().notice), cloud_(&window.viewer().views.cloud()) {
+      swipes_(new Swipes(&window)) {
     badge_->setTwoLines();
     badge_->setObjectName("cab-origin");
     corner_->setObjectName("cab-corner");
@@ -71,7 +71,6 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     connectHead();
     connectSide();
     addTools();
-    connect(corner_, &CornerPicture::reachChanged, this, &CabMode::showCorner);
     connect(back_, &CornerPicture::reachChanged, this, [this](int reach) {
         if (large_ != Large::Cloud) imageView().setTaken(reach); // no prompt is below it
     });

@@ -106,7 +106,6 @@ private:
     Keypad* keypad_;
     GloveMenus* gloveMenus_;
     Swipes* swipes_;
-    const QObject *notice_, *cloud_; // compared only: the filter is called while the window is destroyed, after both
     QToolButton* remove_ = nullptr;
     std::vector<QWidget*> ofScan_; // useless without a scan
     QTimer cancelSoon_;

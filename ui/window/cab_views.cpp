@@ -1,5 +1,4 @@
 // The views of cab mode: which one is large, the picture in the corner, and zoom.
-#include "ui/base/notice_bar.h"
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/zoom_buttons.h"
@@ -168,9 +167,6 @@ bool CabMode::isMeantForWhatLeft(const QPoint& onScreen) const {
 }
 
 bool CabMode::eventFilter(QObject* watched, QEvent* event) {
-    const bool appears = event->type() == QEvent::Show || event->type() == QEvent::Hide;
-    if (watched == notice_ ? appears : watched == cloud_ && event->type() == QEvent::Resize)
-        QMetaObject::invokeMethod(this, &CabMode::showCorner, Qt::QueuedConnection); // not while the window is destroyed
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
     if (press) {

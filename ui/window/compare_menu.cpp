@@ -1,4 +1,4 @@
-// Commands and legend of the A/B comparison.
+// Commands of the A/B comparison and of edge confidence.
 #include "ui/window/compare_menu.h"
 
 #include "ui/controllers/comparing.h"

@@ -1,4 +1,4 @@
-// The commands of the A/B comparison and of edge confidence, and the places of their legends.
+// The commands of the A/B comparison and of edge confidence.
 #pragma once
 
 #include "ui/panels/keys/commands.h"
@@ -11,10 +11,10 @@ class MainWindow;
 
 [[nodiscard]] Command compareMenu(Comparing& comparing);
 
-/// Over the cloud, above the legend of the edges, which is hidden while a difference is shown.
+/// Hides the legend of edges while a difference is shown.
 void followChanges(MainWindow& window);
 
-/// Edge confidence: its switch, and its legend at the same place; hidden while a difference is shown.
+/// The switch of edge confidence.
 [[nodiscard]] Command confidenceCommand(Confidence& confidence);
 
 } // namespace edgescan::ui

@@ -213,11 +213,11 @@ void MainWindow::layOutViews() {
     column->addLayout(top);
     column->addWidget(&viewer_.livePanel);
     column->addWidget(&viewer_.notice);
-    beside_ = new QBoxLayout(QBoxLayout::LeftToRight);
-    beside_->setSpacing(0);
-    beside_->addWidget(splitter_, 1);
-    beside_->addWidget(side_ = new SideColumn);
-    column->addLayout(beside_, 1);
+    viewsRow_ = new QBoxLayout(QBoxLayout::LeftToRight);
+    viewsRow_->setSpacing(0);
+    viewsRow_->addWidget(splitter_, 1);
+    viewsRow_->addWidget(side_ = new SideColumn);
+    column->addLayout(viewsRow_, 1);
     column->addWidget(&viewer_.timeline);
     connect(&viewer_.undo, &QUndoStack::indexChanged, this, [this] {
         if (!viewer_.undo.property(kDrops).toBool()) viewer_.notice.endPassing();

@@ -47,7 +47,6 @@ public:
     void end();
     // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
     void useCab(bool on);
-    void showColumn(bool on);
     void lockDocks(DockLock by, bool on);
     /// Shrinks and moves the window until its frame is inside the screen.
     void fitScreen();
@@ -89,6 +88,7 @@ private:
     void showTitle();
     void showFacts();
     void arrange();
+    void showColumn(bool on);
     void setImagesWidth(int width);
     [[nodiscard]] int largeImage() const;
     void foldImages(bool fold, bool byPanel);
@@ -108,7 +108,7 @@ private:
     QWidget* pictures_ = nullptr; // both images and the range window
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
-    QBoxLayout* beside_ = nullptr; // the views, and the column at their side
+    QBoxLayout* viewsRow_ = nullptr; // the views, and the column at their side
     SideColumn* side_ = nullptr;
     PanePlaces* places_ = nullptr;
     CabMode* cab_ = nullptr;

@@ -62,11 +62,6 @@ QSize SideColumn::sizeHint() const {
     return {0, std::min(widget()->sizeHint().height(), static_cast<int>(kMostOfHeight * window()->height()))};
 }
 
-void SideColumn::changeEvent(QEvent* event) {
-    QScrollArea::changeEvent(event);
-    if (event->type() == QEvent::FontChange) updateGeometry();
-}
-
 /// A legend in a strip came, went or unfolded. In a column texts have the same width with and without a scroll bar: their lines stay.
 bool SideColumn::eventFilter(QObject* watched, QEvent* event) {
     if (watched == widget() && event->type() == QEvent::LayoutRequest && strip_) updateGeometry();

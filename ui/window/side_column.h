@@ -1,4 +1,4 @@
-// The column at the right of the views: directions, scale and legends, which would cover the pictures. In a cab it is a strip below them.
+// The column at the right of the views: legends, scale and directions, which would cover the pictures. In a cab it is a strip below them.
 #pragma once
 
 #include <QScrollArea>
@@ -12,7 +12,7 @@ class SideColumn : public QScrollArea {
 public:
     explicit SideColumn(QWidget* parent = nullptr);
 
-    /// Below the others.
+    /// After the others.
     void add(QWidget& part);
     /// On: a strip, as high as what it shows.
     void setStrip(bool on);
@@ -20,7 +20,6 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
-    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

@@ -77,14 +77,8 @@ Command colourMenu(QObject& parent, ScanLook& look) {
     auto* group = new QActionGroup(&parent);
     const auto row = [group, &look](Command made, ColourBy by) {
         made.set = [&look, by](bool) { look.setColourBy(by); };
-        return linked(made, [group, &look, by](QAction& action) {
-            group->addAction(&action);
-            action.setObjectName(QString("colour-") + colourKey(by));
-            action.setChecked(look.colourBy() == by);
-            QObject::connect(&look, &ScanLook::colourByChanged, &action, [&action, by](ColourBy now) {
-                if (now == by) action.setChecked(true);
-            });
-        });
+        return chosenWhile(choice(made, *group, QString("colour-") + colourKey(by), look.colourBy() == by), look,
+                           &ScanLook::colourByChanged, by);
     };
     const auto whereKnown = [&look](const Command& made) {
         return linked(made, [&look, link = made.link](QAction& action) {
@@ -110,14 +104,9 @@ Command colourMenu(QObject& parent, ScanLook& look) {
 Command shareMenu(QObject& parent, PanePlaces& places) {
     auto* group = new QActionGroup(&parent);
     const auto preset = [group, &places](const char* text, Share share) {
-        Command made = choice(toggle(text, "", nullptr, false, [&places, share](bool) { places.setShare(share); }), *group,
-                              "share-" + kShareNames.at(static_cast<int>(share)), places.share() == share);
-        return linked(made, [&places, share, link = made.link](QAction& action) {
-            link(action);
-            QObject::connect(&places, &PanePlaces::shareChanged, &action, [&action, share](Share now) {
-                if (now == share) action.setChecked(true);
-            });
-        });
+        const Command made = toggle(text, "", nullptr, false, [&places, share](bool) { places.setShare(share); });
+        return chosenWhile(choice(made, *group, "share-" + kShareNames.at(static_cast<int>(share)), places.share() == share), places,
+                           &PanePlaces::shareChanged, share);
     };
     return submenu("&Sizes of Views",
                    {command("&Next Sizes of Views", "Ctrl+M", [&places] { places.setShare(next(places.share())); }), kLine,

@@ -64,19 +64,26 @@ void MainWindow::arrange() {
     const int wide = width();
     const int leastCloud = std::max(viewer_.cloud.minimumWidth(), static_cast<int>(wide * (wide < kNarrow ? kLeastOfNarrow : kLeastCloud)));
     const int leastImages = std::max(kLeastImages, pictures_->minimumSizeHint().width());
-    docks_->fit(static_cast<int>(wide * kPanels));
-    const int panels = docks_->setWidths(static_cast<int>(wide * kPanels)), column = side_->sizeHint().width();
+    const int mostPanels = static_cast<int>(wide * kPanels);
+    docks_->fit(mostPanels);
+    const int panels = docks_->setWidths(mostPanels), column = side_->sizeHint().width();
     const bool large = places_->share() == Share::Images; // a large image counts more than the column
     const int needed = large ? leastImages + splitter_->handleWidth() + kLargeImage : leastCloud;
     side_->setVisible(columnWanted_ && wide - panels - column >= needed);
     const int views = wide - panels - (side_->isHidden() ? 0 : column), most = views - leastCloud - splitter_->handleWidth();
-    foldImages(most<leastImages, panels> 0);
+    const bool tooNarrow = most < leastImages;
+    foldImages(tooNarrow, panels != 0);
     showImages();
     if (maximised_ != nullptr || !roomForImages_) return;
     int wanted = static_cast<int>(wide * kImages);
     if (places_->share() == Share::Cloud || wide < kNarrow) wanted = smallImages(wide);
     if (places_->share() == Share::Images) wanted = views - splitter_->handleWidth() - largeImage();
     if (!imagesDragged_ || pictures_->width() > most) setImagesWidth(std::clamp(wanted, leastImages, most));
+}
+
+void MainWindow::showColumn(bool on) {
+    columnWanted_ = on;
+    arrange();
 }
 
 /// The badge has the same place whatever it says: no tool moves. A narrow window gives it what its tools leave.

@@ -15,7 +15,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPixmap>
-#include <QStyle>
+#include <QRegularExpression>
 #include <QToolButton>
 
 #include <algorithm>
@@ -56,6 +56,12 @@ QString sumOf(const Comparison& comparison) {
 }
 
 QString outOfSpecWords() { return ChangeLegend::tr("▲ OUT OF SPEC"); }
+
+/// No line begins with a unit, or ends with "±".
+QString unitsKept(QString text) {
+    static const QRegularExpression space("(?<=±) | (?=(?:mm?|cm|m²)(?:\\W|$))");
+    return text.replace(space, QChar(QChar::Nbsp));
+}
 
 QLabel* wordsOf(QWidget* parent, const char* name) {
     auto* label = new QLabel(parent);
@@ -196,16 +202,17 @@ void ChangeLegend::showKept(const QString& before, const QString& now, const Com
                               .arg(comparison->change.differMm, 0, 'f', 0)
                               .arg(inspect::kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
-    howWords_ = how;
+    howWords_ = unitsKept(how);
     sum_->setText(comparison != nullptr && comparison->isOfTwoScans() ? sumOf(*comparison) : QString());
     const auto distances = comparison != nullptr && rowsShown_ ? comparison->distances : nullptr;
     histogram_->showDistances(distances);
     hasDistances_ = distances != nullptr;
     if (distances)
-        distances_->setText(tr("median distance to the points of A %1\n%2 are farther than %3")
-                                .arg(shortLength(distances->histogram.medianM))
-                                .arg(countText(distances->histogram.beyond))
-                                .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
+        distances_->setText(
+            unitsKept(tr("median distance to the points of A %1\n%2 are farther than %3")
+                          .arg(shortLength(distances->histogram.medianM))
+                          .arg(countText(distances->histogram.beyond))
+                          .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size())))));
     regions_ = comparison == nullptr ? 0 : comparison->change.regions.size();
     compared_ = comparison != nullptr;
     ofTwoScans_ = comparison != nullptr && comparison->isOfTwoScans();
@@ -328,7 +335,7 @@ void ChangeLegend::showOverRocks(bool on) {
 
 void ChangeLegend::showRegion(const QString& words, const QString& brief) {
     regionBrief_ = brief;
-    region_->setText(words);
+    region_->setText(unitsKept(words));
     showRows();
 }
 

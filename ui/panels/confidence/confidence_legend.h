@@ -1,4 +1,4 @@
-// The legend of edge confidence : the number of edges per confidence band, and the limit from which edges are shown.
+// The legend of edge confidence: the number of edges per confidence band, and the limit from which edges are shown.
 #pragma once
 
 #include "ui/panels/confidence/confidence_picture.h"

@@ -63,6 +63,16 @@ template <class Sender, class Signal>
     return linked(std::move(command),
                   [&sender, signal](QAction& action) { QObject::connect(&sender, signal, &action, &QAction::setChecked); });
 }
+/// A choice() that is on while the last value of `signal` is `value`.
+template <class Sender, class Signal, class Value>
+[[nodiscard]] Command chosenWhile(const Command& command, Sender& sender, Signal signal, Value value) {
+    return linked(command, [&sender, signal, value, link = command.link](QAction& action) {
+        link(action);
+        QObject::connect(&sender, signal, &action, [&action, value](Value now) {
+            if (now == value) action.setChecked(true);
+        });
+    });
+}
 /// A link: enabled only if the last value of `signal` was true; disabled at first.
 template <class Sender, class Signal>
 [[nodiscard]] std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {

@@ -282,10 +282,8 @@ void EdgeLegend::placeHead() {
 
 void EdgeLegend::setBrief(bool on) {
     brief_ = on;
-    {
-        const QSignalBlocker quiet(unfold_);
-        unfold_->setChecked(!on && openAtDesk_);
-    }
+    const QSignalBlocker quiet(unfold_);
+    unfold_->setChecked(!on && openAtDesk_);
     const int side = on ? kForGloves : kArrow;
     unfold_->setFixedSize(side, side);
     unfold_->setAutoRaise(!on);
