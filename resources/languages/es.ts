@@ -1730,6 +1730,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Colores de borde para dal&amp;tónicos</translation></message>
+<message><source>Turn the I&amp;mages</source><translation>Girar las i&amp;mágenes</translation></message>
+<message><source>A &amp;Quarter Clockwise</source><translation>Un &amp;cuarto a la derecha</translation></message>
+<message><source>A &amp;Half</source><translation>Media &amp;vuelta</translation></message>
+<message><source>&amp;Mirrored, Left to Right</source><translation>&amp;Reflejadas, de izquierda a derecha</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Mirar desde</translation></message>
 <message><source>From &amp;Scanner</source><translation>Desde el &amp;escáner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
@@ -1834,6 +1838,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
+<message><source>slope, grade and length of a straight line</source><translation>inclinación, pendiente y longitud de una recta</translation></message>
 <message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
 <message><source>&amp;Pin</source><translation>&amp;Fijar</translation></message>
 <message><source>&amp;Distance</source><translation>&amp;Distancia</translation></message>
@@ -2249,6 +2254,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>between the two sides that were clicked</source><translation>entre los dos lados en los que se hizo clic</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ clics a %1 encuentran de %2 a %3 m: acérquese y haga clic de nuevo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>clics a %1 de ahí encuentran de %2 a %3 m</translation></message>
+<message><source>slope %1° ± %2°, grade %3 %</source><translation>inclinación %1° ± %2°, pendiente %3 %</translation></message>
+<message><source>slope %1° ± %2°</source><translation>inclinación %1° ± %2°</translation></message>
 <message><source>ranges %1 m</source><translation>distancias %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluidos: %1</translation></message>

@@ -1730,6 +1730,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Arêtes par &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Couleurs des arêtes pour dalton&amp;iens</translation></message>
+<message><source>Turn the I&amp;mages</source><translation>Tourner les i&amp;mages</translation></message>
+<message><source>A &amp;Quarter Clockwise</source><translation>D’un &amp;quart à droite</translation></message>
+<message><source>A &amp;Half</source><translation>D’un &amp;demi-tour</translation></message>
+<message><source>&amp;Mirrored, Left to Right</source><translation>&amp;Miroir, de gauche à droite</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Regarder depuis</translation></message>
 <message><source>From &amp;Scanner</source><translation>Depuis le &amp;scanner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;face</translation></message>
@@ -1834,6 +1838,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
+<message><source>slope, grade and length of a straight line</source><translation>inclinaison, pente et longueur d’une droite</translation></message>
 <message><source>&amp;Measure</source><translation>&amp;Mesurer</translation></message>
 <message><source>&amp;Pin</source><translation>É&amp;pingler</translation></message>
 <message><source>&amp;Distance</source><translation>&amp;Distance</translation></message>
@@ -2249,6 +2254,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>between the two sides that were clicked</source><translation>entre les deux côtés qui ont été cliqués</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ des clics à %1 trouvent %2 à %3 m : zoomez et cliquez à nouveau</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>des clics à %1 de là trouvent %2 à %3 m</translation></message>
+<message><source>slope %1° ± %2°, grade %3 %</source><translation>inclinaison %1° ± %2°, pente %3 %</translation></message>
+<message><source>slope %1° ± %2°</source><translation>inclinaison %1° ± %2°</translation></message>
 <message><source>ranges %1 m</source><translation>distances %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>sauts compris : %1</translation></message>

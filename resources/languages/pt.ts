@@ -1730,6 +1730,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Cores de borda para dal&amp;tônicos</translation></message>
+<message><source>Turn the I&amp;mages</source><translation>Girar as i&amp;magens</translation></message>
+<message><source>A &amp;Quarter Clockwise</source><translation>Um &amp;quarto à direita</translation></message>
+<message><source>A &amp;Half</source><translation>&amp;Meia volta</translation></message>
+<message><source>&amp;Mirrored, Left to Right</source><translation>&amp;Espelhadas, da esquerda para a direita</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Olhar de</translation></message>
 <message><source>From &amp;Scanner</source><translation>A partir do s&amp;canner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
@@ -1834,6 +1838,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
+<message><source>slope, grade and length of a straight line</source><translation>inclinação, declive e comprimento de uma reta</translation></message>
 <message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
 <message><source>&amp;Pin</source><translation>&amp;Fixar</translation></message>
 <message><source>&amp;Distance</source><translation>&amp;Distância</translation></message>
@@ -2249,6 +2254,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>between the two sides that were clicked</source><translation>entre os dois lados em que se clicou</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ cliques a %1 encontram de %2 a %3 m: amplie e clique de novo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>cliques a %1 dali encontram de %2 a %3 m</translation></message>
+<message><source>slope %1° ± %2°, grade %3 %</source><translation>inclinação %1° ± %2°, declive %3 %</translation></message>
+<message><source>slope %1° ± %2°</source><translation>inclinação %1° ± %2°</translation></message>
 <message><source>ranges %1 m</source><translation>distâncias %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluídos: %1</translation></message>

@@ -12,7 +12,18 @@ from support import HERE, bell_file, recording_file
 
 class Types(unittest.TestCase):
     def classes(self):
-        return [getattr(edgescan, name) for name in edgescan.__all__ if inspect.isclass(getattr(edgescan, name)) and name != "Error"]
+        return [getattr(edgescan, name) for name in edgescan.__all__ if inspect.isclass(getattr(edgescan, name)) and not issubclass(getattr(edgescan, name), Exception)]
+
+    def test_a_missing_file_is_a_file_not_found(self):
+        for call in (edgescan.open, edgescan.replay):
+            with self.subTest(call=call.__name__), self.assertRaises(FileNotFoundError) as raised:
+                call("/nowhere/bell.pcd")
+            self.assertIsInstance(raised.exception, edgescan.Error)
+            self.assertIn("bell.pcd", str(raised.exception))
+            self.assertTrue(raised.exception.what and raised.exception.hint)
+        with self.assertRaises(edgescan.Error) as raised:
+            edgescan.open(__file__)
+        self.assertNotIsInstance(raised.exception, FileNotFoundError)
 
     def test_no_object_without_content(self):
         self.assertGreaterEqual(len(self.classes()), 7)

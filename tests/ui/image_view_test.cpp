@@ -116,6 +116,41 @@ private slots:
         keep(shown, "image_squares");
     }
 
+    /// All eight ways to lie: where a corner is, that a pixel shows the cell that the mouse gets, and that a drag moves the picture with
+    /// it.
+    void turnedImages() {
+        const auto image = ramp(32, 20);
+        for (int n = 0; n < 8; ++n) {
+            const ViewPort::Turn turn{(n & 1) != 0, (n & 2) != 0, (n & 4) != 0};
+            port_->setTurn(turn);
+            view_->setImage(image);
+            port_->fit();
+            const auto pixel = [&](double beam, double line) { return port_->toPixel({beam, line}, view_->size()); };
+            const QPointF first = pixel(0, 0), alongLine = pixel(32, 0) - first;
+            QCOMPARE(std::abs(alongLine.y()) > std::abs(alongLine.x()), turn.quarter);
+            QCOMPARE((turn.quarter ? alongLine.y() : alongLine.x()) < 0, turn.mirrored != turn.half);
+            const QRectF place = QRectF(first, pixel(32, 20)).normalized();
+            QVERIFY(QRectF(view_->rect()).contains(place));
+            QVERIFY2(std::abs(place.width() - 400) < 0.1 || std::abs(place.height() - 300) < 0.1, "as large as the view");
+            for (int i = 0; i < 3; ++i) wheel(*view_, {133, 71}, 1);
+            const QPointF before = port_->toCell({200, 150}, view_->size());
+            drag(*view_, Qt::LeftButton, {200, 150}, {230, 110});
+            const QPointF moved = port_->toCell({230, 110}, view_->size());
+            QVERIFY(std::hypot(moved.x() - before.x(), moved.y() - before.y()) < 0.05);
+            const QImage shown = grab(*view_);
+            const double dpr = view_->devicePixelRatioF();
+            int wrong = 0, looked = 0;
+            for (int y = 0; y < shown.height() * 3 / 4; y += 3) {
+                for (int x = 0; x < shown.width(); x += 3) {
+                    const auto cell = view_->cellAt(QPointF(x + 0.5, y + 0.5) / dpr);
+                    looked += cell.has_value();
+                    if (cell) wrong += qGray(shown.pixel(x, y)) != qGray(image->pixel(*cell));
+                }
+            }
+            QVERIFY2(looked > 1000 && wrong * 50 < looked, qPrintable(QString("%1: %2 of %3").arg(n).arg(wrong).arg(looked)));
+        }
+    }
+
     void edgesKeepTheirLightWhenZoomedOut() {
         const auto edges = edgeMap(1141, 1000);
         view_->setImage(edges, Shrink::Lines);

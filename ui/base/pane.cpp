@@ -4,6 +4,7 @@
 #include "ui/base/icons.h"
 
 #include <QEvent>
+#include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -54,7 +55,7 @@ private:
 Pane::Pane(const QString& title, QWidget* content, QWidget* parent)
     : QFrame(parent), bar_(new QWidget), title_(new QLabel(title)), note_(new PaneNote), remark_(new QLabel), alone_(new QToolButton),
       content_(content) {
-    bar_->installEventFilter(this);
+    for (QWidget* each : {bar_, content_}) each->installEventFilter(this);
     bar_->setToolTip(tr("Double-click: in exchange for the cloud, and back"));
     alone_->setObjectName("pane-alone");
     alone_->setAutoRaise(true);
@@ -121,10 +122,22 @@ void Pane::resizeEvent(QResizeEvent* event) {
     fit();
 }
 
+void Pane::paintFocus() const {
+    constexpr int kLine = 2; // px
+    if (focused_) QPainter(bar_).fillRect(0, bar_->height() - kLine, bar_->width(), kLine, palette().color(QPalette::Link));
+}
+
 bool Pane::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::MouseButtonDblClick) {
+    if (watched == bar_ && event->type() == QEvent::MouseButtonDblClick) {
         emit swapRequested();
         return true;
+    }
+    if (watched == bar_ && event->type() == QEvent::Paint) paintFocus();
+    if (watched == content_ && (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)) {
+        const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+        focused_ = event->type() == QEvent::FocusIn &&
+                   (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason || reason == Qt::ShortcutFocusReason);
+        bar_->update();
     }
     return QFrame::eventFilter(watched, event);
 }

@@ -1,4 +1,5 @@
-// A view with its title. A button in the title bar shows this view alone; a double-click on the title exchanges it with the cloud.
+// A view with its title, which has a line while the keys go to the view by Tab. A button in the title bar shows this view alone; a
+// double-click on the title exchanges it with the cloud.
 #pragma once
 
 #include <QFrame>
@@ -39,6 +40,7 @@ protected:
 
 private:
     void fit();
+    void paintFocus() const;
 
     QWidget* bar_;
     QLabel* title_;
@@ -46,6 +48,7 @@ private:
     QLabel* remark_;
     QToolButton* alone_;
     QWidget* content_;
+    bool focused_ = false; // by a key
 };
 
 } // namespace edgescan::ui

@@ -74,9 +74,9 @@ QSize usualSize(const SectionCard& card, const QWidget& window, const QSize& clo
 
 int areaOf(const QRect& rect) { return rect.isEmpty() ? 0 : rect.width() * rect.height(); }
 
-/// Below the notes of the window, such as that of an export: low in it, or in its cloud. Where it covers the least of what is cut, then of
+/// Low in the window, or low or high in its cloud. Where it covers the least of what is cut, then of
 /// panels and tables. All on the screen.
-void placeBelowNotes(SectionCard& card, const QWidget& window, const QRect& cloud, const QRect& cut) {
+void moveAside(SectionCard& card, const QWidget& window, const QRect& cloud, const QRect& cut) {
     const QSize size = card.frameGeometry().size();
     constexpr double kWideRoom = 1.8; // of its width: there is room for what is cut, next to it
     std::vector<QRect> panels;
@@ -92,8 +92,7 @@ void placeBelowNotes(SectionCard& card, const QWidget& window, const QRect& clou
     };
     const QRect whole(window.mapToGlobal(QPoint()), window.size());
     std::vector<QPoint> places;
-    constexpr int kCaption = 40; // px, at the top of the cloud
-    const QRect top(cloud.topLeft(), QSize(cloud.width(), std::min(cloud.height(), size.height() + kCaption)));
+    const QRect top(cloud.topLeft(), QSize(cloud.width(), std::min(cloud.height(), size.height())));
     for (const QRect& room : {whole, cloud, top}) {
         if (room.width() < size.width() || room.height() < size.height()) continue;
         const int y = room.bottom() - size.height();
@@ -235,10 +234,9 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
 
 void Sections::placeCard(const std::vector<std::uint32_t>& cut) {
     const CloudView& cloud = views_.cloud();
-    if (!cloud.isVisible()) return placeBelowNotes(*card_, *notice_.window(), {}, {});
+    if (!cloud.isVisible()) return moveAside(*card_, *notice_.window(), {}, {});
     const QPoint corner = cloud.mapToGlobal(QPoint());
-    placeBelowNotes(*card_, *notice_.window(), QRect(corner, cloud.size()),
-                    placeIn(cloud, cut).intersected(cloud.rect()).translated(corner));
+    moveAside(*card_, *notice_.window(), QRect(corner, cloud.size()), placeIn(cloud, cut).intersected(cloud.rect()).translated(corner));
 }
 
 bool Sections::close() {

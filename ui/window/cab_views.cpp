@@ -47,7 +47,7 @@ void CabMode::showCorner() {
     corner_->setVisible(some);
     if (!some) return;
     corner_->setWords("⇄ " + (image_ == Large::Range ? QObject::tr("Range image") : QObject::tr("Edge map")));
-    corner_->show(imageView().image(), chosenPlace());
+    corner_->show(imageView().image(), chosenPlace(), imageView().viewPort()->toScreen());
 }
 
 ImageView& CabMode::imageView() const {

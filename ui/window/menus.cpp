@@ -16,6 +16,8 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/gl_check.h"
 #include "ui/views/cloud/view_cube.h"
+#include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
 #include "ui/window/compare_menu.h"
 #include "ui/window/tool_menus.h"
 #include "ui/window/view_choices.h"
@@ -115,6 +117,19 @@ std::vector<Command> edgeLook(Viewer& v) {
     };
 }
 
+Command turnMenu(ViewPort& images) {
+    const auto preset = [&images](const char* text, const char* key, bool ViewPort::Turn::*part) {
+        return ofScan(toggle(text, "", key, false, [&images, part](bool on) {
+            ViewPort::Turn turn = images.turn();
+            turn.*part = on;
+            images.setTurn(turn);
+        }));
+    };
+    return submenu("Turn the I&mages", {preset("A &Quarter Clockwise", "view/images-quarter", &ViewPort::Turn::quarter),
+                                        preset("A &Half", "view/images-half", &ViewPort::Turn::half),
+                                        preset("&Mirrored, Left to Right", "view/images-mirrored", &ViewPort::Turn::mirrored)});
+}
+
 Command directions(CloudView& cloud) {
     return submenu("Loo&k from", {
                                      command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
@@ -186,10 +201,10 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
     const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
     add(edgeLook(v));
     add({kLine, cloudLook(v, window),
-         toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }), kLine,
-         ofDesk(panelMenu(window)), ofDesk(commands.shares), ofDesk(command("Reset &Layout", "", commands.resetLayout)), kLine,
-         ofDesk(mouseMenu(window, v.cloud, v.preferences)), themeMenu(window, v.preferences), languageMenu(window, v.preferences, v.notice),
-         commands.cab,
+         toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }),
+         turnMenu(*views.gray().viewPort()), kLine, ofDesk(panelMenu(window)), ofDesk(commands.shares),
+         ofDesk(command("Reset &Layout", "", commands.resetLayout)), kLine, ofDesk(mouseMenu(window, v.cloud, v.preferences)),
+         themeMenu(window, v.preferences), languageMenu(window, v.preferences, v.notice), commands.cab,
          command("Full Scree&n", "F11", [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); })});
     return menu;
 }

@@ -59,8 +59,8 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
         following(toggle("&Edges over Rocks", "", "rocks/edges", false, setOver), v.legend, &EdgeLegend::overRocksRequested);
     return submenu("&Rocks",
                    {
-                       ofDesk(following(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }), rocks,
-                                        &Rocks::shownChanged)),
+                       ofDesk(following(ofScan(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); })),
+                                        rocks, &Rocks::shownChanged)),
                        linked(command("&Largest Rock by Width b", "", [&rocks] { rocks.lookAtLargest(); }),
                               [](QAction& action) { action.setObjectName("rocks-largest"); }),
                        command("Next Sm&aller Rock by Width b", "", [&rocks] { rocks.lookAtNextSmaller(); }),
@@ -97,8 +97,14 @@ Command measureMenu(Viewer& v) {
                     [&views, wanted] { return views.tool() == wanted && (wanted != Tool::Pin || views.pinsOnClick()); });
     };
     const auto measure = [&](const char* text, const char* keys, inspect::MeasureKind kind) {
-        return tool(
+        Command made = tool(
             v, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
+        if (kind == inspect::MeasureKind::Distance)
+            made.link = [follow = made.link](QAction& action) {
+                follow(action);
+                action.setWhatsThis(QObject::tr("slope, grade and length of a straight line"));
+            };
+        return made;
     };
     const auto letGo = [&v] {
         if (const auto chosen = v.targets.chosenMeasure()) return v.targets.removeMeasure(*chosen);

@@ -110,8 +110,9 @@ void MainWindow::foldImages(bool fold, bool byPanel) {
 int MainWindow::largeImage() const {
     const ViewPort& port = *viewer_.gray.viewPort();
     const int high = splitter_->height() - panes_.front()->minimumSizeHint().height();
-    const QSizeF cells = port.imageSize();
-    const double aspect = cells.isEmpty() ? 1.0 : port.aspect() * cells.width() / cells.height();
+    QSizeF shape(port.imageSize().width() * port.aspect(), port.imageSize().height());
+    if (port.turn().quarter) shape.transpose();
+    const double aspect = shape.isEmpty() ? 1.0 : shape.width() / shape.height();
     return std::max(kLargeImage, static_cast<int>(std::ceil(aspect * high)));
 }
 

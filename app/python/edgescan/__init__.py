@@ -17,6 +17,7 @@ line prints. Names of flags have _ where the command line has -.
 from __future__ import annotations
 
 import json as _json
+import os as _os
 from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Union
 
 from ._edgescan import Connection, Error, Replay, Result, Rocks, Scan, Simulation, Sweep, __version__
@@ -25,7 +26,7 @@ from ._lab import benchmark
 from .reports import Compared, Parameter, Why
 from ._values import Path, each as _each, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole, word as _word
 
-__all__ = ["Connection", "Error", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "benchmark", "compare", "connect", "detect",
+__all__ = ["Connection", "Error", "FileError", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "benchmark", "compare", "connect", "detect",
            "open", "parameters", "presets", "replay", "report", "rocks", "save", "simulate", "why"]
 
 _READING = _edgescan.reading_options()
@@ -37,6 +38,21 @@ _NUMBERS = [dict(row, kind="float", default=f"{row['default']:g}") for row in _e
 
 Scan.__doc__ = _arrays.scan.__doc__
 Scan.__signature__ = _arrays.made.__signature__
+
+
+class FileError(Error, FileNotFoundError):
+    """A file to read that is not there: an Error and a FileNotFoundError."""
+
+
+def _read(read, path, *more):
+    try:
+        return read(path, *more)
+    except Error as error:
+        if _os.path.exists(path):
+            raise
+        lost = FileError(str(error))
+        lost.what, lost.where, lost.hint = error.what, error.where, error.hint
+        raise lost from None
 
 
 def _switches(**values):
@@ -66,7 +82,7 @@ def open(path: Path, **reading) -> Scan:
     >>> scan.range_mm.shape == scan.state.shape == (scan.lines, scan.beams)
     True
     """
-    return _edgescan.open(path, reading)
+    return _read(_edgescan.open, path, reading)
 
 
 @_keywords(("Parameters, as the sliders of the viewer and the flags of the command line:", _PARAMETERS),
@@ -185,7 +201,7 @@ def replay(path: Path, *, every: int = 1, speed: float = 0, pose: Path = "", cal
     >>> sweep.finished, sweep.complete
     (True, True)
     """
-    return _edgescan.replay(path, every, speed, pose, calibration)
+    return _read(_edgescan.replay, path, every, speed, pose, calibration)
 
 
 @_public

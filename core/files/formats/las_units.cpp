@@ -10,6 +10,10 @@
 #include <cstring>
 #include <vector>
 
+#ifdef EDGESCAN_WITH_PROJ
+#include <proj.h>
+#endif
+
 namespace edgescan::files::las {
 namespace {
 
@@ -79,16 +83,39 @@ std::optional<double> linearUnitMm(std::uint16_t code) {
     return std::nullopt;
 }
 
+/// The first axis of a system by its number, from the table that PROJ brings; empty without PROJ, and for what has an angle.
+std::optional<UnitNode> axisOfCode([[maybe_unused]] std::uint16_t code) {
+    std::optional<UnitNode> unit;
+#ifdef EDGESCAN_WITH_PROJ
+    PJ_CONTEXT* context = proj_context_create();
+    proj_log_level(context, PJ_LOG_NONE);
+    PJ* system = proj_create_from_database(context, "EPSG", std::to_string(code).c_str(), PJ_CATEGORY_CRS, 0, nullptr);
+    PJ* whole = system != nullptr && proj_get_type(system) == PJ_TYPE_COMPOUND_CRS ? proj_crs_get_sub_crs(context, system, 0) : nullptr;
+    PJ* single = whole != nullptr ? whole : system;
+    PJ* axes = single == nullptr ? nullptr : proj_crs_get_coordinate_system(context, single);
+    const char* name = nullptr;
+    double metres = 0;
+    if (axes != nullptr && proj_cs_get_type(context, axes) != PJ_CS_TYPE_ELLIPSOIDAL &&
+        proj_cs_get_axis_info(context, axes, 0, nullptr, nullptr, nullptr, &metres, &name, nullptr, nullptr) != 0 && metres > 0)
+        unit = UnitNode{name == nullptr ? "" : name, metres};
+    for (PJ* each : {axes, whole, system}) proj_destroy(each);
+    proj_context_destroy(context);
+#endif
+    return unit;
+}
+
 StatedUnits unitsOfKeys(const Keys& keys) {
     constexpr std::size_t kHead = 8, kEntry = 8;
-    constexpr std::uint16_t kModelType = 1024, kSystem = 3072, kLinear = 3076, kLinearSize = 3077, kVertical = 4099, kGeographic = 2;
+    constexpr std::uint16_t kModelType = 1024, kSystem = 3072, kLinear = 3076, kLinearSize = 3077, kHeights = 4096, kVertical = 4099,
+                            kGeographic = 2;
     StatedUnits stated;
-    std::uint16_t model = 0;
+    std::uint16_t model = 0, system = 0, heights = 0;
     for (std::size_t at = kHead; at + kEntry <= keys.directory.size(); at += kEntry) {
         const std::uint16_t key = u16At(keys.directory, at), location = u16At(keys.directory, at + 2),
                             value = u16At(keys.directory, at + 6);
         if (key == kModelType) model = value;
-        if (key == kSystem && stated.name.empty()) stated.name = "EPSG:" + std::to_string(value);
+        if (key == kSystem) system = value;
+        if (key == kHeights) heights = value;
         if (key == kLinear && linearUnitMm(value)) stated.mm = linearUnitMm(value);
         if (key == kVertical) stated.heightMm = linearUnitMm(value);
         if (key != kLinearSize || location != kDoublesId || keys.doubles.size() < (std::size_t{value} + 1) * sizeof(double)) continue;
@@ -98,6 +125,12 @@ StatedUnits unitsOfKeys(const Keys& keys) {
     }
     stated.degrees = model == kGeographic;
     if (stated.mm) stated.name = significantText(*stated.mm / kMmPerM, 10) + " m";
+    if (!stated.mm && !stated.degrees && system != 0) {
+        const auto unit = axisOfCode(system);
+        if (unit) stated.mm = unit->factor * kMmPerM;
+        stated.name = unit ? unit->name : "EPSG:" + std::to_string(system);
+    }
+    if (const auto unit = stated.heightMm || heights == 0 ? std::nullopt : axisOfCode(heights)) stated.heightMm = unit->factor * kMmPerM;
     return stated;
 }
 

@@ -78,6 +78,19 @@ MeasuredLength heightOf(std::span<const PickedEnd> ends, const Eigen::Vector3d& 
     return length;
 }
 
+/// Of a line that has a length.
+void takeSlope(std::span<const PickedEnd> ends, const Eigen::Vector3d& up, MeasuredCells& measured) {
+    const Eigen::Vector3d way = ends[1].pointM - ends[0].pointM;
+    const double height = up.dot(way);
+    const Eigen::Vector3d flat = way - height * up;
+    const double run = flat.norm();
+    const Eigen::Vector3d ahead = run > 0.0 ? Eigen::Vector3d(flat / run) : up.unitOrthogonal();
+    const Eigen::Vector3d gradient = (run * up - height * ahead) / way.squaredNorm();
+    const std::array<Eigen::Vector3d, 2> gradients{-gradient, gradient};
+    measured.slopeDeg = degrees(std::atan2(height, run));
+    measured.slopeToleranceDeg = std::min(90.0, degrees(toleranceOf(ends, gradients)));
+}
+
 /// Returns false if a side has no length.
 bool takeAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
     const Eigen::Vector3d a = ends[0].pointM - ends[1].pointM;
@@ -291,14 +304,15 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
         measured.leaps = path->leaps;
         break;
     }
-    case MeasureKind::Distance:
     case MeasureKind::Throat:
         measured.lengths = {distanceOf(all)};
         break;
+    case MeasureKind::Distance:
     case MeasureKind::Vertical: {
         const rocks::UpDirection up = rocks::upOf(scan);
-        measured.upAssumed = up.assumed;
-        measured.lengths = {heightOf(all, up.up)};
+        measured.lengths = {kind == MeasureKind::Vertical ? heightOf(all, up.up) : distanceOf(all)};
+        measured.upAssumed = up.assumed && (kind == MeasureKind::Vertical || !measured.lengths.front().isBelow);
+        if (kind == MeasureKind::Distance && !measured.lengths.front().isBelow) takeSlope(all, up.up, measured);
         break;
     }
     case MeasureKind::Angle:
@@ -406,6 +420,16 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
         else if (dependsOnClicks)
             parts.push_back(say("clicks %1 away find %2 to %3 m",
                                 {millimetres(measured.spreadM), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
+    }
+    if (measured.kind == MeasureKind::Distance && !measured.lengths.front().isBelow) {
+        constexpr double kSteep = 80.0; // degrees: a grade says little there
+        const std::string degrees = fixedText(measured.slopeDeg, 1),
+                          tolerance = fixedText(shownTolerance(measured.slopeToleranceDeg, 1), 1);
+        if (std::abs(measured.slopeDeg) < kSteep)
+            parts.push_back(
+                say("slope %1° ± %2°, grade %3 %", {degrees, tolerance, fixedText(100.0 * std::tan(radians(measured.slopeDeg)), 0)}));
+        else
+            parts.push_back(say("slope %1° ± %2°", {degrees, tolerance}));
     }
     parts.push_back(say("ranges %1 m", {ranges}));
     if (const std::string clicks = clicksPart(measured, translated); !clicks.empty()) parts.push_back(clicks);

@@ -60,7 +60,9 @@ struct MeasuredCells {
     double behindM = 0.0;
     double nearerBetweenM = 0.0;      ///< the same across another jump: something is in front of the middle of the line
     double inFrontM = 0.0;            ///< the same for an end in front of that surface; not for Throat, which is such a length
-    bool upAssumed = false;           ///< only for Vertical: the scan has no placement, so up is the scanner's z axis
+    double slopeDeg = 0.0;            ///< only for Distance: of the line, positive where its second end is the higher one
+    double slopeToleranceDeg = 0.0;   ///< only for Distance; two standard deviations
+    bool upAssumed = false;           ///< only for Vertical and Distance: the scan has no placement, so up is the scanner's z axis
     std::vector<double> rangesM;      ///< of its cells
     int fromClicks = 0;               ///< only for Throat: number of cells from a click to its end, at most
     double fromClicksM = 0.0;         ///< only for Throat: the same in metres, across the beams at the range of the end

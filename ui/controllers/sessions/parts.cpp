@@ -56,6 +56,12 @@ StatePart viewPart(LinkedViews& views) {
             }};
 }
 
+void endSwitchesOfScan(QWidget& window) {
+    forSwitches(window, [](QAction& action, const std::string&) {
+        if (action.property(kOfScan).toBool() && action.isChecked()) action.trigger();
+    });
+}
+
 StatePart switchesPart(QWidget& window) {
     const auto take = [&window](inspect::ViewerState& state) {
         forSwitches(window, [&](const QAction& action, const std::string& key) { state.switches[key] = action.isChecked(); });

@@ -50,6 +50,8 @@ template <class Controller, class Value, class... Signals>
 [[nodiscard]] StatePart viewPart(LinkedViews& views);
 /// The switches of menus, which are actions of the window.
 [[nodiscard]] StatePart switchesPart(QWidget& window);
+/// For another scan: those that belong to one scan go off.
+void endSwitchesOfScan(QWidget& window);
 /// How the views look where a menu has no switch for it. Numbers with a point, whatever the language; what is missing or cannot be
 /// understood stays as it is.
 [[nodiscard]] std::vector<StatePart> looksParts(ScanLook& look, LinkedViews& views, SavedViews& saved, Confidence& confidence,

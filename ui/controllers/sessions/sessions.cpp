@@ -218,7 +218,7 @@ void Sessions::openSession(const QString& path) { open({path}); }
 void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
     if (paths.isEmpty()) return;
     const QString first = paths.front();
-    if (std::error_code problem; !std::filesystem::is_regular_file(exactBytes(first), problem)) return files_.open(paths, options);
+    if (std::error_code problem; !std::filesystem::is_regular_file(exactBytes(first), problem)) return openScan(paths, options);
     reading_ = true;
     inBackground(
         this,
@@ -234,7 +234,7 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
                 if (number != readings_) return;
                 reading_ = false;
                 if (!read)
-                    files_.open(paths, options);
+                    openScan(paths, options);
                 else if (!*read)
                     refuse(NoticeBar::Kind::Error, exactText(read->error().sentence()));
                 else
@@ -245,6 +245,11 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
             reading_ = false;
             refuse(NoticeBar::Kind::Error, what);
         });
+}
+
+void Sessions::openScan(const QStringList& paths, const ReadingOptions& options) {
+    emit scanAsked();
+    files_.open(paths, options);
 }
 
 void Sessions::restore(inspect::ReadSession read, const QString& file) {

@@ -61,6 +61,8 @@ public:
 
 signals:
     void nameChanged();
+    /// A scan was asked for by itself, without a session.
+    void scanAsked();
     /// The wanted session cannot be restored, or not with its scan.
     void refused(const QString& sentence);
 
@@ -89,6 +91,7 @@ private:
     [[nodiscard]] QString write(const Job& job); // pool's thread; empty, or why not
     void take(const QString& trouble);
     void save();
+    void openScan(const QStringList& paths, const ReadingOptions& options);
     void restore(inspect::ReadSession read, const QString& file);
     void openNextPlace();
     void followStream();

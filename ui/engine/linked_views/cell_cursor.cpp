@@ -46,7 +46,8 @@ bool CellCursor::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::KeyPress || !views_.shown()) return false;
     auto* view = static_cast<ImageView*>(watched);
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (const QPoint step = stepOf(key->key()); !step.isNull()) {
+    if (QPoint step = stepOf(key->key()); !step.isNull()) {
+        step = view->viewPort()->toScreen().inverted().map(step); // as it is seen
         moveBy(*view, key->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier) ? step * kLongStep : step);
         return true;
     }

@@ -28,9 +28,10 @@ CornerPicture::CornerPicture(QWidget* parent) : QAbstractButton(parent) {
     place();
 }
 
-void CornerPicture::show(std::shared_ptr<const QImage> image, const PictureMark& marked) {
+void CornerPicture::show(std::shared_ptr<const QImage> image, const PictureMark& marked, const QTransform& toScreen) {
     marked_ = marked;
-    if (std::exchange(image_, std::move(image)) != image_) {
+    const bool turned = std::exchange(toScreen_, toScreen) != toScreen_;
+    if (std::exchange(image_, std::move(image)) != image_ || turned) {
         scaled_ = QPixmap();
         place();
     }
@@ -56,7 +57,8 @@ void CornerPicture::place() {
     int width = std::min(kWidest, std::max(kNarrowest, room.width() / 4));
     int height = 0;
     if (image_ && !image_->isNull()) {
-        const double shape = static_cast<double>(image_->height()) / image_->width();
+        const QSize turned = toScreen_.mapRect(image_->rect()).size();
+        const double shape = static_cast<double>(turned.height()) / turned.width();
         height = static_cast<int>(std::min(width * shape, room.height() * 0.4));
     }
     const int least = std::max(0, kLeastForGloves - height);
@@ -113,16 +115,18 @@ void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
     const QRect above = rect().adjusted(0, 0, 0, -words_);
     if (image_ && !image_->isNull() && above.height() > 0) {
         if (scaled_.isNull()) {
-            const QSize pixels = image_->size().scaled(above.size() * devicePixelRatioF(), Qt::KeepAspectRatio);
-            scaled_ = QPixmap::fromImage(image_->scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+            const QSize room = toScreen_.mapRect(QRect(QPoint(), above.size())).size() * devicePixelRatioF();
+            const QSize pixels = image_->size().scaled(room, Qt::KeepAspectRatio);
+            scaled_ = QPixmap::fromImage(image_->scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).transformed(toScreen_));
             scaled_.setDevicePixelRatio(devicePixelRatioF());
         }
         QRectF at(QPointF(), QSizeF(scaled_.size()) / devicePixelRatioF());
         at.moveCenter(QRectF(above).center());
         painter.drawPixmap(at.topLeft(), scaled_);
         const auto place = [&](const QPoint& cell) {
-            return QPointF(at.left() + (cell.x() + 0.5) / image_->width() * at.width(),
-                           at.top() + (cell.y() + 0.5) / image_->height() * at.height());
+            const QPointF way =
+                toScreen_.map(QPointF((cell.x() + 0.5) / image_->width(), (cell.y() + 0.5) / image_->height()) - QPointF(0.5, 0.5));
+            return at.center() + QPointF(way.x() * at.width(), way.y() * at.height());
         };
         const auto draw = [&] {
             for (const auto& [a, b] : marked_.links)

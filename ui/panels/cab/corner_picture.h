@@ -6,6 +6,7 @@
 #include <QPixmap>
 #include <QPoint>
 #include <QRegion>
+#include <QTransform>
 #include <QVector>
 
 #include <cstddef>
@@ -28,7 +29,8 @@ public:
     explicit CornerPicture(QWidget* parent);
 
     /// One pixel per cell. Null image: only the text.
-    void show(std::shared_ptr<const QImage> image, const PictureMark& marked);
+    /// `toScreen`: how the image is turned (ViewPort::toScreen()).
+    void show(std::shared_ptr<const QImage> image, const PictureMark& marked, const QTransform& toScreen = {});
     [[nodiscard]] const PictureMark& marked() const { return marked_; }
     void setWords(const QString& words);
     /// Its bottom is at this y in its parent, if that leaves it in the parent; at first it is at the top.
@@ -57,6 +59,7 @@ private:
 
     std::shared_ptr<const QImage> image_;
     PictureMark marked_;
+    QTransform toScreen_;
     QPixmap scaled_;
     int words_ = 0;  // px of its height
     int bottom_ = 0; // y in its parent

@@ -71,7 +71,7 @@ void CommandPalette::find() {
     for (int n = 0; n < actions_.size(); ++n) {
         const QAction& action = *actions_[n];
         const QString name = nameOf(action);
-        if (!action.isEnabled() || !holdsAll(name, words_->text())) continue;
+        if (!action.isEnabled() || !holdsAll(name + ' ' + action.whatsThis(), words_->text())) continue;
         const QString keys = action.shortcut().toString(QKeySequence::NativeText);
         auto* item = new QListWidgetItem(keys.isEmpty() ? name : name + "   " + keys, list_);
         item->setData(Qt::UserRole, n);

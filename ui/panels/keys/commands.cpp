@@ -30,13 +30,16 @@ void makeSwitch(QAction& action, const Command& command, Preferences& preference
         return;
     }
     action.setProperty(kChanges, true);
-    if (command.inSessions) action.setProperty(kInSessions, command.remembered);
-    action.setChecked(preferences.flag(command.remembered, command.on));
+    if (command.keptIn != KeptIn::Settings) action.setProperty(kInSessions, command.remembered);
+    const bool forNextStart = command.keptIn != KeptIn::Sessions;
+    action.setProperty(kOfScan, !forNextStart);
+    action.setChecked(forNextStart ? preferences.flag(command.remembered, command.on) : command.on);
     command.set(action.isChecked()); // also for the initial state of the action
-    QObject::connect(&action, &QAction::toggled, &action, [&preferences, set = command.set, key = command.remembered](bool on) {
-        set(on);
-        preferences.keep(key, on);
-    });
+    QObject::connect(&action, &QAction::toggled, &action,
+                     [&preferences, set = command.set, key = command.remembered, forNextStart](bool on) {
+                         set(on);
+                         if (forNextStart) preferences.keep(key, on);
+                     });
 }
 
 } // namespace
@@ -50,7 +53,12 @@ Command toggle(const char* text, const char* keys, const char* remembered, bool 
 }
 
 Command habit(Command command) {
-    command.inSessions = false;
+    command.keptIn = KeptIn::Settings;
+    return command;
+}
+
+Command ofScan(Command command) {
+    command.keptIn = KeptIn::Sessions;
     return command;
 }
 

@@ -5,6 +5,7 @@
 #include <QString>
 #include <QTimer>
 
+#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -24,8 +25,14 @@ inline constexpr const char* kInSessions = "kept-in-sessions";
 /// Property of an action: it changes a setting or a result. Remembered switches have it.
 inline constexpr const char* kChanges = "changes";
 
+/// Property of an action: a switch that another scan begins without.
+inline constexpr const char* kOfScan = "of-scan";
+
 /// Property of an action: it is for a keyboard, a mouse or the layout of the desk; hidden in cab mode.
 inline constexpr const char* kOfDesk = "of-desk";
+
+/// Where the state of a switch is stored: the settings memory is for the next start.
+enum class KeptIn : std::uint8_t { Both, Settings, Sessions };
 
 /// One entry of a menu. The functions below make it.
 struct Command {
@@ -33,9 +40,9 @@ struct Command {
     QString keys{};                              ///< shortcuts: "Ctrl+Y; Ctrl+Shift+Z"
     std::function<void()> run{};                 ///< of a plain command
     std::function<void(bool on)> set{};          ///< of a switch
-    const char* remembered = nullptr;            ///< of a switch: its key in the settings memory; null if its state is stored elsewhere
+    const char* remembered = nullptr;            ///< of a switch: its key; null if its state is stored elsewhere
     bool on = false;                             ///< of a remembered switch: its value at the first start
-    bool inSessions = true;                      ///< of a remembered switch
+    KeptIn keptIn = KeptIn::Both;                ///< of a remembered switch
     std::vector<Command> submenu{};              ///< entries of a submenu
     std::function<void(QMenu& menu)> fill{};     ///< of a menu that is filled each time it is opened
     QString source{};                            ///< the text before translation: shortcuts are stored under it
@@ -48,6 +55,8 @@ struct Command {
 [[nodiscard]] Command toggle(const char* text, const char* keys, const char* remembered, bool on, std::function<void(bool)> set);
 /// A switch that is remembered, but not in a session: a habit of the operator, not a property of the scan's view.
 [[nodiscard]] Command habit(Command command);
+/// A switch that is remembered in sessions only: another scan begins without it.
+[[nodiscard]] Command ofScan(Command command);
 [[nodiscard]] Command submenu(const char* text, std::vector<Command> commands);
 /// A command that changes a setting or a result.
 [[nodiscard]] Command changing(Command command);

@@ -199,7 +199,7 @@ std::optional<QPoint> ImageView::cellAt(QPointF pixel) const {
 }
 
 QRectF ImageView::toPixels(const QRectF& cells) const {
-    return {viewPort_->toPixel(cells.topLeft(), size()), viewPort_->toPixel(cells.bottomRight(), size())};
+    return QRectF(viewPort_->toPixel(cells.topLeft(), size()), viewPort_->toPixel(cells.bottomRight(), size())).normalized();
 }
 
 void ImageView::paintEvent(QPaintEvent* /*event*/) {
@@ -241,7 +241,7 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
 
     const QPointF topLeft = viewPort_->toCell({0.0, 0.0}, size());
     const QPointF bottomRight = viewPort_->toCell(QPointF(width(), height()), size());
-    QRectF seen = QRectF(topLeft, bottomRight).intersected(QRectF({0.0, 0.0}, full));
+    QRectF seen = QRectF(topLeft, bottomRight).normalized().intersected(QRectF({0.0, 0.0}, full));
     if (seen.isEmpty()) return;
     // Whole pixels of the level; otherwise drawImage would shift the picture by fractions of a cell.
     const QRect source =
@@ -251,7 +251,10 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1.0 && pyramid.shrink() != Shrink::Lines);
     painter.save();
     painter.setClipRect(toPixels(QRectF({0.0, 0.0}, full)));
-    painter.drawImage(target, image, source);
+    const QTransform& turn = viewPort_->toScreen();
+    const QPointF middle = turn.isIdentity() ? QPointF() : target.center();
+    painter.setTransform(turn * QTransform::fromTranslate(middle.x(), middle.y()), true);
+    painter.drawImage(turn.inverted().mapRect(target.translated(-middle)), image, source);
     painter.restore();
 }
 

@@ -50,6 +50,15 @@ void ViewPort::setAspect(double widthByHeight) {
 
 void ViewPort::setTrueAngle(double beamStepDeg, double lineStepDeg) { setAspect(std::abs(beamStepDeg) / std::abs(lineStepDeg)); }
 
+void ViewPort::setTurn(const Turn& turn) {
+    if (turn == turn_) return;
+    turn_ = turn;
+    toScreen_ = QTransform::fromScale(turn.mirrored ? -1.0 : 1.0, 1.0) *
+                QTransform().rotate((turn.quarter ? 90.0 : 0.0) + (turn.half ? 180.0 : 0.0));
+    if (follows()) refit();
+    emit changed();
+}
+
 void ViewPort::fit() {
     fitted_ = true;
     part_.reset();
@@ -86,6 +95,7 @@ double ViewPort::fittingZoom(QSizeF cells) const { return fittingZoom(cells, sma
 
 double ViewPort::fittingZoom(QSizeF cells, QSizeF view) const {
     if (view.isEmpty() || cells.isEmpty()) return 1.0;
+    if (turn_.quarter) view.transpose();
     return std::min({view.width() / (cells.width() * aspect_), view.height() / cells.height(), kMaxZoom});
 }
 
@@ -106,10 +116,7 @@ void ViewPort::zoomAt(QPointF cell, double factor) {
     emit changed();
 }
 
-void ViewPort::panPixels(QPointF pixels, QSizeF viewSize) {
-    const QSizeF cell = cellSize(viewSize);
-    centreOn(centre_ - QPointF(pixels.x() / cell.width(), pixels.y() / cell.height()));
-}
+void ViewPort::panPixels(QPointF pixels, QSizeF viewSize) { centreOn(centre_ - (toCell(pixels, viewSize) - toCell({}, viewSize))); }
 
 void ViewPort::centreOn(QPointF cell) {
     const QPointF before = centre_;
@@ -143,14 +150,14 @@ void ViewPort::forgetView(const QObject* view) {
 
 QPointF ViewPort::toCell(QPointF pixel, QSizeF viewSize) const {
     const QSizeF cell = cellSize(viewSize);
-    return {centre_.x() + (pixel.x() - 0.5 * viewSize.width()) / cell.width(),
-            centre_.y() + (pixel.y() - 0.5 * viewSize.height()) / cell.height()};
+    const QPointF way = toScreen_.inverted().map(pixel - 0.5 * QPointF(viewSize.width(), viewSize.height()));
+    return centre_ + QPointF(way.x() / cell.width(), way.y() / cell.height());
 }
 
 QPointF ViewPort::toPixel(QPointF cell, QSizeF viewSize) const {
     const QSizeF size = cellSize(viewSize);
-    return {0.5 * viewSize.width() + (cell.x() - centre_.x()) * size.width(),
-            0.5 * viewSize.height() + (cell.y() - centre_.y()) * size.height()};
+    const QPointF way = cell - centre_;
+    return 0.5 * QPointF(viewSize.width(), viewSize.height()) + toScreen_.map(QPointF(way.x() * size.width(), way.y() * size.height()));
 }
 
 } // namespace edgescan::ui

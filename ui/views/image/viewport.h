@@ -7,6 +7,7 @@
 #include <QRectF>
 #include <QSize>
 #include <QSizeF>
+#include <QTransform>
 
 #include <optional>
 
@@ -42,6 +43,15 @@ public:
     /// "True angle" aspect: beam step and line step in degrees.
     void setTrueAngle(double beamStepDeg, double lineStepDeg);
     void setSquarePixels() { setAspect(1.0); }
+    /// How the image is turned on the screen: first mirrored left to right, then turned clockwise by a quarter, by a half, or by both.
+    struct Turn {
+        bool mirrored = false, quarter = false, half = false;
+        bool operator==(const Turn&) const = default;
+    };
+    void setTurn(const Turn& turn);
+    [[nodiscard]] const Turn& turn() const { return turn_; }
+    /// From the image as it is to the image on the screen, both about their middles: of pixels and of steps.
+    [[nodiscard]] const QTransform& toScreen() const { return toScreen_; }
 
     void fit();
     /// Fits these cells into the views, also those that are shown later, until the operator zooms or pans.
@@ -77,6 +87,8 @@ private:
     QPointF centre_{0.5, 0.5};
     double zoom_ = 1.0;
     double aspect_ = 1.0;
+    Turn turn_;
+    QTransform toScreen_;
     bool fitted_ = true;
     std::optional<QRectF> part_; // that is fitted instead of the whole image
     QSize imageSize_;

@@ -183,9 +183,18 @@ TEST_F(ReportedFiles, LasUnitsAndReturns) {
     const std::string geographic =
         R"(GEOGCS["WGS 84",DATUM["D",SPHEROID["S",6378137,298.25]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]])";
     const std::string wkt = "PROJCS[\"State Plane\"," + geographic + R"(,PROJECTION["Lambert"],UNIT["US survey foot",0.304800609601219]])";
-    std::string keys;
-    for (const int value : {1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, 9003}) appendValue(keys, static_cast<std::uint16_t>(value));
-    for (const auto& [id, content] : {std::pair<std::uint16_t, std::string>{2112, wkt}, {34735, keys}}) {
+    const auto keys = [](std::initializer_list<int> values) {
+        std::string bytes;
+        for (const int value : values) appendValue(bytes, static_cast<std::uint16_t>(value));
+        return bytes;
+    };
+    std::vector<std::pair<std::uint16_t, std::string>> records{{2112, wkt}, {34735, keys({1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, 9003})}};
+#ifdef EDGESCAN_WITH_PROJ // the system by its number only: Texas Central, alone and with heights
+    records.emplace_back(34735, keys({1, 1, 0, 2, 1024, 0, 1, 1, 3072, 0, 1, 2277}));
+    records.emplace_back(34735, keys({1, 1, 0, 3, 1024, 0, 1, 1, 3072, 0, 1, 2277, 4096, 0, 1, 6360}));
+    records.emplace_back(34735, keys({1, 1, 0, 2, 1024, 0, 1, 1, 3072, 0, 1, 6584}));
+#endif
+    for (const auto& [id, content] : records) {
         const auto scan = readBytes(withRecord(las, id, content), ".las");
         ASSERT_TRUE(scan) << scan.error().sentence();
         EXPECT_EQ(scan->state, expected_.state);

@@ -73,6 +73,11 @@ TEST(Lengths, AreThoseOfTheirPoints) {
     const auto point = [&](std::size_t n) { return tables.point(cells[n]); };
     const auto distance = measureCells(scan, kUsualNoise, MeasureKind::Distance, std::vector{cells[0], cells[1]});
     EXPECT_NEAR(distance->lengths.front().valueM, (point(0) - point(1)).norm(), 1e-12);
+    const double height = point(1).z() - point(0).z();
+    EXPECT_NEAR(distance->slopeDeg, std::asin(height / (point(0) - point(1)).norm()) * 180 / std::numbers::pi, 1e-9);
+    const auto back = measureCells(scan, kUsualNoise, MeasureKind::Distance, std::vector{cells[1], cells[0]});
+    EXPECT_NEAR(back->slopeDeg, -distance->slopeDeg, 1e-12);
+    EXPECT_NE(measureBasis(*distance).find("slope "), std::string::npos);
     const auto vertical = measureCells(scan, kUsualNoise, MeasureKind::Vertical, std::vector{cells[0], cells[1]});
     EXPECT_TRUE(vertical->upAssumed);
     EXPECT_NEAR(vertical->lengths.front().valueM, point(1).z() - point(0).z(), 1e-12) << "the second is higher by so much";
@@ -191,6 +196,10 @@ TEST(Lengths, TolerancesAreTwiceTheSpreadOfChance) {
     const std::vector<std::uint32_t> two(cells.begin(), cells.begin() + 2), three(cells.begin(), cells.begin() + 3);
     check(measureCells(scan, kUsualNoise, MeasureKind::Distance, two)->lengths[0].toleranceM,
           [](const auto& p) { return (p[0] - p[1]).norm(); });
+    check(measureCells(scan, kUsualNoise, MeasureKind::Distance, two)->slopeToleranceDeg, [](const auto& p) {
+        const Eigen::Vector3d way = p[1] - p[0];
+        return std::atan2(way.z(), std::hypot(way.x(), way.y())) * 180 / std::numbers::pi;
+    });
     check(measureCells(scan, kUsualNoise, MeasureKind::Vertical, two)->lengths[0].toleranceM,
           [](const auto& p) { return p[1].z() - p[0].z(); });
     check(measureCells(scan, kUsualNoise, MeasureKind::Angle, three)->angleToleranceDeg, [](const auto& p) {
