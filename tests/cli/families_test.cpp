@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 namespace edgescan {
@@ -23,8 +24,12 @@ TEST(LabFamilies, AChangeThatFallsDoesNotPass) {
     const test::TemporaryFolder folder;
     const std::string flags = "families --family staircase --scenes 1 --store " + (folder / "store").string();
     const std::string earlier = (folder / "earlier.json").string();
-    const auto first = runLab(flags + " --draw words --with default --json " + earlier);
+    const auto first = runLab(flags + " --draw words --with default --json " + earlier + " --pictures " + (folder / "pictures").string());
     ASSERT_EQ(first.code, 0) << first.err;
+    std::filesystem::directory_iterator pictures(folder / "pictures");
+    ASSERT_NE(pictures, std::filesystem::directory_iterator()) << "a picture of its only scene";
+    EXPECT_EQ(pictures->path().extension(), ".png");
+    EXPECT_TRUE(test::fileText(pictures->path()).starts_with("\x89PNG"));
     EXPECT_EQ(runLab(flags + " --with default --against " + earlier).code, 0); // the draw is that of the file
     const auto worse = runLab(flags + " --with 'default=--sensitivity 2.5' --against " + earlier);
     EXPECT_EQ(worse.code, 3) << worse.out << worse.err;

@@ -2,6 +2,7 @@
 #include "app/lab/commands/commands.h"
 #include "app/lab/commands/contestants.h"
 #include "app/lab/families/family_report.h"
+#include "app/lab/reports/comparison_pictures.h"
 #include "app/lab/stones/stones.h"
 #include "app/shared/interrupt.h"
 #include "app/shared/json_output.h"
@@ -12,10 +13,13 @@
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/base/whole_file.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/pipeline.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include <unistd.h>
@@ -31,7 +35,7 @@ struct FamiliesAsked {
     std::vector<std::string> only, with, named;
     lab::FamilyRunSettings run;
     std::string shared = "../shared", surface, kinect, store, stones, settled, stoneSet = "lab";
-    std::string json, against, record, recorded;
+    std::string json, against, record, recorded, pictures;
     bool progress = false;
 };
 
@@ -90,6 +94,17 @@ Result<int> checkRecord(const FamiliesAsked& asked, const std::vector<lab::Score
     if (!fallen) return fallen.error();
     for (const std::string& sentence : *fallen) printResult(sentence);
     return fallen->empty() ? kDone : kDiffers;
+}
+
+/// The first contestant's edges on the scene, as a PNG in the folder.
+Result<Done> drawScene(const FamiliesAsked& asked, const lab::MadeScene& scene, const std::string& name) {
+    const auto& settings = asked.run.contestants.front().settings;
+    if (!scene.truth || !settings) return Done{};
+    std::string file = name;
+    std::ranges::replace(file, '/', '-');
+    const auto detection = edges::detectEdges(scene.scan, *settings);
+    return containers::savePngRgb(lab::sceneSheet(*detection, scene.truth->edges, lab::kFamilyTolerance),
+                                  std::filesystem::path(asked.pictures) / (file + ".png"));
 }
 
 Result<int> runAsked(FamiliesAsked& asked) {
@@ -152,6 +167,11 @@ std::optional<Error> wrongUsage(FamiliesAsked& asked) {
                         .stoneSet = asked.stoneSet,
                         .settled = asked.settled};
     asked.run.store = asked.store;
+    if (asked.pictures.empty()) return std::nullopt;
+    std::error_code failed;
+    std::filesystem::create_directories(asked.pictures, failed);
+    if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", asked.pictures, "choose one that can be written to"};
+    asked.run.showFirst = [&asked](const lab::MadeScene& scene, const std::string& name) { return drawScene(asked, scene, name); };
     return std::nullopt;
 }
 
@@ -206,6 +226,10 @@ void addFamilies(CLI::App& app, int& code) {
     command.add_option("--record", asked->record, "File for the F of each scene, to be compared with later")->type_name("FILE");
     command.add_option("--recorded", asked->recorded, "File of --record: exit code 3 if an F fell by .03 or more")->type_name("FILE");
     addJsonFlag(command, asked->json, "All figures, with those of each scene");
+    command
+        .add_option("--pictures", asked->pictures,
+                    "Folder for a picture of the first scene of each family: found, missed and false edges, and borders and folds")
+        ->type_name("DIR");
     command.add_flag("--progress", asked->progress, "Show the progress on stderr, also where that is not a terminal");
     command.callback([asked, &code] { code = run(*asked); });
 }

@@ -24,6 +24,7 @@ struct SceneJob {
     const Family* family;
     SceneOrder order;
     ScoredScene* result;
+    bool isFirst; ///< of its family
 };
 
 // The name of a score in the store: a hash of all that it depends on.
@@ -52,6 +53,17 @@ std::optional<SceneScore> storedScore(const fs::path& path) {
 
 Result<Done> runScene(const FamilyRunSettings& settings, const SceneJob& job, const GoOn& goOn) {
     std::optional<MadeScene> scene;
+    const auto make = [&]() -> Result<Done> {
+        if (scene) return Done{};
+        Result<MadeScene> made = makeScene(*job.family, job.order, settings.places, goOn);
+        if (!made) return made.error();
+        scene = std::move(*made);
+        return Done{};
+    };
+    if (settings.showFirst && job.isFirst) {
+        if (const auto made = make(); !made) return made;
+        if (const auto shown = settings.showFirst(*scene, job.order.name); !shown) return shown;
+    }
     for (std::size_t n = 0; n < settings.contestants.size(); ++n) {
         const fs::path path = settings.store.empty() ? fs::path() : storedName(settings, job, settings.contestants[n]);
         if (!path.empty()) {
@@ -61,11 +73,7 @@ Result<Done> runScene(const FamilyRunSettings& settings, const SceneJob& job, co
             }
         }
         if (!goOn()) return Error{"stopped", "", ""};
-        if (!scene) {
-            Result<MadeScene> made = makeScene(*job.family, job.order, settings.places, goOn);
-            if (!made) return made.error();
-            scene = std::move(*made);
-        }
+        if (const auto made = make(); !made) return made;
         SceneScore score = sceneScore(*scene, settings.contestants[n]);
         if (!path.empty()) {
             if (const auto written = writeWholeFile(path, jsonText(sceneScoreJson(score)) + "\n"); !written) return written;
@@ -140,7 +148,7 @@ Result<std::vector<ScoredFamily>> runFamilies(const FamilyRunSettings& settings,
         for (std::size_t k = 0; k < orders->size(); ++k) {
             const SceneOrder& order = (*orders)[k];
             results[n].scenes[k] = {order.name, order.seed, std::vector<SceneScore>(settings.contestants.size())};
-            jobs.push_back({settings.families[n], order, &results[n].scenes[k]});
+            jobs.push_back({settings.families[n], order, &results[n].scenes[k], k == 0});
         }
     }
     if (const Result<Done> done = SceneThreads(settings, jobs, goOn, progress).run(); !done) return done.error();

@@ -30,7 +30,9 @@ struct FamilyRunSettings {
     FamilyPlaces places;
     int threads = 2;             ///< as many scenes are in memory at a time
     std::filesystem::path store; ///< folder of the scores of earlier runs; empty: they are not stored
-    std::string program;         ///< what else the scores depend on: part of their names in the store
+    /// Called with the first scene of each family, from any thread.
+    std::function<Result<Done>(const MadeScene& scene, const std::string& name)> showFirst;
+    std::string program; ///< what else the scores depend on: part of their names in the store
 };
 
 /// Called from any thread, one at a time, when a scene is done; false stops.

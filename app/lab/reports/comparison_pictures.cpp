@@ -105,6 +105,29 @@ Grid<std::uint8_t> truthMarks(const Grid<std::uint8_t>& mask, const sim::EdgeTru
     return marks;
 }
 
+Grid<Rgb> sceneSheet(const edges::Detection& detection, const sim::EdgeTruth& truth, double tolerance) {
+    const Scan& scan = *detection.scan;
+    const Grid<std::uint8_t>& gray = detection.gray->levels;
+    const std::vector<edges::BorderPercent>& borders = *detection.borders;
+    constexpr std::uint8_t kStrong = 4, kWeak = 5, kFold = 6; // after the marks of truthMarks()
+    Grid<std::uint8_t> marks(scan.lines(), scan.beams());
+    for (std::size_t n = 0; n < detection.edges->size(); ++n) {
+        const bool known = n < borders.size() && borders[n] != edges::kUnknownBorder;
+        const int percent = known ? borders[n] : 100;
+        marks[(*detection.edges)[n]] = percent >= edges::kStrongBorder ? kStrong : percent >= edges::kWeakBorder ? kWeak : kFold;
+    }
+    std::vector<exports::SheetMark> legend = truthLegend();
+    legend.push_back({"likely the border of a rock", kGreen, exports::MarkShape::Square});
+    legend.push_back({"perhaps", kPurple, exports::MarkShape::Plus});
+    legend.push_back({"a fold within a rock", kVermilion, exports::MarkShape::Slash});
+    const EdgeCounts all = scoreMatches(matchWithTruth(*detection.mask, truth, tolerance), truth).all;
+    return exports::contactSheet(
+        {{gray, truthMarks(*detection.mask, truth, tolerance), "against the truth",
+          "F " + fixedText(all.f(), 3) + ", precision " + fixedText(all.precision(), 3) + ", recall " + fixedText(all.recall(), 3)},
+         {gray, marks, "border or fold", std::to_string(detection.edges->size()) + " edge cells"}},
+        {2, tilePixels(2, scan.beams()), shapeOf(scan) + "; all edges, tolerance " + significantText(tolerance, 3) + " cells", legend});
+}
+
 Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& methods, const sim::EdgeTruth& truth, double tolerance) {
     const Grid<std::uint8_t> gray = edges::grayImage(scan, edges::Settings{}).levels;
     std::vector<exports::SheetTile> tiles;

@@ -3,6 +3,7 @@
 
 #include "app/lab/peers/comparison.h"
 #include "app/lab/reports/titled_tiles.h"
+#include "core/edges/pipeline/detection.h"
 
 namespace edgescan::lab {
 
@@ -22,5 +23,8 @@ inline constexpr std::uint8_t kMarkFound = 1, kMarkMissed = 2, kMarkFalse = 3;
 /// which are drawn with their settings. `tolerance`: of the scores, cells. Empty if there are no scores.
 [[nodiscard]] Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& methods, const sim::EdgeTruth& truth,
                                    double tolerance);
+
+/// Two tiles: found, missed and false cells of a detection, and its edges by their probability to be the border of a rock.
+[[nodiscard]] Grid<Rgb> sceneSheet(const edges::Detection& detection, const sim::EdgeTruth& truth, double tolerance);
 
 } // namespace edgescan::lab
