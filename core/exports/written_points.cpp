@@ -117,7 +117,7 @@ Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const s
     PointBounds bounds;
     source.takePlaces = [&bounds](std::span<const Eigen::Vector3d> points) { addTo(bounds, points); };
     const files::Format* format = files::writtenFormat(path);
-    if (format == nullptr || format->write == nullptr) return std::optional<PointBounds>();
+    if (format == nullptr || format->write == nullptr || format->read == nullptr) return std::optional<PointBounds>();
     auto reading = format->read(source);
     if (!reading) return reading.error();
     addTo(bounds, files::pointsAsWritten(std::move(*reading))); // those that the reader did not give away

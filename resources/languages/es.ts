@@ -1891,6 +1891,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Network capture</source><translation>Captura de red</translation></message>
 <message><source>CoLa stream</source><translation>Flujo CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dibujo con las líneas de los bordes</translation></message>
+<message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Imagen de distancias</translation></message>
 <message><source>LAS point cloud</source><translation>Nube de puntos LAS</translation></message>
 <message><source>numpy array</source><translation>Matriz numpy</translation></message>
@@ -1900,6 +1901,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Point list</source><translation>Lista de puntos</translation></message>
 <message><source>Point table</source><translation>Tabla de puntos</translation></message>
 <message><source>3DTK scan</source><translation>Escaneo 3DTK</translation></message>
+<message><source>Leica PTX</source><translation>Leica PTX</translation></message>
 <message><source>Range or point table</source><translation>Tabla de distancias o de puntos</translation></message>
 <message><source>Raw grid</source><translation>Cuadrícula sin procesar</translation></message>
 <message><source>Recording</source><translation>Grabación</translation></message>
@@ -2254,9 +2256,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>between the two sides that were clicked</source><translation>entre los dos lados en los que se hizo clic</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ clics a %1 encuentran de %2 a %3 m: acérquese y haga clic de nuevo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>clics a %1 de ahí encuentran de %2 a %3 m</translation></message>
+<message><source>ranges %1 m</source><translation>distancias %1 m</translation></message>
 <message><source>slope %1° ± %2°, grade %3 %</source><translation>inclinación %1° ± %2°, pendiente %3 %</translation></message>
 <message><source>slope %1° ± %2°</source><translation>inclinación %1° ± %2°</translation></message>
-<message><source>ranges %1 m</source><translation>distancias %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluidos: %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ un extremo está %1 m detrás de la superficie vecina</translation></message>

@@ -1891,6 +1891,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Network capture</source><translation>Capture réseau</translation></message>
 <message><source>CoLa stream</source><translation>Flux CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dessin avec les lignes des arêtes</translation></message>
+<message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Image de distances</translation></message>
 <message><source>LAS point cloud</source><translation>Nuage de points LAS</translation></message>
 <message><source>numpy array</source><translation>Tableau numpy</translation></message>
@@ -1900,6 +1901,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Point list</source><translation>Liste de points</translation></message>
 <message><source>Point table</source><translation>Tableau de points</translation></message>
 <message><source>3DTK scan</source><translation>Scan 3DTK</translation></message>
+<message><source>Leica PTX</source><translation>Leica PTX</translation></message>
 <message><source>Range or point table</source><translation>Tableau de distances ou de points</translation></message>
 <message><source>Raw grid</source><translation>Grille brute</translation></message>
 <message><source>Recording</source><translation>Enregistrement</translation></message>
@@ -2254,9 +2256,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>between the two sides that were clicked</source><translation>entre les deux côtés qui ont été cliqués</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ des clics à %1 trouvent %2 à %3 m : zoomez et cliquez à nouveau</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>des clics à %1 de là trouvent %2 à %3 m</translation></message>
+<message><source>ranges %1 m</source><translation>distances %1 m</translation></message>
 <message><source>slope %1° ± %2°, grade %3 %</source><translation>inclinaison %1° ± %2°, pente %3 %</translation></message>
 <message><source>slope %1° ± %2°</source><translation>inclinaison %1° ± %2°</translation></message>
-<message><source>ranges %1 m</source><translation>distances %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>sauts compris : %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ une extrémité est %1 m derrière la surface voisine</translation></message>

@@ -1891,6 +1891,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Network capture</source><translation>Captura de rede</translation></message>
 <message><source>CoLa stream</source><translation>Fluxo CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Desenho com as linhas das bordas</translation></message>
+<message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Imagem de distâncias</translation></message>
 <message><source>LAS point cloud</source><translation>Nuvem de pontos LAS</translation></message>
 <message><source>numpy array</source><translation>Matriz numpy</translation></message>
@@ -1900,6 +1901,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Point list</source><translation>Lista de pontos</translation></message>
 <message><source>Point table</source><translation>Tabela de pontos</translation></message>
 <message><source>3DTK scan</source><translation>Varredura 3DTK</translation></message>
+<message><source>Leica PTX</source><translation>Leica PTX</translation></message>
 <message><source>Range or point table</source><translation>Tabela de distâncias ou de pontos</translation></message>
 <message><source>Raw grid</source><translation>Grade bruta</translation></message>
 <message><source>Recording</source><translation>Gravação</translation></message>
@@ -2254,9 +2256,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>between the two sides that were clicked</source><translation>entre os dois lados em que se clicou</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ cliques a %1 encontram de %2 a %3 m: amplie e clique de novo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>cliques a %1 dali encontram de %2 a %3 m</translation></message>
+<message><source>ranges %1 m</source><translation>distâncias %1 m</translation></message>
 <message><source>slope %1° ± %2°, grade %3 %</source><translation>inclinação %1° ± %2°, declive %3 %</translation></message>
 <message><source>slope %1° ± %2°</source><translation>inclinação %1° ± %2°</translation></message>
-<message><source>ranges %1 m</source><translation>distâncias %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluídos: %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ uma extremidade está %1 m atrás da superfície vizinha</translation></message>

@@ -421,17 +421,16 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
             parts.push_back(say("clicks %1 away find %2 to %3 m",
                                 {millimetres(measured.spreadM), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
     }
+    parts.push_back(say("ranges %1 m", {ranges}));
     if (measured.kind == MeasureKind::Distance && !measured.lengths.front().isBelow) {
         constexpr double kSteep = 80.0; // degrees: a grade says little there
-        const std::string degrees = fixedText(measured.slopeDeg, 1),
-                          tolerance = fixedText(shownTolerance(measured.slopeToleranceDeg, 1), 1);
+        const std::string slope = fixedText(measured.slopeDeg, 1), tolerance = fixedText(shownTolerance(measured.slopeToleranceDeg, 1), 1);
         if (std::abs(measured.slopeDeg) < kSteep)
             parts.push_back(
-                say("slope %1° ± %2°, grade %3 %", {degrees, tolerance, fixedText(100.0 * std::tan(radians(measured.slopeDeg)), 0)}));
+                say("slope %1° ± %2°, grade %3 %", {slope, tolerance, fixedText(100.0 * std::tan(radians(measured.slopeDeg)), 0)}));
         else
-            parts.push_back(say("slope %1° ± %2°", {degrees, tolerance}));
+            parts.push_back(say("slope %1° ± %2°", {slope, tolerance}));
     }
-    parts.push_back(say("ranges %1 m", {ranges}));
     if (const std::string clicks = clicksPart(measured, translated); !clicks.empty()) parts.push_back(clicks);
     if (measured.angleIsBelow) parts.push_back(say("a side is below what is resolved there"));
     if (measured.leaps > 0) parts.push_back(say("jumps that are part of it: %1", {std::to_string(measured.leaps)}));
