@@ -1730,10 +1730,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Colores de borde para dal&amp;tónicos</translation></message>
-<message><source>Turn the I&amp;mages</source><translation>Girar las i&amp;mágenes</translation></message>
-<message><source>A &amp;Quarter Clockwise</source><translation>Un &amp;cuarto a la derecha</translation></message>
-<message><source>A &amp;Half</source><translation>Media &amp;vuelta</translation></message>
-<message><source>&amp;Mirrored, Left to Right</source><translation>&amp;Reflejadas, de izquierda a derecha</translation></message>
+<message><source>I&amp;mages</source><translation>I&amp;mágenes</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proporción an&amp;gular real</translation></message>
+<message><source>Turn by a &amp;Quarter</source><translation>Girar un &amp;cuarto a la derecha</translation></message>
+<message><source>Turn by a &amp;Half</source><translation>Dar media &amp;vuelta</translation></message>
+<message><source>&amp;Mirror</source><translation>&amp;Reflejar</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Mirar desde</translation></message>
 <message><source>From &amp;Scanner</source><translation>Desde el &amp;escáner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
@@ -1762,7 +1763,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Zoom In</source><translation>A&amp;cercar</translation></message>
 <message><source>Zoom O&amp;ut</source><translation>A&amp;lejar</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Volar al punto bajo el cursor</translation></message>
-<message><source>True &amp;Angle Aspect</source><translation>Proporción an&amp;gular real</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restab&amp;lecer la disposición</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Pantalla com&amp;pleta</translation></message>
 <message><source>P&amp;ose and Mounting…</source><translation>Pose &amp;y montaje…</translation></message>

@@ -1730,10 +1730,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Arêtes par &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Couleurs des arêtes pour dalton&amp;iens</translation></message>
-<message><source>Turn the I&amp;mages</source><translation>Tourner les i&amp;mages</translation></message>
-<message><source>A &amp;Quarter Clockwise</source><translation>D’un &amp;quart à droite</translation></message>
-<message><source>A &amp;Half</source><translation>D’un &amp;demi-tour</translation></message>
-<message><source>&amp;Mirrored, Left to Right</source><translation>&amp;Miroir, de gauche à droite</translation></message>
+<message><source>I&amp;mages</source><translation>I&amp;mages</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proportions angulaires r&amp;éelles</translation></message>
+<message><source>Turn by a &amp;Quarter</source><translation>Tourner d’un &amp;quart à droite</translation></message>
+<message><source>Turn by a &amp;Half</source><translation>Tourner d’un &amp;demi-tour</translation></message>
+<message><source>&amp;Mirror</source><translation>&amp;Miroir</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Regarder depuis</translation></message>
 <message><source>From &amp;Scanner</source><translation>Depuis le &amp;scanner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;face</translation></message>
@@ -1762,7 +1763,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Zoom In</source><translation>&amp;Zoom avant</translation></message>
 <message><source>Zoom O&amp;ut</source><translation>Zoom a&amp;rrière</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voler vers le point sous le curseur</translation></message>
-<message><source>True &amp;Angle Aspect</source><translation>Proportions angulaires r&amp;éelles</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Réinitia&amp;liser la disposition</translation></message>
 <message><source>Full Scree&amp;n</source><translation>&amp;Plein écran</translation></message>
 <message><source>P&amp;ose and Mounting…</source><translation>Pose et monta&amp;ge…</translation></message>

@@ -1730,10 +1730,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Cores de borda para dal&amp;tônicos</translation></message>
-<message><source>Turn the I&amp;mages</source><translation>Girar as i&amp;magens</translation></message>
-<message><source>A &amp;Quarter Clockwise</source><translation>Um &amp;quarto à direita</translation></message>
-<message><source>A &amp;Half</source><translation>&amp;Meia volta</translation></message>
-<message><source>&amp;Mirrored, Left to Right</source><translation>&amp;Espelhadas, da esquerda para a direita</translation></message>
+<message><source>I&amp;mages</source><translation>I&amp;magens</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proporção an&amp;gular real</translation></message>
+<message><source>Turn by a &amp;Quarter</source><translation>Girar um &amp;quarto à direita</translation></message>
+<message><source>Turn by a &amp;Half</source><translation>Dar &amp;meia volta</translation></message>
+<message><source>&amp;Mirror</source><translation>&amp;Espelhar</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Olhar de</translation></message>
 <message><source>From &amp;Scanner</source><translation>A partir do s&amp;canner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
@@ -1762,7 +1763,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Zoom In</source><translation>&amp;Aproximar</translation></message>
 <message><source>Zoom O&amp;ut</source><translation>A&amp;fastar</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voar até o ponto sob o cursor</translation></message>
-<message><source>True &amp;Angle Aspect</source><translation>Proporção an&amp;gular real</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restaurar o &amp;layout</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Te&amp;la cheia</translation></message>
 <message><source>P&amp;ose and Mounting…</source><translation>Pose e mo&amp;ntagem…</translation></message>

@@ -140,7 +140,7 @@ void ScanReport::writeTo(const QString& path, const ReportWords& words, bool roc
         this,
         [this, detection, rocks, said, path, notebook = targets_.notebook(), compared, stop]() -> std::function<void()> {
             const BindStop bound(*stop);
-            exports::PageNotes notes{rocks ? &rocks->study : nullptr, &notebook, nullptr, {}};
+            exports::PageNotes notes{rocks ? &rocks->study : nullptr, &notebook, nullptr, {}, inLanguage};
             if (compared) {
                 const edges::Detection& before = *compared->asked.before->detection;
                 notes.change = &compared->change;

@@ -117,17 +117,18 @@ std::vector<Command> edgeLook(Viewer& v) {
     };
 }
 
-Command turnMenu(ViewPort& images) {
-    const auto preset = [&images](const char* text, const char* key, bool ViewPort::Turn::*part) {
+Command imagesMenu(LinkedViews& views) {
+    const auto preset = [&images = *views.gray().viewPort()](const char* text, const char* key, bool ViewPort::Turn::*part) {
         return ofScan(toggle(text, "", key, false, [&images, part](bool on) {
             ViewPort::Turn turn = images.turn();
             turn.*part = on;
             images.setTurn(turn);
         }));
     };
-    return submenu("Turn the I&mages", {preset("A &Quarter Clockwise", "view/images-quarter", &ViewPort::Turn::quarter),
-                                        preset("A &Half", "view/images-half", &ViewPort::Turn::half),
-                                        preset("&Mirrored, Left to Right", "view/images-mirrored", &ViewPort::Turn::mirrored)});
+    return submenu("I&mages", {toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }),
+                               kLine, preset("Turn by a &Quarter", "view/images-quarter", &ViewPort::Turn::quarter),
+                               preset("Turn by a &Half", "view/images-half", &ViewPort::Turn::half),
+                               preset("&Mirror", "view/images-mirrored", &ViewPort::Turn::mirrored)});
 }
 
 Command directions(CloudView& cloud) {
@@ -200,9 +201,7 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
                                     });
     const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
     add(edgeLook(v));
-    add({kLine, cloudLook(v, window),
-         toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }),
-         turnMenu(*views.gray().viewPort()), kLine, ofDesk(panelMenu(window)), ofDesk(commands.shares),
+    add({kLine, cloudLook(v, window), imagesMenu(views), kLine, ofDesk(panelMenu(window)), ofDesk(commands.shares),
          ofDesk(command("Reset &Layout", "", commands.resetLayout)), kLine, ofDesk(mouseMenu(window, v.cloud, v.preferences)),
          themeMenu(window, v.preferences), languageMenu(window, v.preferences, v.notice), commands.cab,
          command("Full Scree&n", "F11", [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); })});

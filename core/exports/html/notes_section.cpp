@@ -79,16 +79,18 @@ std::string targetRow(const edges::Detection& detection, const RangeNoise& noise
            rowsHtml(now) + "</td><td>" + rowsHtml(then) + "</td><td>" + htmlText(plainUtc(target.pinnedUtc)) + "</td></tr>\n";
 }
 
-std::string measureRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::StoredMeasure& measure) {
+std::string measureRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::StoredMeasure& measure,
+                       Translated translated) {
     std::string cells;
     for (const std::uint32_t cell : measure.cells) cells += (cells.empty() ? "" : "<br>") + cellText(*detection.scan, cell);
     const auto measured = inspect::measureStored(*detection.scan, noise, measure);
     std::string from;
     if (measured) {
-        from = inspect::measureBasis(*measured);
-        for (const std::string& remark : inspect::clickRemarks(*detection.scan, *detection.mask, measure)) from += "; " + remark;
+        from = inspect::measureBasis(*measured, translated);
+        for (const std::string& remark : inspect::clickRemarks(*detection.scan, *detection.mask, measure, translated))
+            from += "; " + remark;
     }
-    return "<tr><td>" + inspect::measureName(measure) + " " + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +
+    return "<tr><td>" + inspect::measureName(measure) + " " + htmlText(translated(inspect::traitsOf(measure.kind).label)) + "</td><td>" +
            (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" + htmlText(from) +
            "</td><td>" + cells + "</td></tr>\n";
 }
@@ -170,7 +172,7 @@ std::string swatch(const Rgb& c, const char* sign, const std::string& words) {
 
 } // namespace
 
-std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook, int mostPixels) {
+std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook, int mostPixels, Translated translated) {
     if (notebook.empty()) return {};
     std::string html = "<h2>Targets and measures</h2>\n";
     const RangeNoise noise = inspect::noiseOf(detection);
@@ -184,7 +186,7 @@ std::string notebookSection(const edges::Detection& detection, const inspect::No
     if (!notebook.measures.empty()) {
         html += "<div class=\"wide\"><table id=\"measures\">\n<thead><tr><th>Measured</th><th>Result, &plusmn; two standard deviations</th>"
                 "<th>From</th><th>Cells</th></tr></thead><tbody>\n";
-        for (const inspect::StoredMeasure& measure : notebook.measures) html += measureRow(detection, noise, measure);
+        for (const inspect::StoredMeasure& measure : notebook.measures) html += measureRow(detection, noise, measure, translated);
         html += "</tbody></table></div>\n";
     }
     return html + notesPicture(detection, noise, notebook, mostPixels);

@@ -364,7 +364,7 @@ std::string scanPage(const edges::Detection& detection, const PageWords& words, 
         "</h1>\n<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was "
         "not measured.</p>\n";
     body += warningsOf(record) + remarkOf(words) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) +
-            (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook, kMostPagePixels)) +
+            (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook, kMostPagePixels, notes.translated)) +
             (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces, notes.notebook)) +
             (notes.change == nullptr ? std::string() : changeSection(detection, *notes.change, notes.earlier, kMostPagePixels)) +
             completenessOf(scan, record) + settingsOf(detection) + againOf(detection, record, words) + "</main>\n" +

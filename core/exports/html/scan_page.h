@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/translated_text.h"
 #include "core/edges/pipeline/detection.h"
 #include "core/inspect/change_detection/scene_change.h"
 #include "core/inspect/measure/notebook.h"
@@ -38,7 +39,8 @@ struct PageNotes {
     const rocks::Study* rocks = nullptr;
     const inspect::Notebook* notebook = nullptr;
     const inspect::SceneChange* change = nullptr;
-    std::string earlier; ///< for a change: the name of the scan that it is compared with
+    std::string earlier;               ///< for a change: the name of the scan that it is compared with
+    Translated translated = asWritten; ///< of remarks that are put together from several sentences
 };
 
 /// The whole page. All text from files is escaped.

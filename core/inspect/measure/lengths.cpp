@@ -443,9 +443,9 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
     return parts;
 }
 
-std::string measureBasis(const MeasuredCells& measured) {
+std::string measureBasis(const MeasuredCells& measured, Translated translated) {
     std::string text;
-    for (const std::string& part : measureRemarks(measured)) text += (text.empty() ? "" : "; ") + part;
+    for (const std::string& part : measureRemarks(measured, translated)) text += (text.empty() ? "" : "; ") + part;
     return text;
 }
 

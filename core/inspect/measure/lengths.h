@@ -115,6 +115,6 @@ void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::spa
 /// The ranges ("at 5.21, 5.30 m"), and what a reader must know of the ends and of the way between them. Warnings begin with ▲.
 [[nodiscard]] std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translated translated = asWritten);
 /// All remarks in one line.
-[[nodiscard]] std::string measureBasis(const MeasuredCells& measured);
+[[nodiscard]] std::string measureBasis(const MeasuredCells& measured, Translated translated = asWritten);
 
 } // namespace edgescan::inspect
