@@ -86,7 +86,7 @@ private:
         const int before = replay_->position();
         replay_->step();
         scanner::SweepAssembler& assembler = replay_->feed().assembler();
-        for (scanner::FinishedSweep& sweep : assembler.takeFinished()) add(sweep.scan, std::move(sweep.progress), true);
+        for (scanner::FinishedSweep& sweep : assembler.popFinished()) add(sweep.scan, std::move(sweep.progress), true);
         if (replay_->position() == before || replay_->position() % every_ != 0 || replay_->atEnd()) return;
         if (const auto scan = replay_->snapshot()) add(scan, replay_->progress(), false);
     }
@@ -201,7 +201,7 @@ private:
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
     std::optional<SweepObject> newest() {
-        for (scanner::FinishedSweep& sweep : feed_->takeFinished()) {
+        for (scanner::FinishedSweep& sweep : feed_->popFinished()) {
             const bool yielded = sweep.progress.number == yielded_.number && sweep.progress.received == yielded_.received;
             if (!yielded) finished_.push_back({sweep.scan, std::move(sweep.progress), true});
         }

@@ -123,7 +123,7 @@ Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& ta
     connect(&views_, &LinkedViews::probed, this, [this](const std::optional<edges::Probe>& probe) {
         if (card_ != nullptr && card_->isVisible()) card_->plot().mark(probe ? std::optional(probe->pointM) : std::nullopt);
     });
-    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::ClickedCell& click) {
         auto* rock = menu.findChild<QMenu*>(kRockMenu);
         if (rock == nullptr) return;
         rock->addAction(tr("Se&ction"), this, [this, click] {

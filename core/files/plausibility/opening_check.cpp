@@ -106,7 +106,7 @@ bool anglesWereTaken(const Scan& scan) { return warned("does not say its angles"
 
 OpeningPoint mountingOf(const Scan& scan, const PolarGeometry& polar, const ReadingOptions& options, const CommonPlanes& now) {
     const bool assumed = anglesWereTaken(scan) || warned("ASSUMED: the axis", scan);
-    OpeningPoint point{"Mounting", options.axis ? Source::Typed : assumed ? Source::Assumed : Source::Said};
+    OpeningPoint point{"Mounting", options.axis ? Source::Typed : assumed ? Source::Assumed : Source::Stated};
     point.taken = {wordsOf(polar.axis).taken, flatOf(now)};
     PolarGeometry turned = polar;
     turned.axis = polar.axis == Axis::Spin ? Axis::Sweep : Axis::Spin;
@@ -155,7 +155,7 @@ std::vector<double> timesOf(double allDeg, bool assumed) {
 OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, const ReadingOptions& options, const CommonPlanes& now,
                     bool mountingFits) {
     const bool assumed = anglesWereTaken(scan) || (mountingAssumed(scan) && warned("the step from line to line", scan));
-    OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : assumed ? Source::Assumed : Source::Said};
+    OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : assumed ? Source::Assumed : Source::Stated};
     const double between = static_cast<double>(polar.lineDeg.size() - 1), all = std::abs(step) * between;
     const auto inWords = [between](const CommonPlanes& planes, double stepDeg) {
         return with(with(flatOf(planes), significantText(std::abs(stepDeg), 4)), significantText(std::abs(stepDeg) * between, 4));
@@ -186,7 +186,7 @@ OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, c
 
 /// No surface distinguishes left from right: only a person who was there can.
 OpeningPoint orderOf(const Scan& scan, const PolarGeometry& polar, double step, const ReadingOptions& options) {
-    OpeningPoint point{"Order of the lines", options.lineStepDeg ? Source::Typed : gridWasFound(scan) ? Source::Guessed : Source::Said};
+    OpeningPoint point{"Order of the lines", options.lineStepDeg ? Source::Typed : gridWasFound(scan) ? Source::Guessed : Source::Stated};
     point.taken = {"line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged",
                    {significantText(polar.lineDeg.front(), 4), significantText(polar.lineDeg.back(), 4)}};
     point.others.push_back({{"the other way round: left and right exchanged"}, withLines(options, -polar.lineDeg.front(), -step)});
@@ -223,7 +223,7 @@ std::optional<OpeningPoint> gridOf(const Scan& scan, const ReadingOptions& optio
 std::optional<OpeningPoint> displacementOf(const Scan& scan, const ReadingOptions& options) {
     const auto told = std::ranges::find_if(scan.warnings, isDisplacementWarning);
     if (told == scan.warnings.end() && !options.straighten) return std::nullopt;
-    OpeningPoint point{kDisplacedPoint.data(), options.straighten ? Source::Typed : Source::Said};
+    OpeningPoint point{kDisplacedPoint.data(), options.straighten ? Source::Typed : Source::Stated};
     point.taken = options.straighten ? Sentence{"straightened"} : Sentence{"where their angles say"};
     if (!options.straighten) point.against = {"%1", {*told}}; // a warning of the scan: as it is in records
     ReadingOptions other = options;

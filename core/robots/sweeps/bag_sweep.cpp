@@ -166,7 +166,7 @@ private:
         scanner::FinishedSweep best;
         std::size_t sweeps = 0, number = 0;
         const auto collect = [&] {
-            for (scanner::FinishedSweep& sweep : assembler.takeFinished()) {
+            for (scanner::FinishedSweep& sweep : assembler.popFinished()) {
                 if (wanted ? *wanted == sweeps : !best.scan || sweep.progress.received > best.progress.received) {
                     best = std::move(sweep);
                     number = sweeps;

@@ -53,7 +53,7 @@ void SweepAssembler::push(SweepLine line, std::int64_t hostNs) {
     last_ = line.facts;
     ended_.lost += lost;
     note(line, stamp);
-    take(std::move(line), lost);
+    addLine(std::move(line), lost);
     splitAtReversal();
 }
 
@@ -176,7 +176,7 @@ bool SweepAssembler::encoderLeapsBack(std::uint32_t position, std::int64_t lost,
     return false;
 }
 
-void SweepAssembler::take(SweepLine line, std::int64_t lost) {
+void SweepAssembler::addLine(SweepLine line, std::int64_t lost) {
     if (line.beams.beams == 0) {
         note(Irregularity::NoRanges);
         lostSince_ += lost + 1;
@@ -204,13 +204,13 @@ void SweepAssembler::take(SweepLine line, std::int64_t lost) {
     case GrowingSweep::Place::Misfit:
         break;
     }
-    if (misfit_) return takeMisfit(line, between);
+    if (misfit_) return startAtMisfit(line, between);
     lostSince_ = lost + 1; // one line with other beams is a fault; two mean another scan mode
     misfit_ = std::move(line);
 }
 
 /// The second such line in a row: the sweep ends before the first of them.
-void SweepAssembler::takeMisfit(const SweepLine& line, std::int64_t between) {
+void SweepAssembler::startAtMisfit(const SweepLine& line, std::int64_t between) {
     const SweepLine first = *std::exchange(misfit_, std::nullopt);
     finishSweep();
     start(first);
@@ -287,7 +287,7 @@ TelegramAccount SweepAssembler::account() const {
 
 void SweepAssembler::finish() { finishSweep(); }
 
-std::vector<FinishedSweep> SweepAssembler::takeFinished() {
+std::vector<FinishedSweep> SweepAssembler::popFinished() {
     std::vector<FinishedSweep> taken(std::make_move_iterator(finished_.begin()), std::make_move_iterator(finished_.end()));
     finished_.clear();
     return taken;

@@ -320,7 +320,7 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
     tip_.show(*cell, rockTip(*rock), from);
 }
 
-void Rocks::click(const inspect::MeantCell& click) {
+void Rocks::click(const inspect::ClickedCell& click) {
     if (!picture_ || views_.tool() != Tool::Pin) return;
     if (tool_ == RockTool::Split) return splitAt(click.clicked);
     if (!severalWanted() && views_.choosesOnly() && tool_ == RockTool::None) {
@@ -341,7 +341,7 @@ void Rocks::click(const inspect::MeantCell& click) {
     select(std::move(cells));
 }
 
-std::optional<std::size_t> Rocks::rockCellAt(const inspect::MeantCell& click) const {
+std::optional<std::size_t> Rocks::rockCellAt(const inspect::ClickedCell& click) const {
     if (!picture_) return std::nullopt;
     for (const std::size_t cell : {click.cell, click.clicked}) {
         if (cell < picture_->labels.size() && picture_->labelAt(cell) != 0) return cell;
@@ -350,7 +350,7 @@ std::optional<std::size_t> Rocks::rockCellAt(const inspect::MeantCell& click) co
 }
 
 /// Other controllers add what they do with a rock: they find the menu by its name.
-void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
+void Rocks::addToMenu(QMenu& menu, const inspect::ClickedCell& click) {
     if (!picture_ || behind()) return;
     const auto at = rockCellAt(click);
     const std::size_t cell = at.value_or(click.cell);

@@ -27,7 +27,7 @@ MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, Q
               card_->hide();
               notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
           }) {
-    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::ClickedCell& click) {
         const std::size_t cell = click.clicked; // what an edge is was asked of the very cell
         menu.addAction(tr("This &is an edge"), this, [this, cell] { mark(cell, true); });
         menu.addAction(tr("This is &not an edge"), this, [this, cell] { mark(cell, false); });

@@ -111,10 +111,10 @@ bool LinkedViews::isTarget(std::size_t cell) const {
 
 void LinkedViews::openMenuAt(const QPoint& position, std::optional<std::size_t> cell) {
     if (!cell || flipped()) return openMenu(position, std::nullopt);
-    openMenu(position, isTarget(*cell) ? inspect::exactly(*cell) : meant(*cell));
+    openMenu(position, isTarget(*cell) ? inspect::exactly(*cell) : nearSideCell(*cell));
 }
 
-void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click) {
+void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::ClickedCell>& click) {
     QMenu menu;
     menu.setObjectName("cell-menu");
     if (click) {
@@ -133,7 +133,7 @@ void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::
 
 /// Shift takes the clicked cell itself, whatever is near.
 void LinkedViews::clickAt(std::size_t cell) {
-    click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell));
+    click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : nearSideCell(cell));
 }
 
 /// A click on a target, or on its label, chooses it. Tools take the cell of a target where its ring is clicked, and otherwise what is
@@ -159,7 +159,7 @@ bool LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> beh
 }
 
 /// Ctrl selects several rocks and pins no cell.
-void LinkedViews::click(const inspect::MeantCell& click) {
+void LinkedViews::click(const inspect::ClickedCell& click) {
     if (refusesClicks(gray())) return;
     if (tool_ == Tool::Pin && pinsOnClick_ && !choosesOnly_ && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
         pinByClick(click);

@@ -109,7 +109,7 @@ void ScannerLink::disconnectScanner() {
     runInThread([this, feed, shows, newest, stream, recorded]() -> std::function<void()> {
         feed->stop();
         const Result<files::RecordingState> closed = feed->stopRecording();
-        std::vector<scanner::SweepState> sweeps = feed->takeFinished();
+        std::vector<scanner::SweepState> sweeps = feed->popFinished();
         if (newest) sweeps.insert(sweeps.begin(), *newest);
         sweeps.push_back(feed->sweep());
         return [this, closed, sweeps, shows, stream, recorded] {
@@ -216,7 +216,7 @@ void ScannerLink::tick() {
     files::LiveHealth now = files::healthOf(status, shown ? picture->detection->scan->placement.get() : nullptr, grows ? &shown_ : nullptr);
     const bool changed = !(now == health_);
     health_ = std::move(now);
-    for (const scanner::FinishedSweep& sweep : feed_->takeFinished()) {
+    for (const scanner::FinishedSweep& sweep : feed_->popFinished()) {
         if (sweep.progress.number > heldNumber_) finished_ = sweep;
         newest_ = sweep;
     }
