@@ -142,7 +142,7 @@ signals:
 private:
     void connectViews();
     void ask();
-    void take(const std::shared_ptr<const RockPicture>& picture);
+    void storePicture(const std::shared_ptr<const RockPicture>& picture);
     void show();
     void showFaces();
     void showSelection();
@@ -165,7 +165,7 @@ private:
     void pushOperatorEdits(const QString& name, OperatorEdits after, const std::vector<std::size_t>& merged = {});
     void judgeEdit();
     void adopt(const rocks::Preset& mine, const rocks::Preset& theirs); // of another window
-    void takePreset(const rocks::Preset& preset);
+    void applyPreset(const rocks::Preset& preset);
     struct CutAsked {
         std::shared_ptr<const RockPicture> of;
         rocks::CutLine line;
@@ -173,11 +173,11 @@ private:
         std::optional<std::uint32_t> chosen; ///< a cell of the rock on the card
     };
     [[nodiscard]] bool completesCut(std::vector<QPoint>& cells);
-    void takeStroke(std::vector<QPoint> cells);
-    void takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut);
+    void applyStroke(std::vector<QPoint> cells);
+    void applyCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut);
     [[nodiscard]] RockNames names() const;
-    void takeJoin(const rocks::CutLine& stroke);
-    void takeRegion(const std::vector<QPoint>& cells);
+    void applyJoin(const rocks::CutLine& stroke);
+    void applyRegion(const std::vector<QPoint>& cells);
     void choosePieceAt(std::size_t cell);
     void showPiece(const QObject* from);
     void stepPiece(int by);

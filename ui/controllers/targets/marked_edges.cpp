@@ -21,7 +21,7 @@ MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, Q
       found_(
           Urgency::Later, [this](const Question& question, const Asker& asker) { return run(question, asker); },
           [this](const Question& question, const std::shared_ptr<const std::vector<edges::EdgeProposal>>& proposals) {
-              take(question, *proposals);
+              showProposals(question, *proposals);
           },
           [this](const QString& what) {
               card_->hide();
@@ -151,7 +151,7 @@ void MarkedEdges::makeCard() {
     });
 }
 
-void MarkedEdges::take(const Question& question, const std::vector<edges::EdgeProposal>& proposals) {
+void MarkedEdges::showProposals(const Question& question, const std::vector<edges::EdgeProposal>& proposals) {
     if (marks_.empty() || engine_.picture()->detection->scan != question.scan) return card_->hide();
     putBack();
     proposals_ = proposals;

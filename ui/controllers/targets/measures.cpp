@@ -42,7 +42,7 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
               const Scan& scan = *asked.of->detection->scan;
               return inspect::throatAt(scan, CartesianTables(scan), asked.clicked[0], asked.clicked[1]);
           },
-          [this](const ThroatAsked& asked, const auto& found) { takeThroat(asked, *found); },
+          [this](const ThroatAsked& asked, const auto& found) { finishThroat(asked, *found); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Error, tr("the throat could not be measured (%1); close other programs.").arg(what));
           }) {
@@ -126,7 +126,7 @@ void Measures::keepPicked() {
     throats_.ask({views_.shown(), std::move(clicked), false});
 }
 
-void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
+void Measures::finishThroat(const ThroatAsked& asked, const Throat& found) {
     show();
     if (!isOnScreen(*asked.of)) return;
     if (found && found->mostM > kMostSpread * found->leastM)

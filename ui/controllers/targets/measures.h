@@ -55,7 +55,7 @@ private:
     [[nodiscard]] QString lastClickWords() const;
     [[nodiscard]] bool askThrough(const inspect::ClickedCell& click);
     void keepPicked();
-    void takeThroat(const ThroatAsked& asked, const Throat& found);
+    void finishThroat(const ThroatAsked& asked, const Throat& found);
     [[nodiscard]] bool isOnScreen(const Picture& of) const;
     void warnOfClick();
     void keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked);

@@ -161,7 +161,7 @@ private:
     void keep();
     void adopt(const QString& path, const inspect::Notebook& mine, const inspect::Notebook& theirs); // of another window
     void ask();
-    void take(const KnownTargets& known);
+    void storeKnown(const KnownTargets& known);
     void show();
     void showCard();
     void keepConfidence();

@@ -168,7 +168,7 @@ signals:
 
 private:
     void showNote();
-    [[nodiscard]] std::optional<std::size_t> seenAt(const ImageView& view, int line, int beam) const;
+    [[nodiscard]] std::optional<std::size_t> visibleCellAt(const ImageView& view, int line, int beam) const;
     void linkImages();
     void linkCloud();
     [[nodiscard]] bool refusesClicks(QWidget& view) const;

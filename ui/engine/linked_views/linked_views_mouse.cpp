@@ -35,28 +35,28 @@ void LinkedViews::setChoosesOnly(bool on) {
 void LinkedViews::linkImages() {
     for (ImageView* view : images_) {
         connect(view, &ImageView::hovered, this, [this, view](int line, int beam) {
-            if (const auto cell = seenAt(*view, line, beam)) hover(cell, view);
+            if (const auto cell = visibleCellAt(*view, line, beam)) hover(cell, view);
         });
         connect(view, &ImageView::hoverLeft, this, [this, view] { hover(std::nullopt, view); });
         connect(view, &ImageView::clicked, this, [this, view](int line, int beam) {
             if (refusesClicks(*view)) return;
-            if (const auto cell = seenAt(*view, line, beam)) clickAt(*cell);
+            if (const auto cell = visibleCellAt(*view, line, beam)) clickAt(*cell);
         });
         connect(view, &ImageView::markClicked, this, [this, view](const MarkName& mark, int line, int beam) {
-            if (!refusesClicks(*view)) clickMark(mark, line < 0 ? std::nullopt : seenAt(*view, line, beam));
+            if (!refusesClicks(*view)) clickMark(mark, line < 0 ? std::nullopt : visibleCellAt(*view, line, beam));
         });
         connect(view, &ImageView::outlined, this, [this, view](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
             if (!refusesClicks(*view)) emit imageOutlined(corners, modifiers);
         });
         connect(view, &ImageView::menuRequested, this,
-                [this, view](int line, int beam, const QPoint& position) { openMenuAt(position, seenAt(*view, line, beam)); });
+                [this, view](int line, int beam, const QPoint& position) { openMenuAt(position, visibleCellAt(*view, line, beam)); });
         connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);
         connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeRangeWindow);
     }
 }
 
 /// A pixel of a small edge map shows several cells: the nearest edge among them is what is seen there.
-std::optional<std::size_t> LinkedViews::seenAt(const ImageView& view, int line, int beam) const {
+std::optional<std::size_t> LinkedViews::visibleCellAt(const ImageView& view, int line, int beam) const {
     const auto cell = cellAt(line, beam);
     const QSizeF pixels = view.viewPort()->cellSize(view.size());
     const bool drawsEdges = &view == images_[1] || scene_.overGray != nullptr;

@@ -115,7 +115,7 @@ void ScannerLink::disconnectScanner() {
         return [this, closed, sweeps, shows, stream, recorded] {
             if (!recorded.isEmpty() || !closed) reportRecorded(closed, recorded);
             // a file that is being opened meanwhile is wanted more
-            if (stream == stream_ && !engine_.opening()) takeStopped(sweeps, shows);
+            if (stream == stream_ && !engine_.opening()) storeStopped(sweeps, shows);
         };
     });
     // A picture that was held while its sweep grew stays, but nothing grows any more.
@@ -133,7 +133,7 @@ void ScannerLink::disconnectScanner() {
 }
 
 /// `sweeps`: ascending, the newest last.
-void ScannerLink::takeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows) {
+void ScannerLink::storeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows) {
     const auto& picture = engine_.picture();
     const bool own = picture && picture->source.stream == stream_;
     if (!own && !shows) return;

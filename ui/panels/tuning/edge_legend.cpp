@@ -34,7 +34,7 @@ constexpr std::array<std::size_t, kEdgeClasses> kTakes{0, 1, 2, 4, 5, 3};
 QString classLabel(std::size_t n) { return QObject::tr(edges::findParameter("classes")->choices[n].label); }
 
 /// Classes that are off and whose cells can count in another class.
-QString takenWords(int classes) {
+QString textOfMovedCells(int classes) {
     QStringList off;
     for (std::size_t place = 0; place < kTakes.size(); ++place) {
         const auto takers = std::span(kTakes).subspan(place < kOfRocks ? 0 : place);
@@ -215,7 +215,7 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
     known_ = known;
     isFilled_ = detection.filled != nullptr;
     showMissing(*detection.scan);
-    taken_->setText(chosen && known ? takenWords(classes) : QString());
+    taken_->setText(chosen && known ? textOfMovedCells(classes) : QString());
     showRows();
     if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(countText(detection.filled->cells.size())));
     show();
