@@ -48,7 +48,7 @@ public:
         if (!(speed >= 0 && speed <= 1e6)) throw Refused{{"the speed is out of reason", "speed", "give 0 to 1000000"}};
         options_.pose = pose;
         options_.calibration = calibration;
-        replay_.emplace(unlocked([&] { return files::Replay(taken(files::Recording::open(path)), options_); }));
+        replay_.emplace(unlocked([&] { return files::Replay(valueOf(files::Recording::open(path)), options_); }));
         if (replay_->lines() == 0)
             throw Refused{
                 {"this recording holds no scan telegram" + replay_->recording().whatWasLeftOut(), path, "choose another recording"}};
@@ -91,7 +91,7 @@ private:
         if (const auto scan = replay_->snapshot()) add(scan, replay_->progress(), false);
     }
     void add(const ScanPtr& scan, scanner::SweepProgress progress, bool finished) {
-        Scan described = taken(files::describedSweep(*scan, replay_->recording(), path_, options_));
+        Scan described = valueOf(files::describedSweep(*scan, replay_->recording(), path_, options_));
         waiting_.push_back({std::make_shared<const Scan>(std::move(described)), std::move(progress), finished});
     }
 
@@ -109,7 +109,7 @@ class ConnectionObject {
 public:
     ConnectionObject(const std::string& address, const scanner::SweepSettings& sweep, const std::string& record, double timeout)
         : address_(address), timeout_(timeout) {
-        const scanner::HostPort typed = taken(scanner::hostPort(address));
+        const scanner::HostPort typed = valueOf(scanner::hostPort(address));
         scanner::ConnectionSettings scanner;
         scanner.host = typed.host;
         scanner.port = typed.port;
@@ -122,7 +122,7 @@ public:
             wake_.notify_all();
         });
         if (!record.empty()) {
-            taken(unlocked([&] { return feed_->startRecording(record); }));
+            valueOf(unlocked([&] { return feed_->startRecording(record); }));
             recording_ = true;
         }
     }
@@ -163,7 +163,7 @@ public:
         });
         stopped_ = true;
         recording_ = false;
-        taken(closed);
+        valueOf(closed);
     }
 
     [[nodiscard]] std::string text() const {
@@ -266,7 +266,7 @@ std::unique_ptr<ConnectionObject> connect(const std::string& address, const std:
                            .expectedLines = static_cast<int>(expectedLines),
                            .stopAndGo = stopAndGo};
     if (axis) mounting.axis = *axis == "spin" ? Axis::Spin : Axis::Sweep;
-    auto connection = std::make_unique<ConnectionObject>(address, taken(cli::sweepOf(mounting)), record, timeout);
+    auto connection = std::make_unique<ConnectionObject>(address, valueOf(cli::sweepOf(mounting)), record, timeout);
     connection->waitForFirstLine();
     return connection;
 }
