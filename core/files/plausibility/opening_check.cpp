@@ -62,11 +62,11 @@ double medianRangeM(const Scan& scan) {
 bool isUsual(double rangeM) { return rangeM >= kNearestUsualM && rangeM <= kFarthestUsualM; }
 
 std::optional<OpeningPoint> unitOf(const Scan& scan, const ReadingOptions& options) {
-    const auto told = std::ranges::find_if(scan.warnings, [](const std::string& w) { return unitToldBy(w).has_value(); });
+    const auto told = std::ranges::find_if(scan.warnings, [](const std::string& w) { return unitOfWarning(w).has_value(); });
     const bool whole = scan.format == kRangeTable; // whole numbers in it are taken as millimetres without a word
     const bool guessed = told != scan.warnings.end() || whole;
     if (!guessed && !options.unitMm) return std::nullopt; // the file says it
-    const double mm = options.unitMm.value_or(told != scan.warnings.end() ? *unitToldBy(*told) : 1.0);
+    const double mm = options.unitMm.value_or(told != scan.warnings.end() ? *unitOfWarning(*told) : 1.0);
     const double median = medianRangeM(scan);
     if (median <= 0.0) return std::nullopt;
     const auto now = std::ranges::find_if(kUnits, [mm](const Unit& unit) { return unit.mm == mm; });

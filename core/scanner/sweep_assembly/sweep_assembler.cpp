@@ -193,7 +193,7 @@ void SweepAssembler::addLine(SweepLine line, std::int64_t lost) {
     lostSince_ = 0;
     if (!sweep_) return start(line);
     switch (sweep_->push(line, lost, settings_)) {
-    case GrowingSweep::Place::Taken:
+    case GrowingSweep::Place::Added:
         if (std::exchange(misfit_, std::nullopt)) note(Irregularity::Misfit);
         return;
     case GrowingSweep::Place::Full:
@@ -214,7 +214,7 @@ void SweepAssembler::startAtMisfit(const SweepLine& line, std::int64_t between) 
     const SweepLine first = *std::exchange(misfit_, std::nullopt);
     finishSweep();
     start(first);
-    if (between <= settings_.longestGap && sweep_->push(line, between, settings_) == GrowingSweep::Place::Taken) return;
+    if (between <= settings_.longestGap && sweep_->push(line, between, settings_) == GrowingSweep::Place::Added) return;
     finishSweep(); // the first line fits neither sweep: it becomes a sweep of its own
     start(line);
 }
@@ -255,7 +255,7 @@ void SweepAssembler::finishSweep() {
         if (finished_.size() > kFinishedKept) finished_.pop_front();
         ++number_;
     }
-    axisBefore_ = axisSeen_;
+    axisBefore_ = axisFound_;
     finishedProgress_ = finished_.empty() ? SweepProgress{} : finished_.back().progress;
     ended_ = account();
     note(Irregularity::LeftOut, sweep_->leftOut());

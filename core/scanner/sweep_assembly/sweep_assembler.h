@@ -121,7 +121,8 @@ private:
     std::optional<std::uint32_t> encoderAt_;
     std::int64_t encoderCount_ = 0, encoderStep_ = 0; // step: counts to the newest line, of an encoder without a scale
     bool encoderWithoutScale_ = false, encoderWasReset_ = false;
-    std::optional<Axis> axisSeen_, axisBefore_; // that the ranges show where none was given: of this sweep or those before, of those before
+    std::optional<Axis> axisFound_,
+        axisBefore_;            // that the ranges show where none was given: of this sweep or those before, of those before
     bool startIsKnown_ = false; // the stepper went back to its start; before that, it may have been turning at the first line
     DeviceFlags device_;
 
