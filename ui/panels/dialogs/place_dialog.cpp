@@ -183,7 +183,7 @@ void PlaceDialog::addField(QGridLayout& grid, int columns, const PlaceField& fie
     fault->hide();
     Row row{{}, {}, fault, nullptr, {}};
     QWidget* cell = nullptr;
-    const auto told = [this] {
+    const auto noteTyped = [this] {
         if (showing_) return;
         typed_ = true;
         emit changed();
@@ -193,7 +193,7 @@ void PlaceDialog::addField(QGridLayout& grid, int columns, const PlaceField& fie
         auto* choice = new QComboBox;
         choice->setObjectName(name);
         for (const std::string& word : field.words) choice->addItem(shownWord(word), exactText(word));
-        connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, told);
+        connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, noteTyped);
         row.text = [choice] { return choice->currentData().toString(); };
         row.show = [choice, usual = QString(field.usual)](const QString& text) {
             if (const int at = choice->findData(text.isEmpty() ? usual : text); at >= 0) choice->setCurrentIndex(at);
@@ -207,7 +207,7 @@ void PlaceDialog::addField(QGridLayout& grid, int columns, const PlaceField& fie
         row.usual = field.usual != nullptr ? QString(field.usual) : QString();
         if (field.kind != PlaceField::Kind::Text) edit->setInputMethodHints(Qt::ImhPreferNumbers);
         edit->setPlaceholderText(row.usual);
-        connect(edit, &QLineEdit::textChanged, this, told);
+        connect(edit, &QLineEdit::textChanged, this, noteTyped);
         row.text = [edit] { return edit->text(); };
         row.show = [edit](const QString& text) { edit->setText(text); };
         cell = edit;

@@ -65,12 +65,12 @@ EdgeLegend::EdgeLegend(QWidget* parent) : QWidget(parent) {
         bold.setBold(true);
         each->setFont(bold);
     }
-    showSeen();
+    showTick();
     connect(edges_, &QCheckBox::toggled, this, [this](bool on) {
         if (showing_) return;
         if (!isCovered_) emit edgesRequested(on);
         if (!on || !isCovered_) return;
-        showSeen(); // until they are drawn over the rocks
+        showTick(); // until they are drawn over the rocks
         emit overRocksRequested(true);
     });
     unfold_ = new QToolButton;
@@ -261,7 +261,7 @@ void EdgeLegend::showRows() {
 
 void EdgeLegend::showCovered(bool on) {
     isCovered_ = on;
-    showSeen();
+    showTick();
     showRows();
 }
 
@@ -306,11 +306,11 @@ void EdgeLegend::showByClass(bool on) {
 
 void EdgeLegend::showEdges(bool on) {
     areOn_ = on;
-    showSeen();
+    showTick();
 }
 
 /// The tick follows what the cloud shows.
-void EdgeLegend::showSeen() {
+void EdgeLegend::showTick() {
     showing_ = true;
     edges_->setChecked(areOn_ && !isCovered_);
     edges_->setToolTip(isCovered_ ? tr("Draws the edge points over the rocks") : tr("Edge points on and off: E"));
