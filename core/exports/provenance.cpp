@@ -128,7 +128,7 @@ Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, co
 }
 
 /// Reads the bytes before they are written: if a format cannot hold the numbers, the error must not blame the disk.
-Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
+Result<Done> checkContent(const FileBytes& file, const Expected& expected) {
     if (!expected.bounds || expected.count == 0) return Done{};
     const auto refused = [&](const std::string& what) {
         return Error{"this format cannot hold the scan, nothing was written: " + what, file.path.string(), "choose another format"};
@@ -171,7 +171,7 @@ Result<Written> exportWithProvenance(ExportContent content, const edges::Detecti
     if (!files) return files.error();
     const Expected expected = expectedOf(content, detection, path, options);
     for (const FileBytes& file : *files) {
-        if (auto told = checkTold(file, expected); !told) return told.error();
+        if (auto told = checkContent(file, expected); !told) return told.error();
     }
     Written done{expected.count};
     if (const auto frame = frameOfFile(content, path, options))

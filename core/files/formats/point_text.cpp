@@ -74,7 +74,7 @@ std::size_t wholeNumbersFirst(const Source& source, const TextLayout& layout) {
 constexpr const char* kSayColumns = "say which columns are easting (x), northing (y) and elevation (z), by number or name: --columns 2,1,3";
 
 /// The column that a word of --columns means: its number from 1, or its name.
-std::optional<std::size_t> columnMeant(std::string_view word, const TextLayout& layout) {
+std::optional<std::size_t> columnOfWord(std::string_view word, const TextLayout& layout) {
     if (const auto number = wholeNumber(word)) return *number >= 1 && *number <= layout.columns ? std::optional(*number - 1) : std::nullopt;
     const auto name = std::ranges::find(layout.names, headingLetters(word), [](const std::string& n) { return headingLetters(n); });
     if (name == layout.names.end()) return std::nullopt;
@@ -88,7 +88,7 @@ Result<std::array<std::size_t, 3>> columnsAsked(const TextLayout& layout, const 
     std::size_t axis = 0;
     for (bool more = true; more; ++axis) {
         const std::size_t comma = asked.find(',');
-        const auto column = axis < 3 ? columnMeant(asked.substr(0, comma), layout) : std::nullopt;
+        const auto column = axis < 3 ? columnOfWord(asked.substr(0, comma), layout) : std::nullopt;
         if (!column) break;
         xyz[axis] = *column;
         more = comma != std::string_view::npos;

@@ -79,7 +79,7 @@ Result<SidecarGrid> gridOf(const json& record, std::size_t points, const Source&
 }
 
 /// As gridOf(); empty where the file has no sidecar with a grid.
-std::optional<Result<SidecarGrid>> gridBeside(std::size_t points, const Source& source) {
+std::optional<Result<SidecarGrid>> gridOfSidecar(std::size_t points, const Source& source) {
     const auto path = sidecarOf(source.path);
     if (!path) return std::nullopt;
     const auto bytes = readInput(*path);
@@ -154,7 +154,7 @@ std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<Written
     if (!table.description.empty() || source.options->unitMm || source.inMemory) return std::nullopt;
     const auto isListed = [&](const Vector3d& p) { return !place || isReturn(p); }; // PTX holds every cell
     const auto listed = static_cast<std::size_t>(std::ranges::count_if(table.points, isListed));
-    auto found = gridBeside(listed, source);
+    auto found = gridOfSidecar(listed, source);
     if (!found) return std::nullopt;
     const auto notUsed = [&](const std::string& why) {
         table.remarks.push_back("The record next to the file " + why + ", so the grid in it was not used.");

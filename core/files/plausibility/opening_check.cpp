@@ -102,10 +102,10 @@ bool warned(std::string_view words, const Scan& scan) {
 /// Grid and angles were found from a bare list of points.
 bool gridWasFound(const Scan& scan) { return warned(kListsOnlyPoints, scan); }
 
-bool anglesWereTaken(const Scan& scan) { return warned("does not say its angles", scan) || gridWasFound(scan); }
+bool anglesWereAssumed(const Scan& scan) { return warned("does not say its angles", scan) || gridWasFound(scan); }
 
 OpeningPoint mountingOf(const Scan& scan, const PolarGeometry& polar, const ReadingOptions& options, const CommonPlanes& now) {
-    const bool assumed = anglesWereTaken(scan) || warned("ASSUMED: the axis", scan);
+    const bool assumed = anglesWereAssumed(scan) || warned("ASSUMED: the axis", scan);
     OpeningPoint point{"Mounting", options.axis ? Source::Typed : assumed ? Source::Assumed : Source::Stated};
     point.taken = {wordsOf(polar.axis).taken, flatOf(now)};
     PolarGeometry turned = polar;
@@ -154,7 +154,7 @@ std::vector<double> timesOf(double allDeg, bool assumed) {
 /// The angle from line to line, which bends walls where it is wrong.
 OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, const ReadingOptions& options, const CommonPlanes& now,
                     bool mountingFits) {
-    const bool assumed = anglesWereTaken(scan) || (mountingAssumed(scan) && warned("the step from line to line", scan));
+    const bool assumed = anglesWereAssumed(scan) || (mountingAssumed(scan) && warned("the step from line to line", scan));
     OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : assumed ? Source::Assumed : Source::Stated};
     const double between = static_cast<double>(polar.lineDeg.size() - 1), all = std::abs(step) * between;
     const auto inWords = [between](const CommonPlanes& planes, double stepDeg) {

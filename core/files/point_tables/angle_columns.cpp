@@ -63,7 +63,7 @@ std::optional<double> unitDegOf(std::string_view word) {
 }
 
 /// AngleWords next to the one that counts: "laser azimuth angle", "Vertikalwinkel 1".
-bool isBesideAngle(std::string_view word) {
+bool goesWithAngle(std::string_view word) {
     static constexpr std::string_view kWords[]{"angle", "angles", "winkel", "angulo", "kulma", "vinkel", "hoek", "kat",      "uhel",
                                                "laser", "beam",   "scan",   "point",  "field", "slope",  "grad", "measured", "угол"};
     return std::ranges::find(kWords, word) != std::end(kWords);
@@ -86,7 +86,7 @@ NamedAngle namedAngle(const std::string& name) {
     const bool degreeSign = name.find("\xC2\xB0") != std::string::npos || name.find('\xB0') != std::string::npos;
     if (degreeSign) found.unitDeg = 1.0;
     std::vector<std::string> words = headingWords(name);
-    std::erase_if(words, isBesideAngle);
+    std::erase_if(words, goesWithAngle);
     for (std::size_t n = 0; n < words.size(); ++n) {
         if (const auto unit = n > 0 ? unitDegOf(words[n]) : std::nullopt)
             found.unitDeg = unit;

@@ -144,7 +144,7 @@ int cellsAway(Place at) { return std::max(std::abs(at.line - kRadius), std::abs(
 
 /// Whether the click means `at` before `other`: nearer to it, or as near and on a surface in front. Of one surface none goes before by its
 /// noise: the shortest range of several would be too short.
-bool isMeantBefore(const Square& square, Place at, Place other) {
+bool isPreferred(const Square& square, Place at, Place other) {
     if (squareAway(at) != squareAway(other)) return squareAway(at) < squareAway(other);
     return square.rangeM(at) < square.rangeM(other) - kStair * leastJumpM(square.rangeM(other));
 }
@@ -155,7 +155,7 @@ std::optional<Place> nearestMeasured(const Square& square) {
     for (const bool dust : {false, true}) {
         for (int i = kRadius - kSnapReach; i <= kRadius + kSnapReach; ++i) {
             for (int j = kRadius - kSnapReach; j <= kRadius + kSnapReach; ++j) {
-                if (square.rangeM({i, j}) > 0.0 && square.isDust({i, j}) == dust && (!best || isMeantBefore(square, {i, j}, *best)))
+                if (square.rangeM({i, j}) > 0.0 && square.isDust({i, j}) == dust && (!best || isPreferred(square, {i, j}, *best)))
                     best = Place{i, j};
             }
         }
@@ -173,7 +173,7 @@ std::optional<Place> rimInFront(const Square& square, Place at) {
         if (cellsAway(rim.at) > kSnapReach || surface[Square::index(rim.at)] || square.isMixed(rim.at) || square.isDust(rim.at)) continue;
         // In the middle between two surfaces a cell is on neither of them.
         const double limit = square.isMixed(at) ? square.rangeM(rim.at) : (square.rangeM(rim.at) + rim.behindM) / 2;
-        if (rangeM <= limit || (best && !isMeantBefore(square, rim.at, *best))) continue;
+        if (rangeM <= limit || (best && !isPreferred(square, rim.at, *best))) continue;
         if (std::ranges::count(square.surfaceOf(rim.at), true) >= kFewestCells) best = rim.at;
     }
     return best;
