@@ -88,7 +88,7 @@ private:
 
     /// Calls `visit` with each row; the state that SQLite ends with.
     template <class Visit>
-    int eachRow(const Statement& rows, const Visit& take) {
+    int eachRow(const Statement& rows, const Visit& visit) {
         int state = rows ? sqlite3_step(rows.get()) : SQLITE_ERROR;
         for (; state == SQLITE_ROW && allowance_.countRow(rows.get()); state = sqlite3_step(rows.get())) visit(rows.get());
         return state;
