@@ -11,11 +11,11 @@ void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
     for (const rocks::RockParameter& p : rocks::rockParameters()) {
         const std::string flag = std::string("--") + p.key;
         const NumberLimits limits = p.limits();
-        const auto take = [&flags, flag, limits, &p](const std::string& text) {
+        const auto parse = [&flags, flag, limits, &p](const std::string& text) {
             flags.typed.emplace_back(&p, numberTyped(flag, text, limits, p.decimals == 0));
         };
         const std::string unit = *p.unit == '\0' ? "" : std::string(" [") + p.unit + "]";
-        command.add_option_function<std::string>(flag, take, p.help + unit)
+        command.add_option_function<std::string>(flag, parse, p.help + unit)
             ->type_name(rangeName(limits))
             ->default_str(shortestText(p.get(rocks::RockSettings{})))
             ->group(group);

@@ -45,7 +45,7 @@ Refused wrongCell(const char* array, std::size_t k, int beams, double value, con
 }
 
 /// Cells without a state of their own: NaN and 0 are missing returns.
-void takeRange(Scan& scan, std::size_t k, double value, double mm) {
+void setRange(Scan& scan, std::size_t k, double value, double mm) {
     if (std::isnan(value) || value == 0) {
         scan.state[k] = CellState::NoReturn;
         return;
@@ -56,14 +56,14 @@ void takeRange(Scan& scan, std::size_t k, double value, double mm) {
     scan.rangeMm[k] = static_cast<float>(mm);
 }
 
-void takeCell(Scan& scan, std::size_t k, double value, double mm, std::uint8_t state) {
+void setCell(Scan& scan, std::size_t k, double value, double mm, std::uint8_t state) {
     scan.state[k] = static_cast<CellState>(state);
     const bool empty = std::isnan(value) || value == 0;
     if (scan.state[k] == CellState::Valid) {
         if (empty)
             throw wrongCell("range_mm", k, scan.beams(), value, "is not a range, and the state of this cell is valid",
                             "give another state");
-        return takeRange(scan, k, value, mm);
+        return setRange(scan, k, value, mm);
     }
     if (empty) return;
     if (scan.state[k] != CellState::DeviceStatus || !(mm > 0) || !physical::kRangeMm.hold(mm))
@@ -72,7 +72,7 @@ void takeCell(Scan& scan, std::size_t k, double value, double mm, std::uint8_t s
     scan.rangeMm[k] = static_cast<float>(mm);
 }
 
-void takeCells(Scan& scan, const Arrays& arrays) {
+void setCells(Scan& scan, const Arrays& arrays) {
     const double* values = arrays.range.data();
     const std::uint8_t* states = arrays.state ? arrays.state->data() : nullptr;
     std::size_t rounded = 0;
@@ -81,9 +81,9 @@ void takeCells(Scan& scan, const Arrays& arrays) {
         const bool isCode = states != nullptr && states[k] == static_cast<std::uint8_t>(CellState::DeviceStatus);
         const double mm = values[k] * (isCode ? scan.unitMm : arrays.unitMm); // a code has no unit
         if (states != nullptr)
-            takeCell(scan, k, values[k], mm, states[k]);
+            setCell(scan, k, values[k], mm, states[k]);
         else
-            takeRange(scan, k, values[k], mm);
+            setRange(scan, k, values[k], mm);
         rounded += mm > kMostExactMm && static_cast<double>(scan.rangeMm[k]) != mm ? 1 : 0;
         if (scan.state[k] == CellState::DeviceStatus) codes.insert(static_cast<std::uint32_t>(std::lround(values[k])));
     }
@@ -96,7 +96,7 @@ void takeCells(Scan& scan, const Arrays& arrays) {
     std::copy_n(arrays.intensity->data(), scan.cells(), scan.intensity.cells.begin());
 }
 
-void takeTimes(Scan& scan, const std::vector<double>& times) {
+void setTimes(Scan& scan, const std::vector<double>& times) {
     if (times.empty()) return;
     for (std::size_t i = 0; i < times.size(); ++i) {
         constexpr NumberLimits kTimes{0, 4102444800.0}; // 1970 to 2100
@@ -118,7 +118,7 @@ ScanObject scanOfArrays(const Arrays& arrays) {
     if (lines * beams > files::kMostPoints || !physical::kAlongOneSide.hold(static_cast<double>(std::max(lines, beams))))
         throw Refused{
             {std::to_string(lines) + " lines x " + std::to_string(beams) + " beams are more than any scan has", where, "split them"}};
-    taken(checkMemory(lines * beams * 24, where));
+    valueOf(checkMemory(lines * beams * 24, where));
     Scan scan;
     scan.name = arrays.name;
     scan.format = "array";
@@ -130,11 +130,11 @@ ScanObject scanOfArrays(const Arrays& arrays) {
                                   .axis = arrays.axis == "spin" ? Axis::Spin : Axis::Sweep,
                                   .lineDirection = arrays.lineDirection,
                                   .lineSkewDeg = arrays.lineSkewDeg};
-    takeCells(scan, arrays);
-    takeTimes(scan, arrays.lineTimesS);
-    taken(files::checkMeasured(scan, where));
-    if (!arrays.pose.empty()) scan.placement = taken(openPlacement(arrays.pose, arrays.calibration, scan, arrays.lineTimesS));
-    if (scan.placement) taken(files::checkMeasured(scan, where));
+    setCells(scan, arrays);
+    setTimes(scan, arrays.lineTimesS);
+    valueOf(files::checkMeasured(scan, where));
+    if (!arrays.pose.empty()) scan.placement = valueOf(openPlacement(arrays.pose, arrays.calibration, scan, arrays.lineTimesS));
+    if (scan.placement) valueOf(files::checkMeasured(scan, where));
     return {std::make_shared<const Scan>(std::move(scan))};
 }
 

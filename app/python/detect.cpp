@@ -32,9 +32,9 @@ ResultObject detect(const ScanObject& of, const Typed& typed, const std::string&
     return unlocked([&]() -> ResultObject {
         const BindInputs inputs;
         const cli::MethodFlags flags = flagsOf(typed, preset);
-        taken(cli::checkMethod(flags));
-        taken(edges::checkMemoryFor(edges::Work::Detect, *of.scan));
-        return {edges::detectEdges(of.scan, taken(cli::settingsFor(flags, *of.scan)))};
+        valueOf(cli::checkMethod(flags));
+        valueOf(edges::checkMemoryFor(edges::Work::Detect, *of.scan));
+        return {edges::detectEdges(of.scan, valueOf(cli::settingsFor(flags, *of.scan)))};
     });
 }
 
@@ -106,7 +106,7 @@ std::size_t write(const edges::Detection& detection, exports::ExportContent cont
             throw Refused{
                 {"the extension names no format for points", path, "use " + files::writtenExtensions(!exports::isCloud(content))}};
         const exports::ExportOptions options = cli::exportOptions(flags, scan, path);
-        return taken(exports::exportWithProvenance(content, detection, path, options)).count;
+        return valueOf(exports::exportWithProvenance(content, detection, path, options)).count;
     });
 }
 

@@ -31,7 +31,7 @@ py::object why(const ResultObject& result, const py::int_& lineGiven, const py::
             {"there is no cell at line " + std::to_string(line) + ", beam " + std::to_string(beam), "line, beam",
              "lines run from 0 to " + std::to_string(scan.lines() - 1) + ", beams from 0 to " + std::to_string(scan.beams() - 1)}};
     return objectOf(unlocked([&] {
-        taken(edges::checkMemoryFor(edges::Work::Explain, scan));
+        valueOf(edges::checkMemoryFor(edges::Work::Explain, scan));
         const auto detection = whole(result);
         return exports::whyReport(*detection,
                                   edges::whyCell(*detection, scan.rangeMm.index(static_cast<int>(line), static_cast<int>(beam))));
@@ -39,8 +39,8 @@ py::object why(const ResultObject& result, const py::int_& lineGiven, const py::
 }
 
 inspect::SceneChange changeOf(const edges::Detection& before, const edges::Detection& now, const inspect::RegistrationRequest& wish = {}) {
-    taken(edges::checkMemoryFor(edges::Work::Compare, *before.scan));
-    return taken(inspect::sceneChange({now.scan, now.mask}, {before.scan, before.mask}, wish));
+    valueOf(edges::checkMemoryFor(edges::Work::Compare, *before.scan));
+    return valueOf(inspect::sceneChange({now.scan, now.mask}, {before.scan, before.mask}, wish));
 }
 
 py::object compare(const ResultObject& before, const ResultObject& now, const std::vector<std::string>& poses, bool bySurfaces,
@@ -49,13 +49,13 @@ py::object compare(const ResultObject& before, const ResultObject& now, const st
         const BindInputs inputs;
         inspect::RegistrationRequest wish;
         wish.bySurfaces = bySurfaces;
-        if (!poses.empty()) wish.poses = std::array{taken(inspect::open3dtkPose(poses[1])), taken(inspect::open3dtkPose(poses[0]))};
+        if (!poses.empty()) wish.poses = std::array{valueOf(inspect::open3dtkPose(poses[1])), valueOf(inspect::open3dtkPose(poses[0]))};
         const Scan& later = *now.detection->scan;
         for (const Scan* scan : {&later, before.detection->scan.get()}) {
             if (!scan->path.empty()) claimInput(scan->path);
         }
         const inspect::SceneChange change = changeOf(*before.detection, *now.detection, wish);
-        if (!picture.empty()) taken(containers::savePngRgb(inspect::changePicture(later, change), picture));
+        if (!picture.empty()) valueOf(containers::savePngRgb(inspect::changePicture(later, change), picture));
         nlohmann::ordered_json report{{"before", before.detection->scan->path}, {"now", later.path}};
         report.update(inspect::changeReport(later, change));
         return report;
@@ -84,22 +84,22 @@ std::size_t report(const ResultObject& result, const std::string& path, const st
             if (input && !input->path.empty()) claimInput(input->path);
         }
         const bool withRocks = !rockSettings.empty();
-        taken(edges::checkMemoryFor(withRocks ? edges::Work::Rocks : edges::Work::Detect, *scan));
+        valueOf(edges::checkMemoryFor(withRocks ? edges::Work::Rocks : edges::Work::Detect, *scan));
         const auto detection = withRocks ? edges::detectEdges(scan, result.detection->settings, edges::KeepFor::Rocks) : whole(result);
         std::string more;
         exports::PageNotes notes{nullptr, nullptr, nullptr, {}};
         std::optional<rocks::Study> study;
         if (withRocks) {
-            const auto settings = taken(rocks::rockSettingsFromJson(taken(parseJson(rockSettings, "rocks")), "rocks"));
+            const auto settings = valueOf(rocks::rockSettingsFromJson(valueOf(parseJson(rockSettings, "rocks")), "rocks"));
             notes.rocks = &study.emplace(rocks::studyRocks(rocks::rockInputs(*detection), settings));
             more += " --rocks";
             if (const std::string flags = rocks::rockSettingsFlags(settings); !flags.empty()) more += " " + flags;
         }
         std::optional<inspect::Notebook> notebook;
         if (!targets.empty()) {
-            const auto bytes = taken(readInput(targets));
+            const auto bytes = valueOf(readInput(targets));
             notes.notebook =
-                &notebook.emplace(taken(inspect::notebookFromText(edgescan::textOf(bytes), inspect::notebookScan(*scan), targets)));
+                &notebook.emplace(valueOf(inspect::notebookFromText(edgescan::textOf(bytes), inspect::notebookScan(*scan), targets)));
             more += " --targets " + shellQuoted(fileName(targets));
         }
         std::optional<inspect::SceneChange> change;
@@ -112,7 +112,7 @@ std::size_t report(const ResultObject& result, const std::string& path, const st
         if (!role.empty()) more += " --role " + shellQuoted(role);
         const exports::PageWords words{commandOf(*detection, path, more), operatorName, role, utcText(utcNow())};
         const std::string page = exports::scanPage(*detection, words, notes);
-        taken(writeWholeFile(path, page));
+        valueOf(writeWholeFile(path, page));
         return page.size();
     });
 }

@@ -39,7 +39,7 @@ struct Refused {
 
 /// Returns the value, or throws Refused.
 template <class T>
-T taken(Result<T> result) {
+T valueOf(Result<T> result) {
     if (!result) throw Refused{result.error()};
     return std::move(*result);
 }

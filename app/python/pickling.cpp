@@ -146,64 +146,64 @@ public:
     }
 
     template <class T>
-    void take(T& value) {
+    void read(T& value) {
         if constexpr (kIsFlat<T>)
-            takeFlat(&value, 1);
+            readFlat(&value, 1);
         else
-            std::apply([this](auto&... part) { (take(part), ...); }, partsOf(value));
+            std::apply([this](auto&... part) { (read(part), ...); }, partsOf(value));
     }
-    void take(std::string& text) { takeRow(text); }
+    void read(std::string& text) { readRow(text); }
     template <class T>
-    void take(std::vector<T>& values) {
-        takeRow(values);
+    void read(std::vector<T>& values) {
+        readRow(values);
     }
     template <class T>
-    void take(Grid<T>& grid) {
-        take(grid.lines);
-        take(grid.beams);
-        take(grid.cells);
+    void read(Grid<T>& grid) {
+        read(grid.lines);
+        read(grid.beams);
+        read(grid.cells);
         check(grid.lines >= 0 && grid.beams >= 0 && grid.size() == grid.index(grid.lines, 0));
     }
     template <class T>
-    void take(std::optional<T>& value) {
-        if (taken<bool>()) take(value.emplace());
+    void read(std::optional<T>& value) {
+        if (read<bool>()) read(value.emplace());
     }
     template <class T>
-    void take(std::shared_ptr<const T>& value) {
-        if (taken<bool>()) value = std::make_shared<const T>(taken<T>());
+    void read(std::shared_ptr<const T>& value) {
+        if (read<bool>()) value = std::make_shared<const T>(read<T>());
     }
-    void take(Geometry& value) {
-        if (taken<std::size_t>() == 0)
-            value = taken<PolarGeometry>();
+    void read(Geometry& value) {
+        if (read<std::size_t>() == 0)
+            value = read<PolarGeometry>();
         else
-            value = taken<PointGeometry>();
+            value = read<PointGeometry>();
     }
     template <class T>
-    T taken() {
+    T read() {
         T value{};
-        take(value);
+        read(value);
         return value;
     }
 
 private:
     template <class T>
-    void takeFlat(T* values, std::size_t count) {
+    void readFlat(T* values, std::size_t count) {
         check(count <= rest_.size() / sizeof(T));
         if (count > 0) std::memcpy(static_cast<void*>(values), rest_.data(), count * sizeof(T));
         rest_.remove_prefix(count * sizeof(T));
     }
     template <class Row>
-    void takeRow(Row& row) {
-        const auto count = taken<std::size_t>();
+    void readRow(Row& row) {
+        const auto count = read<std::size_t>();
         if constexpr (kIsFlat<typename Row::value_type>)
             check(count <= rest_.size() / sizeof(typename Row::value_type));
         else
             check(count <= rest_.size());
         row.resize(count);
         if constexpr (kIsFlat<typename Row::value_type>)
-            takeFlat(row.data(), count);
+            readFlat(row.data(), count);
         else
-            for (auto& each : row) take(each);
+            for (auto& each : row) read(each);
     }
 
     std::string_view rest_;
@@ -223,7 +223,7 @@ py::bytes bytesOf(const T&... parts) {
 
 Reader readerOf(std::string_view bytes) {
     Reader reader(bytes);
-    if (const auto by = reader.taken<std::string>(); by != program())
+    if (const auto by = reader.read<std::string>(); by != program())
         throw Refused{
             {"it was pickled by EdgeScan " + by + ", and this is " + program(), "pickle", "use one program; for keeping, save() files"}};
     return reader;
@@ -233,7 +233,7 @@ ScanObject scanOf(const std::string& bytes) {
     return unlocked([&]() -> ScanObject {
         Reader reader = readerOf(bytes);
         auto scan = std::make_shared<Scan>();
-        reader.take(*scan);
+        reader.read(*scan);
         reader.end();
         const auto fits = [&](const auto& grid) { return grid.lines == scan->lines() && grid.beams == scan->beams(); };
         Reader::check(fits(scan->state) && (scan->intensity.size() == 0 || fits(scan->intensity)));
@@ -252,13 +252,13 @@ ResultObject resultOf(const ScanObject& scan, const std::string& bytes) {
         Reader reader = readerOf(bytes);
         auto detection = std::make_shared<edges::Detection>();
         detection->scan = scan.scan;
-        const auto settings = taken(parseJson(reader.taken<std::string>(), "pickle"));
-        detection->settings = taken(edges::settingsFromJson(edges::settingsOfRecord(settings, 0), {}, "pickle"));
+        const auto settings = valueOf(parseJson(reader.read<std::string>(), "pickle"));
+        detection->settings = valueOf(edges::settingsFromJson(edges::settingsOfRecord(settings, 0), {}, "pickle"));
         auto mask = std::make_shared<Grid<std::uint8_t>>();
-        reader.take(*mask);
-        reader.take(detection->classes);
-        reader.take(detection->timings);
-        reader.take(detection->totalMs);
+        reader.read(*mask);
+        reader.read(detection->classes);
+        reader.read(detection->timings);
+        reader.read(detection->totalMs);
         reader.end();
         Reader::check(mask->lines == scan.scan->lines() && mask->beams == scan.scan->beams());
         auto edges = std::make_shared<std::vector<std::uint32_t>>();

@@ -33,7 +33,7 @@ rocks::RockSettings settingsOf(const std::map<std::string, double>& numbers, con
         if (parameter.get(settings) != value)
             throw Refused{{shortestText(value) + " is not a whole number", parameter.key, "give a whole number"}};
     }
-    if (!region.empty()) settings.region = taken(rocks::parseRegion(region));
+    if (!region.empty()) settings.region = valueOf(rocks::parseRegion(region));
     return settings;
 }
 

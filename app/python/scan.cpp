@@ -24,7 +24,7 @@ ReadingOptions optionsOf(const Typed& typed) {
     for (const ReadingOption& option : readingOptionTable()) {
         const auto text = typed.find(option.key);
         if (text == typed.end()) continue;
-        taken(checked(option, text->second));
+        valueOf(checked(option, text->second));
         option.set(options, text->second);
     }
     options.progress = [](const char*, double) { return noSignal(); };
@@ -35,7 +35,7 @@ ScanObject openFile(const std::string& path, const Typed& typed) {
     const ReadingOptions options = optionsOf(typed);
     Result<Scan> scan = unlocked([&] { return files::openAsAsked(path, options); });
     raiseSignal();
-    return {std::make_shared<const Scan>(taken(std::move(scan)))};
+    return {std::make_shared<const Scan>(valueOf(std::move(scan)))};
 }
 
 /// A scan of a file's content, given its extension.
@@ -43,7 +43,7 @@ ScanObject scanOfContent(const std::string& content, const std::string& extensio
     const ReadingOptions options = optionsOf(typed);
     Result<Scan> scan = unlocked([&] { return files::readScanBytes(std::as_bytes(std::span(content)), extension, options); });
     raiseSignal();
-    Scan read = taken(std::move(scan));
+    Scan read = valueOf(std::move(scan));
     read.name = name;
     return {std::make_shared<const Scan>(std::move(read))};
 }
@@ -156,7 +156,7 @@ void bindScan(py::module_& module) {
     type.def("__repr__", [](const ScanObject& self) { return textOf(*self.scan); });
     module.def("open", &openFile);
     module.def("scan_of_content", &scanOfContent);
-    module.def("path_of_address", [](const std::string& text) { return py::bytes(taken(pathOfAddress(text))); });
+    module.def("path_of_address", [](const std::string& text) { return py::bytes(valueOf(pathOfAddress(text))); });
     module.def("scan_xyz", [](const ScanObject& scan, const std::string& frame) { return pointsOf(scan.scan, frame); });
     module.def("scan_info", [](const ScanObject& scan) { return objectOf(exports::infoReport(*scan.scan)); });
 }

@@ -91,14 +91,14 @@ SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& n
         return sim::simulate(settings, [](double) { return noSignal(); });
     });
     raiseSignal();
-    object.simulation = std::make_shared<const sim::Simulation>(taken(std::move(made)));
+    object.simulation = std::make_shared<const sim::Simulation>(valueOf(std::move(made)));
     object.scan = ScanPtr(object.simulation, &object.simulation->scan);
     return object;
 }
 
 /// The truth's grids as arrays; the keys are the names of the files that the command line writes.
 py::dict truthArrays(const SimulationObject& object) {
-    const auto set = unlocked([&] { return std::make_shared<const sim::TruthSet>(taken(truthOf(object))); });
+    const auto set = unlocked([&] { return std::make_shared<const sim::TruthSet>(valueOf(truthOf(object))); });
     const sim::SimulationTruth& truth = *object.simulation->truth;
     py::dict arrays;
     arrays["edge_class"] = gridArray(set->edges.edgeClass, set);
@@ -125,8 +125,8 @@ void bindSimulate(py::module_& module) {
         });
     module.def("save_truth", [](const SimulationObject& self, const std::string& folder) {
         unlocked([&] {
-            if (!self.simulation->truth) taken(truthOf(self));
-            return taken(sim::writeTruth(*self.simulation, self.settings, folder));
+            if (!self.simulation->truth) valueOf(truthOf(self));
+            return valueOf(sim::writeTruth(*self.simulation, self.settings, folder));
         });
     });
     module.def("simulate", &make, py::arg("seed"), py::arg("numbers"), py::arg("words"), py::arg("surface").none(true));

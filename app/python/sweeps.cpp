@@ -48,7 +48,7 @@ public:
         if (!(speed >= 0 && speed <= 1e6)) throw Refused{{"the speed is out of reason", "speed", "give 0 to 1000000"}};
         options_.pose = pose;
         options_.calibration = calibration;
-        replay_.emplace(unlocked([&] { return files::Replay(taken(files::Recording::open(path)), options_); }));
+        replay_.emplace(unlocked([&] { return files::Replay(valueOf(files::Recording::open(path)), options_); }));
         if (replay_->lines() == 0)
             throw Refused{
                 {"this recording holds no scan telegram" + replay_->recording().whatWasLeftOut(), path, "choose another recording"}};
@@ -86,12 +86,12 @@ private:
         const int before = replay_->position();
         replay_->step();
         scanner::SweepAssembler& assembler = replay_->feed().assembler();
-        for (scanner::FinishedSweep& sweep : assembler.takeFinished()) add(sweep.scan, std::move(sweep.progress), true);
+        for (scanner::FinishedSweep& sweep : assembler.popFinished()) add(sweep.scan, std::move(sweep.progress), true);
         if (replay_->position() == before || replay_->position() % every_ != 0 || replay_->atEnd()) return;
         if (const auto scan = replay_->snapshot()) add(scan, replay_->progress(), false);
     }
     void add(const ScanPtr& scan, scanner::SweepProgress progress, bool finished) {
-        Scan described = taken(files::describedSweep(*scan, replay_->recording(), path_, options_));
+        Scan described = valueOf(files::describedSweep(*scan, replay_->recording(), path_, options_));
         waiting_.push_back({std::make_shared<const Scan>(std::move(described)), std::move(progress), finished});
     }
 
@@ -109,7 +109,7 @@ class ConnectionObject {
 public:
     ConnectionObject(const std::string& address, const scanner::SweepSettings& sweep, const std::string& record, double timeout)
         : address_(address), timeout_(timeout) {
-        const scanner::HostPort typed = taken(scanner::hostPort(address));
+        const scanner::HostPort typed = valueOf(scanner::hostPort(address));
         scanner::ConnectionSettings scanner;
         scanner.host = typed.host;
         scanner.port = typed.port;
@@ -122,7 +122,7 @@ public:
             wake_.notify_all();
         });
         if (!record.empty()) {
-            taken(unlocked([&] { return feed_->startRecording(record); }));
+            valueOf(unlocked([&] { return feed_->startRecording(record); }));
             recording_ = true;
         }
     }
@@ -163,7 +163,7 @@ public:
         });
         stopped_ = true;
         recording_ = false;
-        taken(closed);
+        valueOf(closed);
     }
 
     [[nodiscard]] std::string text() const {
@@ -201,7 +201,7 @@ private:
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
     std::optional<SweepObject> newest() {
-        for (scanner::FinishedSweep& sweep : feed_->takeFinished()) {
+        for (scanner::FinishedSweep& sweep : feed_->popFinished()) {
             const bool yielded = sweep.progress.number == yielded_.number && sweep.progress.received == yielded_.received;
             if (!yielded) finished_.push_back({sweep.scan, std::move(sweep.progress), true});
         }
@@ -266,7 +266,7 @@ std::unique_ptr<ConnectionObject> connect(const std::string& address, const std:
                            .expectedLines = static_cast<int>(expectedLines),
                            .stopAndGo = stopAndGo};
     if (axis) mounting.axis = *axis == "spin" ? Axis::Spin : Axis::Sweep;
-    auto connection = std::make_unique<ConnectionObject>(address, taken(cli::sweepOf(mounting)), record, timeout);
+    auto connection = std::make_unique<ConnectionObject>(address, valueOf(cli::sweepOf(mounting)), record, timeout);
     connection->waitForFirstLine();
     return connection;
 }

@@ -40,10 +40,10 @@ template <class Value>
 CLI::Option& addNumber(CLI::App& command, const std::string& flag, Value& value, NumberLimits limits, const std::string& help) {
     using Number = typename NumberIn<Value>::Type;
     static_assert(std::is_arithmetic_v<Number>);
-    const auto take = [flag, limits, &value](const std::string& text) {
+    const auto parse = [flag, limits, &value](const std::string& text) {
         value = static_cast<Number>(numberTyped(flag, text, limits, std::is_integral_v<Number>));
     };
-    CLI::Option& option = *command.add_option_function<std::string>(flag, take, help)->type_name(rangeName(limits));
+    CLI::Option& option = *command.add_option_function<std::string>(flag, parse, help)->type_name(rangeName(limits));
     if constexpr (std::is_same_v<Value, Number>) {
         std::string start;
         appendShortest(start, value);

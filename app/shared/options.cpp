@@ -44,7 +44,7 @@ namespace {
 
 void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptions& options, const char* group) {
     const std::string name = std::string("--") + option.key;
-    const auto take = [&option, &options](const std::string& text) {
+    const auto parse = [&option, &options](const std::string& text) {
         if (const auto fits = checked(option, text); !fits)
             throw CLI::ValidationError(fits.error().where, fits.error().what + "; " + fits.error().hint);
         option.set(options, text);
@@ -52,15 +52,15 @@ void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptio
     CLI::Option* added = nullptr;
     if (option.kind == ReadingOption::Kind::Switch)
         added = command.add_flag_callback(
-            name, [take] { take("on"); }, option.help);
+            name, [parse] { parse("on"); }, option.help);
     else if (option.kind == ReadingOption::Kind::ThreeNumbers)
         added = command
                     .add_option_function<std::vector<std::string>>(
-                        name, [take](const std::vector<std::string>& xyz) { take(CLI::detail::join(xyz, ",")); }, option.help)
+                        name, [parse](const std::vector<std::string>& xyz) { parse(CLI::detail::join(xyz, ",")); }, option.help)
                     ->delimiter(',')
                     ->expected(3);
     else
-        added = command.add_option_function<std::string>(name, take, option.help);
+        added = command.add_option_function<std::string>(name, parse, option.help);
     if (!option.words.empty() && option.limit == nullptr) added->check(CLI::IsMember(option.words));
     if (!option.words.empty() && option.limit != nullptr)
         added->type_name("mm|cm|m|NUMBER of mm");

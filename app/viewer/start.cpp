@@ -68,7 +68,7 @@ void Start::look() {
     } else if (wanted_.screenshot.empty()) {
         look_.stop();
     } else if (still_.elapsed() > kRestMs) {
-        takeScreenshot();
+        saveScreenshot();
     }
 }
 
@@ -90,11 +90,11 @@ void Start::quit() {
     if (!asked_ || (!refused_ && !look_.isActive())) return end(cli::kDone);
     if (refused_) return end(cli::kRefused);
     if (const auto missing = this->missing()) return giveUp(*missing);
-    if (!wanted_.screenshot.empty()) return takeScreenshot();
+    if (!wanted_.screenshot.empty()) return saveScreenshot();
     end(cli::kDone);
 }
 
-void Start::takeScreenshot() {
+void Start::saveScreenshot() {
     look_.stop();
     const Result<Done> written = window_.viewer().exports.saveScreenshot(window_.screenshot(), ui::exactText(wanted_.screenshot));
     if (!written) cli::printError(written.error());

@@ -30,7 +30,7 @@ private:
     /// Exit code 1, because something is missing.
     void giveUp(const Error& missing);
     void quit();
-    void takeScreenshot();
+    void saveScreenshot();
     /// Of the scan on the screen, where it is the one that was asked for.
     [[nodiscard]] int lines() const;
     /// What is not on the screen yet; empty: nothing.

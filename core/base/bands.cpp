@@ -21,7 +21,7 @@ public:
     Shares(int count, const std::function<void(int)>& work) : count_(count), work_(&work) {}
 
     /// Takes shares until all are taken.
-    void take() {
+    void work() {
         for (int n = next_++; n < count_; n = next_++) {
             std::exception_ptr failure;
             try {
@@ -87,7 +87,7 @@ private:
                 shares = std::move(waiting_.front());
                 waiting_.pop_front();
             }
-            shares->take();
+            shares->work();
         }
     }
 
@@ -144,7 +144,7 @@ void askSecondThread(const std::shared_ptr<Shares>& shares) {
 void runInParallel(int count, const std::function<void(int)>& work) {
     const auto shares = std::make_shared<Shares>(count, work);
     if (count > 1) askSecondThread(shares);
-    shares->take();
+    shares->work();
     shares->wait();
 }
 

@@ -51,7 +51,7 @@ public:
         return false;
     }
 
-    Json take() { return std::move(root_); }
+    Json popRoot() { return std::move(root_); }
     [[nodiscard]] Error error(const std::string& where) const {
         if (byte_ == 0) return {problem_, where, "correct the file or choose another"};
         return {problem_, where + ": byte " + std::to_string(byte_), "check it around this place"};
@@ -95,7 +95,7 @@ Result<Json> parsedWithin(std::string_view text, const std::string& where, const
     }
     BoundedBuilder<Json> builder(bounds);
     if (!Json::sax_parse(text.begin(), text.end(), &builder)) return builder.error(where);
-    return builder.take();
+    return builder.popRoot();
 }
 
 } // namespace

@@ -19,7 +19,7 @@ Lock lockAs(int kind, int file, std::chrono::milliseconds within) {
         if (std::chrono::steady_clock::now() >= until) return Lock::Busy;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
-    return Lock::Taken;
+    return Lock::Acquired;
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 namespace edgescan {
 
 enum class Lock {
-    Taken,
+    Acquired,
     Busy,   ///< another program holds it
     Unknown ///< a file system without locks
 };

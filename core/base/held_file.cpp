@@ -47,7 +47,7 @@ bool othersWaitLongEnough() {
     return length > 0 && std::from_chars(text.data(), text.data() + length, seconds).ec == std::errc{} && seconds >= kLeastSeconds;
 }
 
-bool takeLease(int file) {
+bool acquireLease(int file) {
     // The signal when a writer waits: SIGURG, which is ignored by default.
     return ::fcntl(file, F_SETSIG, SIGURG) == 0 && ::fcntl(file, F_SETLEASE, F_RDLCK) == 0;
 }
@@ -59,7 +59,7 @@ std::optional<std::span<const std::byte>> mappedUnderLease(int file) {
         const auto size = static_cast<std::uint64_t>(status.st_size);
         return size >= kLeast && size <= kMost && checkMemory(size, {});
     };
-    if (!isRight() || !isOfThisMachine(file) || !othersWaitLongEnough() || !takeLease(file)) return std::nullopt;
+    if (!isRight() || !isOfThisMachine(file) || !othersWaitLongEnough() || !acquireLease(file)) return std::nullopt;
     if (::fstat(file, &status) != 0 || !isRight()) return std::nullopt; // from here on the file cannot change
     const auto size = static_cast<std::size_t>(status.st_size);
     void* const at = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);

@@ -57,7 +57,7 @@ void removeIfDead(const fs::path& path) {
     const Descriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
     struct stat status {};
     if (!file.isOpen() || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_uid != ::geteuid()) return;
-    if (lockFile(file.number()) == Lock::Taken && isOpenAt(file.number(), path)) ::unlink(path.c_str());
+    if (lockFile(file.number()) == Lock::Acquired && isOpenAt(file.number(), path)) ::unlink(path.c_str());
 }
 
 /// Once for each folder that this program writes into.

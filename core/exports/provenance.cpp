@@ -71,11 +71,11 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
 
 /// The grid of the points for clouds, and for whole scans whose file has no room for it, with the cell of each point: so the points open
 /// as cells of the grid again.
-struct GridBeside {
+struct SidecarGrid {
     Json description{};  ///< null: the file holds its grid itself
     std::string cells{}; ///< the same: empty
 };
-GridBeside gridBeside(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
+SidecarGrid sidecarGrid(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
     const files::Format* format = files::writtenFormat(path);
     const bool whole = exportKind(content).holds == ExportKind::Holds::Scan;
     if (format == nullptr || format->write == nullptr || !(isCloud(content) || whole)) return {};
@@ -88,7 +88,7 @@ GridBeside gridBeside(ExportContent content, const edges::Detection& detection, 
             files::cellRunsText(*chosen, edges ? detection.mask.get() : nullptr, options.includeAttached)};
 }
 
-std::string sidecarText(const FileBytes& file, const std::string& record, GridBeside grid, const Expected& expected,
+std::string sidecarText(const FileBytes& file, const std::string& record, SidecarGrid grid, const Expected& expected,
                         const std::vector<FileBytes>& files) {
     Json about{{"file", file.path.filename().string()},
                {"sha256", sha256Hex(bytesOf(file.bytes))},
@@ -128,7 +128,7 @@ Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, co
 }
 
 /// Reads the bytes before they are written: if a format cannot hold the numbers, the error must not blame the disk.
-Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
+Result<Done> checkContent(const FileBytes& file, const Expected& expected) {
     if (!expected.bounds || expected.count == 0) return Done{};
     const auto refused = [&](const std::string& what) {
         return Error{"this format cannot hold the scan, nothing was written: " + what, file.path.string(), "choose another format"};
@@ -171,7 +171,7 @@ Result<Written> exportWithProvenance(ExportContent content, const edges::Detecti
     if (!files) return files.error();
     const Expected expected = expectedOf(content, detection, path, options);
     for (const FileBytes& file : *files) {
-        if (auto told = checkTold(file, expected); !told) return told.error();
+        if (auto told = checkContent(file, expected); !told) return told.error();
     }
     Written done{expected.count};
     if (const auto frame = frameOfFile(content, path, options))
@@ -182,7 +182,7 @@ Result<Written> exportWithProvenance(ExportContent content, const edges::Detecti
         return done;
     }
     const FileBytes& named = fileOf(*files, path);
-    const std::string sidecar = sidecarText(named, record, gridBeside(content, detection, named.path, options), expected, *files);
+    const std::string sidecar = sidecarText(named, record, sidecarGrid(content, detection, named.path, options), expected, *files);
     std::vector<FileContent> contents;
     for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
     if (options.sidecar) contents.push_back({files::sidecarPath(named.path), bytesOf(sidecar)});

@@ -239,7 +239,7 @@ Result<std::shared_ptr<const rocks::Study>> rocksOf(const Json& record, const ed
 }
 
 /// Adds the classes without cells that an older record does not contain.
-void takeLaterClasses(Json& then, const Json& now) {
+void addLaterClasses(Json& then, const Json& now) {
     if (!then.is_object()) return;
     for (const auto& [key, value] : now.items()) {
         if (!then.contains(key) && value == 0) then[key] = value;
@@ -255,7 +255,7 @@ void compareRecord(const Json& record, const Json& again, Verification& v) {
         if (key == "settings") then = Json(settingsOf(record));
         // another set of defaults; the settings themselves were compared
         if (key == "default_settings" && at(then, "/version") != at(now, "/version")) continue;
-        if (key == "classes") takeLaterClasses(then, now);
+        if (key == "classes") addLaterClasses(then, now);
         if (then != now && key != "cells") v.findings.push_back("The record says something else of \"" + key + "\" than this scan gives.");
     }
 }

@@ -115,7 +115,7 @@ Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const s
     files::Source source{path, std::as_bytes(std::span(bytes.data(), bytes.size())), &options};
     source.placesOnly = true;
     PointBounds bounds;
-    source.takePlaces = [&bounds](std::span<const Eigen::Vector3d> points) { addTo(bounds, points); };
+    source.receivePlaces = [&bounds](std::span<const Eigen::Vector3d> points) { addTo(bounds, points); };
     const files::Format* format = files::writtenFormat(path);
     if (format == nullptr || format->write == nullptr || format->read == nullptr) return std::optional<PointBounds>();
     auto reading = format->read(source);

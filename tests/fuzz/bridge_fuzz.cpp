@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         const std::size_t length = std::min<std::size_t>(rest.size() - kHead, rest[0] + 256U * rest[1]);
         const char* const type = types[rest[2] % 3];
         const robots::RosTopic topic{type, type, std::string(robots::commonRosDefinition(type)), robots::RosEncoding::Cdr, false};
-        lines += laser.take(topic, rest.subspan(kHead, length), assembler);
+        lines += laser.receive(topic, rest.subspan(kHead, length), assembler);
         ++messages;
         rest = rest.subspan(kHead + length);
     }

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     robots::SpinningBeams beams = robots::vlp16Beams();
     if (bytes[0] % 3 == 0) {
         robots::Vlp16Columns all;
-        if (const auto packet = robots::decodeVlp16(input)) all.take(*packet, 0);
+        if (const auto packet = robots::decodeVlp16(input)) all.addPacket(*packet, 0);
         columns = all.columns();
     } else if (bytes[0] % 3 == 1) {
         const auto sensor = robots::osSensor({reinterpret_cast<const char*>(input.data()), input.size()}, "fuzz.json");

@@ -174,7 +174,7 @@ inline Bytes mcapOf(const RosMessages& all) {
         encoder.message(to);
     }
     encoder.finish();
-    return encoder.take();
+    return encoder.popBytes();
 }
 
 #ifdef EDGESCAN_TESTS_SQLITE

@@ -460,7 +460,7 @@ private slots:
         views.setPinsOnClick(false);
         bool onLabel = false;
         const auto watch =
-            connect(&views, &LinkedViews::clicked, this, [&](const inspect::MeantCell& at) { onLabel = at.clicked == cells[2]; });
+            connect(&views, &LinkedViews::clicked, this, [&](const inspect::ClickedCell& at) { onLabel = at.clicked == cells[2]; });
         click(true, {false, cells[2]});
         disconnect(watch);
         QVERIFY(!onLabel);
@@ -485,7 +485,7 @@ private slots:
             const auto under = cloud.cellAt(*at + QPointF(0.9, 0.9)); // on the same square
             if (!under || !isEdge(*under)) continue;
             ++taken;
-            pinned += isEdge(on.viewer.views.meant(*under).cell) ? 1 : 0;
+            pinned += isEdge(on.viewer.views.nearSideCell(*under).cell) ? 1 : 0;
             // On its dark outline, too: what is behind it may be far away.
             const auto outline = cloud.cellAt(*at + QPointF(2.4, 0.0));
             QVERIFY(outline && isEdge(*outline));

@@ -60,7 +60,7 @@ private slots:
         QVERIFY(window.viewer().notice.text().contains("The pose carries no time"));
         emit window.viewer().views.gray().clicked(30, 40);
         const Scan& scan = *on.picture().detection->scan;
-        const std::size_t k = window.viewer().views.meant(scan.rangeMm.index(30, 40)).cell;
+        const std::size_t k = window.viewer().views.nearSideCell(scan.rangeMm.index(30, 40)).cell;
         QCOMPARE(scan.state[k], CellState::Valid);
         const Eigen::Vector3d mine = minePoint(scan, k).enhM;
         const QString expected = QString("E %1  N %2  RL %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3);

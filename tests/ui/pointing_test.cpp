@@ -309,7 +309,7 @@ private slots:
         };
         for (const std::uint32_t k : *on_->picture().detection->edges) {
             cell = k;
-            if (!window_->viewer().views.meant(k).moved() && pixel()) break;
+            if (!window_->viewer().views.nearSideCell(k).moved() && pixel()) break;
         }
         QVERIFY(pixel());
         QVERIFY(chooseInMenu(cloud, *pixel(), "Why"));

@@ -1045,9 +1045,9 @@ private slots:
         const edges::Detection& detection = *on.picture().detection;
         int tried = 0;
         for (const std::uint32_t k : *detection.edges) {
-            const inspect::MeantCell meant = inspect::meantEdge(*detection.scan, *detection.mask, k);
-            if (!meant.moved() || meant.cell == inspect::meantCell(*detection.scan, k).cell || ++tried > 5) continue;
-            QCOMPARE(on.viewer.views.meant(k).cell, meant.cell);
+            const inspect::ClickedCell meant = inspect::nearSideEdge(*detection.scan, *detection.mask, k);
+            if (!meant.moved() || meant.cell == inspect::nearSideCell(*detection.scan, k).cell || ++tried > 5) continue;
+            QCOMPARE(on.viewer.views.nearSideCell(k).cell, meant.cell);
             on.viewer.views.pinByClick(meant);
             QTRY_VERIFY2(on.viewer.targetsPanel.card().text().contains("\nClicked: "), qPrintable(on.viewer.targetsPanel.card().text()));
             on.viewer.targets.removeAll();

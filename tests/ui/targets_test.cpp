@@ -85,7 +85,9 @@ class TargetsTest : public QObject {
         return static_cast<std::uint32_t>(*on.viewer.views.cellAt(at->y(), at->x()));
     }
     // The cell that a click there means.
-    static std::uint32_t meantUnder(WindowFixture& on, int line, int beam) { return on.viewer.views.meant(cellUnder(on, line, beam)).cell; }
+    static std::uint32_t nearSideUnder(WindowFixture& on, int line, int beam) {
+        return on.viewer.views.nearSideCell(cellUnder(on, line, beam)).cell;
+    }
     // The label of a measurement without the sign that an end is behind the surface under its line.
     static QString lengthIn(QString label) { return label.remove(QRegularExpression(QString::fromUtf8("^(▲ )?M\\d+ "))); }
     // A plate 50 mm in front of a wall, 10 m away.
@@ -189,7 +191,7 @@ private slots:
         QVERIFY(showWith(on, boxes_));
         ImageView& gray = on.viewer.views.gray();
         ImageView& edges = on.viewer.views.edges();
-        std::vector<std::uint32_t> cells{meantUnder(on, 20, 30), meantUnder(on, 60, 80), meantUnder(on, 100, 140)};
+        std::vector<std::uint32_t> cells{nearSideUnder(on, 20, 30), nearSideUnder(on, 60, 80), nearSideUnder(on, 100, 140)};
         click(gray, 20, 30);
         click(edges, 60, 80);
         click(gray, 100, 140);
@@ -952,7 +954,7 @@ private slots:
         ImageView& gray = on.viewer.views.gray();
         QTest::keyClick(&on.window, Qt::Key_U);
         QVERIFY2(on.viewer.tools.shown().contains("click one end"), qPrintable(on.viewer.tools.shown()));
-        const std::vector<std::uint32_t> ends{meantUnder(on, 20, 30), meantUnder(on, 90, 120)};
+        const std::vector<std::uint32_t> ends{nearSideUnder(on, 20, 30), nearSideUnder(on, 90, 120)};
         click(gray, 20, 30);
         QVERIFY(targets(on).empty()); // no target
         QVERIFY2(on.viewer.tools.shown().contains("click the other end"), qPrintable(on.viewer.tools.shown()));
@@ -1078,7 +1080,7 @@ private slots:
             std::vector<std::uint32_t> cells;
             for (int n = 0; n < clicks; ++n) {
                 const QPoint at = places[static_cast<std::size_t>(n)];
-                cells.push_back(meantUnder(on, at.y(), at.x()));
+                cells.push_back(nearSideUnder(on, at.y(), at.x()));
                 click(gray, at.y(), at.x());
             }
             QVERIFY(eventually([&] { return known(on) && static_cast<int>(on.viewer.targets.notebook().measures.size()) == made + 1; }));

@@ -77,7 +77,7 @@ public:
         if (text.isEmpty()) return;
         line_ = line;
         const std::size_t others = taken_.size();
-        takeLine(at, line, painter_.fontMetrics().horizontalAdvance(text));
+        reserveLine(at, line, painter_.fontMetrics().horizontalAdvance(text));
         const QPointF way(aside, above);
         constexpr double kAnywhere = std::numeric_limits<double>::infinity();
         const bool mayBeBrief = !brief.isEmpty() && !(active && of.isMeasure); // the value of the chosen one is read
@@ -125,7 +125,7 @@ private:
         bool led; // a line joins it with its mark: it is away from it, or nearer to another one
     };
     /// Takes the part of a line that a tag of this width at `at` could cover, as small squares.
-    void takeLine(const QPointF& at, const QLineF& line, double width) {
+    void reserveLine(const QPointF& at, const QLineF& line, double width) {
         constexpr double kStep = 10.0; // px
         const double length = line.length();
         for (double along = 0.0; length > 0.0 && along <= length + kStep; along += kStep) {
@@ -273,7 +273,7 @@ void drawMeasure(QPainter& painter, const ScreenMarks::Measure& measure) {
 }
 
 /// No tag covers the chosen measurement: its lines and ends as small squares.
-void takeChosen(const ScreenMarks& marks, std::vector<QRectF>& taken) {
+void reserveChosen(const ScreenMarks& marks, std::vector<QRectF>& taken) {
     constexpr double kStep = 10.0; // px
     for (const ScreenMarks::Measure& measure : marks.measures) {
         if (!measure.active) continue;
@@ -371,20 +371,20 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
     for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);
     std::vector<MarkTag> drawn;
     const QRectF inView = QRectF(place).adjusted(-kMarkRing, -kMarkRing, kMarkRing, kMarkRing);
-    const auto seen = [&](const QPointF& at) {
+    const auto isVisible = [&](const QPointF& at) {
         return inView.contains(at) && std::ranges::none_of(plates, [&](const QRectF& plate) { return plate.contains(at); });
     };
     std::vector<QRectF> taken = plates;
     taken.insert(taken.end(), texts.begin(), texts.end());
     std::vector<QPointF> rings;
     for (const ScreenMarks::Target& target : marks.targets) {
-        if (seen(target.at)) rings.push_back(target.at);
+        if (isVisible(target.at)) rings.push_back(target.at);
     }
     if (rings.size() <= kMostFreeRings) {
         const QPointF corner(kRingReach, kRingReach);
         for (const QPointF& ring : rings) taken.emplace_back(ring - corner, ring + corner);
     }
-    takeChosen(marks, taken);
+    reserveChosen(marks, taken);
     std::vector<QLineF> lines;
     for (const ScreenMarks::Measure& measure : marks.measures) {
         if (!measure.lines.empty()) lines.push_back(measure.lines.front());
@@ -392,12 +392,12 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
     {
         Tags tags(painter, place, taken, rings, lines);
         for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
-            if (seen(target->at)) // a tag without its mark would name another place
+            if (isVisible(target->at)) // a tag without its mark would name another place
                 tags.place({false, target->cell}, target->at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active,
                            target->brief);
         }
         for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) { // the chosen one first
-            if (!measure->lines.empty() && seen(measure->labelAt))
+            if (!measure->lines.empty() && isVisible(measure->labelAt))
                 tags.place({true, measure->index}, measure->labelAt, kTagOffset, kTagOffset, measure->label, measure->active,
                            measure->brief, measure->lines.front());
         }
@@ -410,7 +410,7 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
 std::optional<MarkName> markAt(const ScreenMarks& marks, const std::vector<MarkTag>& tags, QPointF at, bool byFinger) {
     std::optional<MarkName> nearest;
     double least = byFinger ? kFingerReach : kMouseReach;
-    const auto take = [&](const MarkName& mark, double away) {
+    const auto chooseNearer = [&](const MarkName& mark, double away) {
         if (nearest ? away >= least : away > least) return; // of equal ones the upper one
         nearest = mark;
         least = away;
@@ -428,13 +428,13 @@ std::optional<MarkName> markAt(const ScreenMarks& marks, const std::vector<MarkT
     for (const MarkTag& tag : tags) {
         const double away = QLineF(nearestOn(tag, at), at).length();
         if (isRemark(tag.of) || (away > 0.0 && isChosen(tag.of))) continue; // next to the label of the chosen one, a place is meant
-        take({tag.of.isMeasure, tag.of.which, true}, away);
+        chooseNearer({tag.of.isMeasure, tag.of.which, true}, away);
     }
     for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) {
-        if (target->isTarget) take({false, target->cell}, fromRing(target->at, kMarkRing));
+        if (target->isTarget) chooseNearer({false, target->cell}, fromRing(target->at, kMarkRing));
     }
     for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) {
-        for (const QPointF& end : measure->ends) take({true, measure->index}, fromRing(end, measure->active ? kMarkRing : kEndDot));
+        for (const QPointF& end : measure->ends) chooseNearer({true, measure->index}, fromRing(end, measure->active ? kMarkRing : kEndDot));
     }
     return nearest;
 }

@@ -98,8 +98,8 @@ public:
     /// Where this step is obsolete, undo or redo continues with the next step of the stack.
     void giveWayIn(QUndoStack& stack) { stack_ = &stack; }
 
-    void undo() override { take(before_, &QUndoStack::undo); }
-    void redo() override { take(after_, &QUndoStack::redo); }
+    void undo() override { apply(before_, &QUndoStack::undo); }
+    void redo() override { apply(after_, &QUndoStack::redo); }
     [[nodiscard]] int id() const override { return drag_; }
     [[nodiscard]] QString undoneText() const override { return name_ ? name_(after_, before_).section('\n', -1) : QString(); }
     bool mergeWith(const QUndoCommand* later) override {
@@ -110,7 +110,7 @@ public:
     }
 
 private:
-    void take(const Value& value, void (QUndoStack::*next)()) {
+    void apply(const Value& value, void (QUndoStack::*next)()) {
         if (applies() && use_(value)) return;
         setObsolete(true);
         if (stack_ != nullptr) QMetaObject::invokeMethod(stack_, next, Qt::QueuedConnection);

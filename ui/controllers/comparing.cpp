@@ -57,13 +57,13 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
     : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), preferences_(preferences), undo_(undo),
       reader_(
           Urgency::Soon, [](const Reading& reading, const Asker& asker) { return pictureOf(reading, asker); },
-          [this](const Reading& asked, const std::shared_ptr<const Read>& read) { takeRead(asked, *read); },
+          [this](const Reading& asked, const std::shared_ptr<const Read>& read) { finishReading(asked, *read); },
           [this](const QString& what) {
-              takeRead({}, Error{what.toStdString(), "", "choose another scan"});
+              finishReading({}, Error{what.toStdString(), "", "choose another scan"});
           }),
       comparer_(
           Urgency::Soon, [this](const ComparisonAsked& asked) { return compare(asked); },
-          [this](const ComparisonAsked& asked, const std::shared_ptr<const Compared>& made) { take(asked, *made); },
+          [this](const ComparisonAsked& asked, const std::shared_ptr<const Compared>& made) { finishComparison(asked, *made); },
           [this](const QString& what) {
               comparingWork_.reset();
               comparison_ = nullptr;
@@ -267,7 +267,7 @@ void Comparing::refuse(NoticeBar::Kind kind, const QString& sentence) {
     emit refused(sentence);
 }
 
-void Comparing::takeRead(const Reading& asked, const Read& read) {
+void Comparing::finishReading(const Reading& asked, const Read& read) {
     readingWork_.reset();
     if (!read) return refuse(NoticeBar::Kind::Error, exactText(read.error().sentence()));
     const std::shared_ptr<const Picture>& picture = *read;
@@ -325,7 +325,7 @@ std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAs
     return made;
 }
 
-void Comparing::take(const ComparisonAsked& asked, const Compared& made) {
+void Comparing::finishComparison(const ComparisonAsked& asked, const Compared& made) {
     comparingWork_.reset();
     if (!made) {
         const QString sentence = exactText(made.error().sentence());

@@ -103,8 +103,8 @@ private:
     [[nodiscard]] static Read pictureOf(const Reading& reading, const Asker& asker); // pool's thread
     void ask();
     [[nodiscard]] std::shared_ptr<const Compared> compare(const ComparisonAsked& asked); // pool's thread
-    void take(const ComparisonAsked& asked, const Compared& made);
-    void takeRead(const Reading& asked, const Read& read);
+    void finishComparison(const ComparisonAsked& asked, const Compared& made);
+    void finishReading(const Reading& asked, const Read& read);
     void note(NoticeBar::Kind kind, const QString& sentence);
     void endNotes();
     void forgetDemo();

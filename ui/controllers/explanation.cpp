@@ -143,7 +143,7 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
               notice_.showNotice(NoticeBar::Kind::Warning, sentence);
               if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
-    connect(&views, &LinkedViews::clicked, this, [this](const inspect::MeantCell& click) {
+    connect(&views, &LinkedViews::clicked, this, [this](const inspect::ClickedCell& click) {
         if (views_.tool() == Tool::Why || (card_ != nullptr && card_->isVisible())) explain(click, Subject::Click);
     });
     connect(&views, &LinkedViews::newScanShown, this, [this] {
@@ -152,12 +152,12 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
     connect(&views, &LinkedViews::toolChanged, this, [this] {
         if (views_.tool() != Tool::Why && std::exchange(waits_, false)) emit asked(QString());
     });
-    connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
+    connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::ClickedCell& click) {
         menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, click] { explain(click, Subject::Click); });
     });
 }
 
-void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
+void Explanation::explain(const inspect::ClickedCell& click, Subject subject) {
     const std::shared_ptr<const Picture> picture = views_.shown();
     if (!picture) return;
     if (views_.flipped()) return notice_.showHint(LinkedViews::onlyOfB()); // the card outlasts A on the screen
@@ -199,7 +199,7 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
 QString Explanation::subjectText(const Question& question) const {
     const auto beams = static_cast<std::uint32_t>(question.picture->detection->scan->beams());
     const auto cell = [beams](std::uint32_t k) { return tr("line %1, beam %2").arg(k / beams).arg(k % beams); };
-    const inspect::MeantCell& click = question.click;
+    const inspect::ClickedCell& click = question.click;
     const auto what = [&] {
         switch (question.subject) {
         case Subject::Pointer:

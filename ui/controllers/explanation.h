@@ -24,7 +24,7 @@ public:
     /// What the explained cell is to the operator; the card says it.
     enum class Subject { Pointer, Pin, Click, NearestEdge };
     /// `click`: the text says if it was moved.
-    void explain(const inspect::MeantCell& click, Subject subject);
+    void explain(const inspect::ClickedCell& click, Subject subject);
     /// Explains the cell in the status bar: under the pointer, else the pin. Where there is none, the next click says the cell. Until the
     /// card is closed, a click explains and pins nothing.
     void explainMarked();
@@ -42,7 +42,7 @@ signals:
 private:
     struct Question {
         std::shared_ptr<const Picture> picture;
-        inspect::MeantCell click;
+        inspect::ClickedCell click;
         Subject subject = Subject::Click;
     };
     [[nodiscard]] QString subjectText(const Question& question) const;

@@ -79,7 +79,7 @@ Layers::Layers(Engine& engine, LinkedViews& views, Files& files, Targets& target
     : engine_(engine), views_(views), files_(files), targets_(targets), panel_(panel), notice_(notice), preferences_(preferences),
       undo_(undo), loader_(
                        Urgency::Soon, [](const LayerAsked& asked, const Asker& asker) { return loadLayer(asked, asker); },
-                       [this](const LayerAsked& asked, const std::shared_ptr<const Loaded>& loaded) { take(asked, *loaded); },
+                       [this](const LayerAsked& asked, const std::shared_ptr<const Loaded>& loaded) { finishLoading(asked, *loaded); },
                        [this](const QString& what) {
                            work_.reset();
                            notice_.showNotice(NoticeBar::Kind::Error, tr("The layer could not be read (%1).").arg(what));
@@ -304,7 +304,7 @@ void Layers::load(std::size_t layer, const std::vector<inspect::PointPair>& pair
     loader_.ask({layers_[layer].layer, pairs, active->layer.place ? engine_.picture()->detection->scan : nullptr, place.toFirst, progress});
 }
 
-void Layers::take(const LayerAsked& asked, const Loaded& loaded) {
+void Layers::finishLoading(const LayerAsked& asked, const Loaded& loaded) {
     work_.reset();
     if (Held* held = of(asked.layer.scan)) {
         const QString twiceWords = tr("The same scan is a layer already: remove one of the two.");

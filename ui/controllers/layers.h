@@ -69,7 +69,7 @@ private:
     bool use(const std::vector<inspect::Layer>& layers);
     void loadNext(const std::vector<inspect::PointPair>& pairs = {});
     void load(std::size_t layer, const std::vector<inspect::PointPair>& pairs);
-    void take(const LayerAsked& asked, const Loaded& loaded);
+    void finishLoading(const LayerAsked& asked, const Loaded& loaded);
     void placeAgain();
     void show();
     [[nodiscard]] Held* of(const inspect::SessionScan& scan);

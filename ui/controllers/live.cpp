@@ -89,7 +89,7 @@ Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& vi
 
 void Live::followPicture() {
     scanner_.followPicture();
-    panel_.showAxisSeen(axisSeen());
+    panel_.showAxisFromRanges(axisShownByRanges());
     views_.setShapeNote(shapeNote());
     reportSweepEnd();
 }
@@ -255,11 +255,11 @@ QString Live::waitsFor() const {
 }
 
 /// That the ranges of the connected scanner show.
-std::optional<Axis> Live::axisSeen() const {
+std::optional<Axis> Live::axisShownByRanges() const {
     if (!scanner_.connected() || !showsScanner()) return std::nullopt;
     const Scan& scan = *engine_.picture()->detection->scan;
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
-    return polar != nullptr && isAxisSeen(scan) ? std::optional(polar->axis) : std::nullopt;
+    return polar != nullptr && isAxisFromRanges(scan) ? std::optional(polar->axis) : std::nullopt;
 }
 
 /// Also after Stop and of a recording, while lengths and rocks have the sign too.

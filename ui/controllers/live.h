@@ -66,7 +66,7 @@ private:
     [[nodiscard]] QString note(bool held) const;
     [[nodiscard]] QString lastLine() const;
     [[nodiscard]] QString shapeNote() const;
-    [[nodiscard]] std::optional<Axis> axisSeen() const;
+    [[nodiscard]] std::optional<Axis> axisShownByRanges() const;
     void showReplayed(const ReplayedSweep& at);
     void loadTimeline(const QString& path);
     void reportSweepEnd();

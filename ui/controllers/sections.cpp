@@ -116,14 +116,14 @@ Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& ta
               if (question.rocks) labels = rocks::rockLabels(*question.rocks->segmentation, question.rocks->map);
               return inspect::sectionOf(*question.picture->detection, question.plane, labels ? &*labels : nullptr);
           },
-          [this](const Question& question, const std::shared_ptr<const inspect::Section>& section) { take(question, section); },
+          [this](const Question& question, const std::shared_ptr<const inspect::Section>& section) { showSection(question, section); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Warning, tr("The section could not be computed (%1).").arg(what));
           }) {
     connect(&views_, &LinkedViews::probed, this, [this](const std::optional<edges::Probe>& probe) {
         if (card_ != nullptr && card_->isVisible()) card_->plot().mark(probe ? std::optional(probe->pointM) : std::nullopt);
     });
-    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::ClickedCell& click) {
         auto* rock = menu.findChild<QMenu*>(kRockMenu);
         if (rock == nullptr) return;
         rock->addAction(tr("Se&ction"), this, [this, click] {
@@ -198,7 +198,7 @@ void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector
                    length, cells});
 }
 
-void Sections::take(const Question& question, const std::shared_ptr<const inspect::Section>& section) {
+void Sections::showSection(const Question& question, const std::shared_ptr<const inspect::Section>& section) {
     if (!engine_.picture() || question.picture->source.stream != engine_.picture()->source.stream) return;
     if (section->lines.empty()) {
         notice_.showHint(tr("The plane of the section meets no surface: choose two other cells."));

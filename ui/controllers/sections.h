@@ -63,7 +63,7 @@ private:
     /// `rock`: label of the rock that these cells are of; 0: they are the ends of a measurement, and this is its length in words.
     void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock,
              const QString& length = {});
-    void take(const Question& question, const std::shared_ptr<const inspect::Section>& section);
+    void showSection(const Question& question, const std::shared_ptr<const inspect::Section>& section);
     /// `cut`: the cells that the section is through.
     void placeCard(const std::vector<std::uint32_t>& cut);
     void showLength(const inspect::SectionVertex& from, const inspect::SectionVertex& to);

@@ -72,7 +72,7 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     connectSide();
     addTools();
     connect(back_, &CornerPicture::reachChanged, this, [this](int reach) {
-        if (large_ != Large::Cloud) imageView().setTaken(reach); // no prompt is below it
+        if (large_ != Large::Cloud) imageView().setCovered(reach); // no prompt is below it
     });
     for (CornerPicture* each : {corner_, back_}) {
         connect(each, &QAbstractButton::clicked, this, &CabMode::swap);

@@ -82,7 +82,7 @@ private:
     void showCorner();
     void swap();
     void noteChangeUnder(const QRegion& place);
-    [[nodiscard]] bool isMeantForWhatLeft(const QPoint& onScreen) const;
+    [[nodiscard]] bool isOnLeftPlace(const QPoint& onScreen) const;
     void showCloud();
     void showLarge(Large which);
     [[nodiscard]] ImageView& imageView() const;

@@ -82,7 +82,7 @@ void CabMode::showLarge(Large which) {
     ImageView& image = imageView();
     for (ImageView* each : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) {
         each->removeEventFilter(back_);
-        each->setTaken(0);
+        each->setCovered(0);
     }
     back_->setParent(&image);
     image.installEventFilter(back_);
@@ -90,7 +90,7 @@ void CabMode::showLarge(Large which) {
     window_.showAlone(isImage ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
     back_->setVisible(isImage);
     back_->endAt(corner_->isHidden() ? 0 : corner_->geometry().bottom()); // a second tap at the same place swaps them back
-    if (isImage) image.setTaken(back_->reach());
+    if (isImage) image.setCovered(back_->reach());
     showCorner();
     emit viewsChanged();
 }
@@ -162,7 +162,7 @@ void CabMode::zoom(double factor) {
 
 bool CabMode::LeftPlace::isOver() const { return since.isValid() && since.elapsed() >= kSecondTapMs; }
 
-bool CabMode::isMeantForWhatLeft(const QPoint& onScreen) const {
+bool CabMode::isOnLeftPlace(const QPoint& onScreen) const {
     return std::ranges::any_of(left_, [&onScreen](const LeftPlace& each) { return !each.isOver() && each.onScreen.contains(onScreen); });
 }
 
@@ -171,11 +171,11 @@ bool CabMode::eventFilter(QObject* watched, QEvent* event) {
     const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
     if (press) {
         const QPoint at = static_cast<QMouseEvent*>(event)->globalPos();
-        secondTap_ = !keypad_->place().contains(at) && isMeantForWhatLeft(at);
+        secondTap_ = !keypad_->place().contains(at) && isOnLeftPlace(at);
     }
     if (event->type() == QEvent::TouchBegin) {
         const auto points = static_cast<QTouchEvent*>(event)->touchPoints();
-        if (std::ranges::any_of(points, [this](const auto& each) { return isMeantForWhatLeft(each.screenPos().toPoint()); })) {
+        if (std::ranges::any_of(points, [this](const auto& each) { return isOnLeftPlace(each.screenPos().toPoint()); })) {
             event->ignore(); // Qt sends the mouse event instead
             return true;
         }

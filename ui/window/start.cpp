@@ -98,7 +98,7 @@ private:
             used = std::max(used, place.bottom() + 1);
         }
         page_.setMask(shown);
-        page_.setTopTaken(used);
+        page_.setTopCovered(used);
         page_.raise();
         settle_.start();
     }

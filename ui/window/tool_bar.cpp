@@ -77,7 +77,7 @@ void ToolBar::add(QAction& action, const char* sign, const QString& word, Word s
     connect(&action, &QAction::changed, &action, updateTip); // the shortcut and the undo step may change
     updateTip();
     insertAction(wordsPlace_, &action);
-    if (auto* button = qobject_cast<QToolButton*>(widgetForAction(&action))) take(*button, shown);
+    if (auto* button = qobject_cast<QToolButton*>(widgetForAction(&action))) addButton(*button, shown);
 }
 
 void ToolBar::add(QMenu* menu, const char* name, const char* sign, const QString& word, const QList<QAction*>& lights) {
@@ -99,10 +99,10 @@ void ToolBar::add(QMenu* menu, const char* name, const char* sign, const QString
     });
     follow();
     insertWidget(wordsPlace_, button);
-    take(*button, Word::Next);
+    addButton(*button, Word::Next);
 }
 
-void ToolBar::take(QToolButton& button, Word shown) {
+void ToolBar::addButton(QToolButton& button, Word shown) {
     button.setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
     button.setMinimumHeight(kLeastHigh);
     button.setAccessibleName(button.text());

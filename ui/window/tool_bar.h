@@ -49,7 +49,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void take(QToolButton& button, Word shown);
+    void addButton(QToolButton& button, Word shown);
     void fit();
     void showWords();
 

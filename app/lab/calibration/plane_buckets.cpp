@@ -42,7 +42,7 @@ std::vector<std::size_t> PlaneBuckets::nearest(const Eigen::Vector2d& at, std::s
     if (count == 0) return {};
     std::vector<std::pair<double, std::size_t>> found;
     const int middleColumn = column(at.x()), middleRow = row(at.y());
-    const auto take = [&](int r, int c) {
+    const auto addBucket = [&](int r, int c) {
         if (r < 0 || r >= rows_ || c < 0 || c >= columns_) return;
         const std::size_t bucket = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
         for (std::size_t n = first_[bucket]; n < first_[bucket + 1]; ++n)
@@ -58,12 +58,12 @@ std::vector<std::size_t> PlaneBuckets::nearest(const Eigen::Vector2d& at, std::s
             if (kth->first <= sure * sure) break;
         }
         for (int c = middleColumn - ring; c <= middleColumn + ring; ++c) {
-            take(middleRow - ring, c);
-            if (ring > 0) take(middleRow + ring, c);
+            addBucket(middleRow - ring, c);
+            if (ring > 0) addBucket(middleRow + ring, c);
         }
         for (int r = middleRow - ring + 1; r <= middleRow + ring - 1; ++r) {
-            take(r, middleColumn - ring);
-            take(r, middleColumn + ring);
+            addBucket(r, middleColumn - ring);
+            addBucket(r, middleColumn + ring);
         }
     }
     std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end());

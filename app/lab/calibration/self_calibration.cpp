@@ -193,7 +193,7 @@ std::optional<Error> refusalOf(const Scan& scan) {
     return std::nullopt;
 }
 
-void takeCells(Pass& pass, View view, std::size_t most) {
+void findCells(Pass& pass, View view, std::size_t most) {
     const PolarGeometry& polar = pass.sweep.polar;
     pass.cells[static_cast<std::size_t>(view)] = polar.axis == Axis::Spin ? cellsSeenTwice(polar, pass.sweep.inverse, view, most)
                                                                           : cellsAtEnds(polar, pass.sweep.inverse, view, most);
@@ -201,7 +201,7 @@ void takeCells(Pass& pass, View view, std::size_t most) {
 
 Pass passOf(const Scan& scan) {
     Pass pass{preparedSweep(scan, std::get<PolarGeometry>(scan.geometry)), {}};
-    for (const View view : {View::Early, View::Late}) takeCells(pass, view, kCells);
+    for (const View view : {View::Early, View::Late}) findCells(pass, view, kCells);
     return pass;
 }
 
@@ -283,8 +283,8 @@ Grid<float> viewDistanceMm(const Scan& scan, const AssemblyErrors& errors) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr || refusalOf(scan)) return apart;
     Pass pass{preparedSweep(scan, *polar), {}};
-    if (polar->axis == Axis::Sweep) takeCells(pass, View::Early, kCells); // the surface that the late cells are compared with
-    takeCells(pass, View::Late, scan.cells());
+    if (polar->axis == Axis::Sweep) findCells(pass, View::Early, kCells); // the surface that the late cells are compared with
+    findCells(pass, View::Late, scan.cells());
     for (const Residual& r : Comparison(pass, kHalfWidths.size() - 1).residuals(View::Late, errors))
         apart.at(r.line, r.beam) = static_cast<float>(r.apartMm);
     return apart;

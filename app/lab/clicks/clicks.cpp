@@ -77,7 +77,7 @@ private:
 
 struct Click {
     std::uint32_t cell = 0;
-    inspect::MeantCell meant;
+    inspect::ClickedCell nearSide;
     std::set<Cell> front; ///< the true surface that was meant
 };
 
@@ -98,7 +98,7 @@ public:
             const Cell at{rim.line + static_cast<int>(aside % kSide) - kAside, rim.beam + static_cast<int>(aside / kSide % kSide) - kAside};
             if (!scan_.rangeMm.contains(at.line, at.beam)) continue;
             const auto k = static_cast<std::uint32_t>(scan_.rangeMm.index(at.line, at.beam));
-            return {k, inspect::meantCell(scan_, k), surfaces_.frontOf(rim)};
+            return {k, inspect::nearSideCell(scan_, k), surfaces_.frontOf(rim)};
         }
     }
 
@@ -113,7 +113,9 @@ public:
         const inspect::MeasuredLength& length = measured->lengths.front();
         const double trueM = (truePoint(a, from) - truePoint(b, to)).norm();
         const double beyondM = length.isBelow ? trueM - length.smallestM : std::abs(length.valueM - trueM);
-        const auto isDoubtful = [](const Click& click, std::uint32_t cell) { return cell == click.meant.cell && click.meant.alsoNear; };
+        const auto isDoubtful = [](const Click& click, std::uint32_t cell) {
+            return cell == click.nearSide.cell && click.nearSide.alsoNear;
+        };
         lengths.tolerancesM.push_back(length.toleranceM);
         const bool isWarned = measured->behindM > 0.0 || isDoubtful(a, from) || isDoubtful(b, to);
         lengths.warned += isWarned ? 1 : 0;
@@ -197,10 +199,10 @@ ClickScore scoreClicks(const sim::Simulation& simulation, int clicks, std::uint6
     for (int n = 0; n < clicks; ++n) {
         const Click click = scene.click(seed, static_cast<std::uint64_t>(n));
         ++score.clicks;
-        score.moved += click.meant.moved() ? 1 : 0;
+        score.moved += click.nearSide.moved() ? 1 : 0;
         if (last) {
             scene.measure(*last, click, last->cell, click.cell, score.asClicked);
-            scene.measure(*last, click, last->meant.cell, click.meant.cell, score.nearSide);
+            scene.measure(*last, click, last->nearSide.cell, click.nearSide.cell, score.nearSide);
         }
         last = click;
     }

@@ -29,9 +29,9 @@ struct ClickedLengths {
 
 struct ClickScore {
     std::size_t clicks = 0;
-    std::size_t moved = 0;    ///< number of these that inspect::meantCell() moved
+    std::size_t moved = 0;    ///< number of these that inspect::nearSideCell() moved
     ClickedLengths asClicked; ///< measured at the clicked cells
-    ClickedLengths nearSide;  ///< measured where inspect::meantCell() puts them
+    ClickedLengths nearSide;  ///< measured where inspect::nearSideCell() puts them
 
     ClickScore& operator+=(const ClickScore& other);
 };

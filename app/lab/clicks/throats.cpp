@@ -57,7 +57,7 @@ public:
         return moved;
     }
     [[nodiscard]] std::optional<TwoClicks> endsOfClicks(const TwoClicks& clicks) const {
-        const inspect::MeantCell a = inspect::meantCell(scan_, clicks[0]), b = inspect::meantCell(scan_, clicks[1]);
+        const inspect::ClickedCell a = inspect::nearSideCell(scan_, clicks[0]), b = inspect::nearSideCell(scan_, clicks[1]);
         return inspect::narrowestBetween(scan_, tables_, a.cell, b.cell);
     }
     [[nodiscard]] std::optional<TwoClicks> endsAround(const TwoClicks& clicks) const {

@@ -134,10 +134,11 @@ std::string wallKindHelp() {
 CLI::Option& add(CLI::App& command, const char* group, std::string_view key, sim::SimulationSettings& settings) {
     const sim::SimulationNumber& row = *std::ranges::find(sim::simulationNumbers(), key, &sim::SimulationNumber::key);
     const std::string flag = std::string("--") + row.key;
-    const auto take = [&row, &settings, flag](const std::string& text) {
+    const auto parse = [&row, &settings, flag](const std::string& text) {
         row.set(settings, numberTyped(flag, text, row.limits(), row.decimals == 0));
     };
-    CLI::Option& option = *command.add_option_function<std::string>(flag, take, row.help)->type_name(rangeName(row.limits()))->group(group);
+    CLI::Option& option =
+        *command.add_option_function<std::string>(flag, parse, row.help)->type_name(rangeName(row.limits()))->group(group);
     std::string usual;
     appendShortest(usual, row.get(settings));
     return *option.default_str(usual);

@@ -91,15 +91,15 @@ public:
     Result<Done> run() {
         std::vector<std::thread> threads;
         const auto wanted = std::min<std::size_t>(jobs_.size(), static_cast<std::size_t>(std::max(1, settings_.threads)));
-        for (std::size_t n = 1; n < wanted; ++n) threads.emplace_back([this] { take(); });
-        take();
+        for (std::size_t n = 1; n < wanted; ++n) threads.emplace_back([this] { work(); });
+        work();
         for (std::thread& thread : threads) thread.join();
         if (failure_) return *failure_;
         return Done{};
     }
 
 private:
-    void take() {
+    void work() {
         const GoOn goOn = [this] { return !stopped_ && (!goOn_ || goOn_()); };
         for (std::size_t n = next_++; n < jobs_.size() && !stopped_; n = next_++) {
             Result<Done> done = Done{};

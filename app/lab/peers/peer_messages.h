@@ -52,12 +52,12 @@ public:
     template <class T>
     requires std::is_trivially_copyable_v<T> T value() {
         T v{};
-        if (has(sizeof v)) std::memcpy(&v, take(sizeof v).data(), sizeof v);
+        if (has(sizeof v)) std::memcpy(&v, popBytes(sizeof v).data(), sizeof v);
         return v;
     }
     std::string text() {
         const auto size = value<std::uint64_t>();
-        return has(size) ? std::string(take(static_cast<std::size_t>(size))) : std::string();
+        return has(size) ? std::string(popBytes(static_cast<std::size_t>(size))) : std::string();
     }
     template <class T>
     Grid<T> grid() {
@@ -68,14 +68,14 @@ public:
             return {};
         }
         Grid<T> g(lines, beams);
-        std::memcpy(static_cast<void*>(g.cells.data()), take(g.size() * sizeof(T)).data(), g.size() * sizeof(T));
+        std::memcpy(static_cast<void*>(g.cells.data()), popBytes(g.size() * sizeof(T)).data(), g.size() * sizeof(T));
         return g;
     }
     [[nodiscard]] bool isWhole() const { return whole_; }
 
 private:
     bool has(std::uint64_t count) { return whole_ = whole_ && count <= left_.size(); }
-    std::string_view take(std::size_t count) {
+    std::string_view popBytes(std::size_t count) {
         const std::string_view taken = left_.substr(0, count);
         left_.remove_prefix(count);
         return taken;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kStepsAway = 1.5; // steps from a measured direction: farther away the other scan did not measure
 
 /// Which points of `a` the sensor of `b` saw: `b` measured in that direction, and its range there is not shorter by more than `toleranceM`.
-std::vector<std::uint8_t> seenBy(const inspect::PlacedScan& a, const inspect::PlacedScan& b, double toleranceM) {
+std::vector<std::uint8_t> visibleFrom(const inspect::PlacedScan& a, const inspect::PlacedScan& b, double toleranceM) {
     std::vector<Eigen::Vector3d> directions;
     for (const Eigen::Vector3d& p : b.pointsM) directions.push_back((p - b.sensorM).normalized());
     const inspect::PointIndex index(directions);
@@ -92,7 +92,7 @@ std::optional<Grid<std::uint8_t>> thinnedWith(std::size_t places, const inspect:
 } // namespace
 
 RepeatCounter::RepeatCounter(const inspect::PlacedScan& a, const inspect::PlacedScan& b, double radiusM)
-    : a_(a), b_(b), radiusM_(radiusM), aSeenByB_(seenBy(a, b, 2 * radiusM)), bSeenByA_(seenBy(b, a, 2 * radiusM)) {}
+    : a_(a), b_(b), radiusM_(radiusM), aSeenByB_(visibleFrom(a, b, 2 * radiusM)), bSeenByA_(visibleFrom(b, a, 2 * radiusM)) {}
 
 RepeatCount RepeatCounter::count(const Grid<std::uint8_t>& maskA, const Grid<std::uint8_t>& maskB) const {
     RepeatCount count;

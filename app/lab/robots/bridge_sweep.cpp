@@ -34,7 +34,7 @@ public:
         constexpr std::int64_t kSecond = 1'000'000'000;
         return put(static_cast<std::int32_t>(ns / kSecond)).put(static_cast<std::uint32_t>(ns % kSecond)).text(frame);
     }
-    [[nodiscard]] Bytes take() { return std::move(bytes_); }
+    [[nodiscard]] Bytes popBytes() { return std::move(bytes_); }
 
 private:
     static constexpr std::size_t kHead = 4;
@@ -44,7 +44,7 @@ private:
 Bytes transform(std::int64_t ns, std::string_view parent, std::string_view child, double x, double y, double w) {
     CdrBytes bytes;
     bytes.put(std::uint32_t{1}).header(ns, parent).text(child).put(0.0).put(0.0).put(0.0);
-    return bytes.put(x).put(y).put(0.0).put(w).take();
+    return bytes.put(x).put(y).put(0.0).put(w).popBytes();
 }
 
 } // namespace
@@ -113,7 +113,7 @@ Bytes cloudMessage(const BridgeCloud& cloud, std::int64_t ns) {
     }
     bytes.put(std::uint8_t{0}).put(kPoint).put(kPoint * cloud.beams).put(static_cast<std::uint32_t>(kFloat * cloud.xyzM.size()));
     for (const float number : cloud.xyzM) bytes.put(number);
-    return bytes.put(std::uint8_t{0}).take();
+    return bytes.put(std::uint8_t{0}).popBytes();
 }
 
 Bytes lineMessage(const BridgeSweep& sweep, const BridgeLine& line, std::int64_t ns, double periodS) {
@@ -123,7 +123,7 @@ Bytes lineMessage(const BridgeSweep& sweep, const BridgeLine& line, std::int64_t
     bytes.put(static_cast<float>(radians(sweep.beamStepDeg))).put(0.0F).put(static_cast<float>(periodS)).put(0.001F).put(1000.0F);
     bytes.put(static_cast<std::uint32_t>(line.rangesM.size()));
     for (const float range : line.rangesM) bytes.put(range);
-    return bytes.put(std::uint32_t{0}).take();
+    return bytes.put(std::uint32_t{0}).popBytes();
 }
 
 Bytes transformMessage(const BridgeSweep& sweep, double deg, std::int64_t ns) {

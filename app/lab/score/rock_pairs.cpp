@@ -28,12 +28,12 @@ RockPair pairOf(const Key& key, const Cracks& cracks) {
 }
 
 /// One kind of statement about pairs, by the two numbers of the pair.
-using Said = std::map<Key, std::uint32_t>;
+using PairStatements = std::map<Key, std::uint32_t>;
 
-PairCounts compared(const Said& truth, const Said& told, const std::map<std::uint32_t, std::uint32_t>& regionOf) {
-    PairCounts counts{.reported = told.size(), .known = truth.size(), .rocks = regionOf.size()};
+PairCounts compared(const PairStatements& truth, const PairStatements& reported, const std::map<std::uint32_t, std::uint32_t>& regionOf) {
+    PairCounts counts{.reported = reported.size(), .known = truth.size(), .rocks = regionOf.size()};
     std::map<std::uint32_t, std::pair<int, int>> ofRock; // true and reported neighbours
-    for (const auto& [key, front] : told) {
+    for (const auto& [key, front] : reported) {
         ++ofRock[key.first].second;
         ++ofRock[key.second].second;
         const auto known = truth.find(key);
@@ -90,29 +90,29 @@ std::vector<RockPair> truePairs(const TrueRocks& truth) {
     return pairs;
 }
 
-PairScore scorePairs(const std::vector<RockPair>& truth, const std::vector<RockPair>& told, const RockMatch& match) {
+PairScore scorePairs(const std::vector<RockPair>& truth, const std::vector<RockPair>& reported, const RockMatch& match) {
     std::map<std::uint32_t, std::uint32_t> regionOf, rockOf;
     for (const RockVerdict& rock : match.rocks) {
         if (!rock.found) continue;
         regionOf[rock.rock] = rock.region;
         rockOf[rock.region] = rock.rock;
     }
-    Said trueFront, trueContact, toldFront, toldContact;
+    PairStatements trueFront, trueContact, reportedFront, reportedContact;
     for (const RockPair& pair : truth) {
         if (!regionOf.contains(pair.a) || !regionOf.contains(pair.b)) continue;
         const Key key{std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
         if (pair.front != 0) trueFront[key] = pair.front;
         if (pair.contact) trueContact[key] = 1;
     }
-    for (const RockPair& pair : told) {
+    for (const RockPair& pair : reported) {
         const auto a = rockOf.find(pair.a);
         const auto b = rockOf.find(pair.b);
         if (a == rockOf.end() || b == rockOf.end()) continue;
         const Key key{std::min(a->second, b->second), std::max(a->second, b->second)};
-        if (pair.front != 0) toldFront[key] = pair.front == pair.a ? a->second : b->second;
-        if (pair.contact) toldContact[key] = 1;
+        if (pair.front != 0) reportedFront[key] = pair.front == pair.a ? a->second : b->second;
+        if (pair.contact) reportedContact[key] = 1;
     }
-    return {compared(trueFront, toldFront, regionOf), compared(trueContact, toldContact, regionOf)};
+    return {compared(trueFront, reportedFront, regionOf), compared(trueContact, reportedContact, regionOf)};
 }
 
 } // namespace edgescan::lab

@@ -35,7 +35,7 @@ struct PairScore {
     PairScore& operator+=(const PairScore& other);
 };
 
-/// `match` assigns regions to rocks; `told` are the reported pairs of regions.
-[[nodiscard]] PairScore scorePairs(const std::vector<RockPair>& truth, const std::vector<RockPair>& told, const RockMatch& match);
+/// `match` assigns regions to rocks; `reported` are the reported pairs of regions.
+[[nodiscard]] PairScore scorePairs(const std::vector<RockPair>& truth, const std::vector<RockPair>& reported, const RockMatch& match);
 
 } // namespace edgescan::lab

@@ -49,7 +49,7 @@ public:
         }
     }
 
-    void take(const Placed& placed, AuditCheck& check) {
+    void checkLine(const Placed& placed, AuditCheck& check) {
         if (!placed.line) {
             check.faults.push_back({AuditFaultKind::Altered, placed.place, expected_ + altered_,
                                     numbered(placed.place) + " of the file was altered after it was written"});
@@ -119,7 +119,7 @@ Result<AuditCheck> checkAudit(const std::filesystem::path& path, const std::stri
             continue;
         }
         hasExpected = hasExpected || (lines[i].line && lines[i].line->sha256 == expectedLast);
-        walk.take(lines[i], check);
+        walk.checkLine(lines[i], check);
     }
     if (!hasExpected)
         check.faults.push_back(

@@ -119,11 +119,11 @@ private:
         for (const fs::directory_iterator end; !problem && entry != end; entry.increment(problem)) inside.push_back(entry->path());
         std::ranges::sort(inside);
         for (const fs::path& path : inside) {
-            if (!path.filename().native().starts_with('.')) take(path);
+            if (!path.filename().native().starts_with('.')) addPath(path);
         }
     }
 
-    void take(const fs::path& path) {
+    void addPath(const fs::path& path) {
         std::error_code gone; // a file may disappear while the folder is read
         const fs::file_status status = fs::status(path, gone);
         if (fs::is_regular_file(status)) {

@@ -52,7 +52,7 @@ std::optional<Directory> directoryOf(std::span<const std::byte> file) {
 }
 
 /// Sizes and places that need 64 bits are in a field of their own, in this order, where the short ones are all ones.
-bool takeZip64(ZipEntry& entry, std::span<const std::byte> extra) {
+bool readZip64(ZipEntry& entry, std::span<const std::byte> extra) {
     constexpr std::uint16_t kZip64 = 1;
     constexpr std::uint64_t kElsewhere = 0xFFFFFFFF;
     for (std::uint64_t at = 0; at + 4 <= extra.size();) {
@@ -100,7 +100,7 @@ Result<std::vector<ZipEntry>> zipEntries(std::span<const std::byte> file, const 
         const std::uint64_t commentBytes = *valueIn<std::uint16_t>(file, at + 32);
         if (file.size() - at - kHead < nameBytes + extraBytes + commentBytes) return damaged;
         entry.name.assign(reinterpret_cast<const char*>(file.data()) + at + kHead, nameBytes);
-        if (!takeZip64(entry, file.subspan(at + kHead + nameBytes, extraBytes))) return damaged;
+        if (!readZip64(entry, file.subspan(at + kHead + nameBytes, extraBytes))) return damaged;
         at += kHead + nameBytes + extraBytes + commentBytes;
         entries.push_back(std::move(entry));
     }

@@ -56,7 +56,8 @@ Result<Packets> packetsOf(E57File& file, const E57Scan& scan) {
 }
 
 /// One packet with points: takes the parts of the streams that are wanted.
-Result<Done> takePacket(const std::vector<std::byte>& packet, std::vector<Stream>& streams, std::size_t fields, const std::string& where) {
+Result<Done> appendPacket(const std::vector<std::byte>& packet, std::vector<Stream>& streams, std::size_t fields,
+                          const std::string& where) {
     constexpr std::size_t kHead = 6;
     const auto damaged = [&](const std::string& what) { return Error{"a packet of points " + what, where, kCopy}; };
     if (packet.size() < kHead) return damaged("is too short");
@@ -76,7 +77,7 @@ Result<Done> takePacket(const std::vector<std::byte>& packet, std::vector<Stream
     return Done{};
 }
 
-Result<Done> takePackets(E57File& file, const E57Scan& scan, std::vector<Stream>& streams, const std::function<bool(double)>& goOn) {
+Result<Done> readPackets(E57File& file, const E57Scan& scan, std::vector<Stream>& streams, const std::function<bool(double)>& goOn) {
     constexpr int kIndex = 0, kData = 1, kEmpty = 2;
     constexpr std::size_t kPacketHead = 4;
     const auto packets = packetsOf(file, scan);
@@ -97,7 +98,7 @@ Result<Done> takePackets(E57File& file, const E57Scan& scan, std::vector<Stream>
             return Error{"a packet of points says that it has " + std::to_string(length) + " bytes, which are not there", where, kCopy};
         if (kind == kData) {
             if (auto rest = file.pages.read(at + kPacketHead, length - kPacketHead, packet); !rest) return rest;
-            if (auto taken = takePacket(packet, streams, scan.fields.size(), where); !taken) return taken;
+            if (auto taken = appendPacket(packet, streams, scan.fields.size(), where); !taken) return taken;
         }
         at += length;
         const double done = static_cast<double>(at - packets->from) / static_cast<double>(packets->to - packets->from);
@@ -154,7 +155,7 @@ Result<std::vector<std::vector<double>>> readE57Columns(E57File& file, const E57
         const E57Field& field = scan.fields[column];
         streams.push_back({&field, column, (scan.points * field.bits() + 7) / 8, {}});
     }
-    if (auto taken = takePackets(file, scan, streams, goOn); !taken) return taken.error();
+    if (auto taken = readPackets(file, scan, streams, goOn); !taken) return taken.error();
     std::vector<std::vector<double>> numbers;
     for (Stream& stream : streams) {
         if (!stream.whole()) {

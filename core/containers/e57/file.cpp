@@ -29,13 +29,13 @@ Result<E57Header> readHeader(std::span<const std::byte> bytes, const std::string
     constexpr std::size_t kHeaderBytes = 48;
     if (bytes.size() < kHeaderBytes) return Error{"the file ends within its E57 header", where, kCutOff};
     E57Header header;
-    const auto take = [&](auto& value, std::size_t at) { std::memcpy(&value, bytes.data() + at, sizeof value); };
-    take(header.major, 8);
-    take(header.minor, 12);
-    take(header.fileBytes, 16);
-    take(header.xmlAt, 24);
-    take(header.xmlBytes, 32);
-    take(header.pageBytes, 40);
+    const auto read = [&](auto& value, std::size_t at) { std::memcpy(&value, bytes.data() + at, sizeof value); };
+    read(header.major, 8);
+    read(header.minor, 12);
+    read(header.fileBytes, 16);
+    read(header.xmlAt, 24);
+    read(header.xmlBytes, 32);
+    read(header.pageBytes, 40);
     if (header.major != 1) {
         return Error{"this is E57 version " + std::to_string(header.major) + "." + std::to_string(header.minor) +
                          ", and version 1 is known",
@@ -114,14 +114,14 @@ std::optional<E57Field> fieldOf(const pugi::xml_node& node) {
 }
 
 /// The columns in the order of their streams; those of structures inside follow at the place of the structure.
-Result<Done> takeFields(const pugi::xml_node& parent, std::vector<E57Field>& fields, int depth, const std::string& where) {
+Result<Done> readFields(const pugi::xml_node& parent, std::vector<E57Field>& fields, int depth, const std::string& where) {
     constexpr int kDeepest = 16;
     if (depth > kDeepest) return Error{"the columns of points in this E57 file are nested too deep", where, kExportAgain};
     for (const pugi::xml_node& node : parent.children()) {
         if (node.type() != pugi::node_element) continue;
         const std::string_view type = node.attribute("type").value();
         if (type == "Structure" || type == "Vector") {
-            if (auto taken = takeFields(node, fields, depth + 1, where); !taken) return taken;
+            if (auto taken = readFields(node, fields, depth + 1, where); !taken) return taken;
             continue;
         }
         auto field = fieldOf(node);
@@ -134,7 +134,7 @@ Result<Done> takeFields(const pugi::xml_node& parent, std::vector<E57Field>& fie
     return Done{};
 }
 
-void takePose(const pugi::xml_node& node, E57Scan& scan) {
+void readPose(const pugi::xml_node& node, E57Scan& scan) {
     if (!node) return;
     E57Pose pose;
     const pugi::xml_node move = node.child("translation");
@@ -151,7 +151,7 @@ void takePose(const pugi::xml_node& node, E57Scan& scan) {
     if (!scan.poseIsNone) scan.pose = pose;
 }
 
-void takeBounds(const pugi::xml_node& node, E57Scan& scan) {
+void readBounds(const pugi::xml_node& node, E57Scan& scan) {
     if (!node.child("rowMaximum") || !node.child("columnMaximum")) return;
     const E57IndexBounds bounds{wholeIn(node.child("rowMinimum")), wholeIn(node.child("rowMaximum")), wholeIn(node.child("columnMinimum")),
                                 wholeIn(node.child("columnMaximum"))};
@@ -167,8 +167,8 @@ Result<E57Scan> scanOf(const pugi::xml_node& node, std::size_t number, const std
     scan.serial = node.child_value("sensorSerialNumber");
     scan.firmware = node.child_value("sensorFirmwareVersion");
     scan.lineIndex = node.child("pointGroupingSchemes").child("groupingByLine").child_value("idElementName");
-    takePose(node.child("pose"), scan);
-    takeBounds(node.child("indexBounds"), scan);
+    readPose(node.child("pose"), scan);
+    readBounds(node.child("indexBounds"), scan);
     const pugi::xml_node points = node.child("points");
     const auto count = wholeOf<std::uint64_t>(points.attribute("recordCount").value());
     const auto at = wholeOf<std::uint64_t>(points.attribute("fileOffset").value());
@@ -178,7 +178,7 @@ Result<E57Scan> scanOf(const pugi::xml_node& node, std::size_t number, const std
     }
     scan.points = *count;
     scan.sectionAt = *at;
-    if (auto taken = takeFields(points.child("prototype"), scan.fields, 0, where); !taken) return taken.error();
+    if (auto taken = readFields(points.child("prototype"), scan.fields, 0, where); !taken) return taken.error();
     return scan;
 }
 

@@ -76,7 +76,7 @@ public:
             const std::size_t behind = record ? behindRecord(*record, at) : at;
             const bool fits = record && lengthsAgree(*record) && recordCanBeAt(behind);
             const bool checked = record && isSoundChunk(*record);
-            if (fits || checked) take(*record, at);
+            if (fits || checked) readRecord(*record, at);
             if (fits) {
                 at = behind;
                 continue;
@@ -163,7 +163,7 @@ private:
         return chunk.sound && chunk.compression.empty() && chunk.crc != 0 && crc32(chunk.records) == chunk.crc;
     }
 
-    void take(const Record& record, std::size_t at) {
+    void readRecord(const Record& record, std::size_t at) {
         McapCursor cursor(record.content);
         switch (static_cast<McapOpcode>(record.opcode)) {
         case McapOpcode::Header:
@@ -178,15 +178,15 @@ private:
             break;
         }
         case McapOpcode::Chunk:
-            takeChunk(record.content, at);
+            readChunk(record.content, at);
             break;
         default:
-            takeInner(record);
+            readInnerRecord(record);
         }
     }
 
     /// Records that may be inside of a chunk and outside. False: not understood.
-    void takeInner(const Record& record) {
+    void readInnerRecord(const Record& record) {
         McapCursor cursor(record.content);
         if (record.opcode == static_cast<std::uint8_t>(McapOpcode::Message)) {
             McapMessage message;
@@ -214,7 +214,7 @@ private:
         }
     }
 
-    void takeChunk(ByteView content, std::size_t at) {
+    void readChunk(ByteView content, std::size_t at) {
         const ChunkHead chunk = chunkHead(content);
         if (!chunk.sound) return leaveOut(at, "it is not a whole chunk");
         ByteView records = chunk.records;
@@ -224,7 +224,7 @@ private:
             records = *unpacked;
         }
         if (chunk.crc != 0 && crc32(records) != chunk.crc) return leaveOut(at, "its checksum does not fit");
-        takeRecords(records);
+        readRecords(records);
     }
 
     Result<ByteView> unpack(const ChunkHead& chunk) {
@@ -247,9 +247,9 @@ private:
     }
 
     /// Whole records from the front.
-    void takeRecords(ByteView records) {
+    void readRecords(ByteView records) {
         while (const auto record = recordAt(records)) {
-            takeInner(*record);
+            readInnerRecord(*record);
             records = records.subspan(record->length);
         }
     }
@@ -261,7 +261,7 @@ private:
         McapCursor compression(rest.subspan(kMcapRecordHead + kChunkFields));
         if (compression.number32() != 0) return;
         const std::size_t before = content_.messages.size();
-        takeRecords(rest.subspan(kPlainChunkHead));
+        readRecords(rest.subspan(kPlainChunkHead));
         content_.salvaged = content_.messages.size() - before;
     }
 
@@ -331,7 +331,7 @@ private:
         while (const auto record = recordAt(bytes_.subspan(summary))) {
             summary += record->length;
             const auto opcode = static_cast<McapOpcode>(record->opcode);
-            if (opcode == McapOpcode::Schema || opcode == McapOpcode::Channel) takeInner(*record);
+            if (opcode == McapOpcode::Schema || opcode == McapOpcode::Channel) readInnerRecord(*record);
             if (opcode != McapOpcode::MetadataIndex) continue;
             McapCursor cursor(record->content);
             const std::uint64_t at = cursor.number64();
@@ -341,7 +341,7 @@ private:
             if (!metadata || metadata->opcode != static_cast<std::uint8_t>(McapOpcode::Metadata) || metadata->length > left) continue;
             left -= metadata->length;
             const std::size_t before = content_.metadata.size();
-            take(*metadata, static_cast<std::size_t>(at));
+            readRecord(*metadata, static_cast<std::size_t>(at));
             if (content_.metadata.size() > before) known.insert(content_.metadata.back().name);
         }
     }

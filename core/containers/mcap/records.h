@@ -94,7 +94,7 @@ public:
     }
     [[nodiscard]] const Bytes& bytes() const { return bytes_; }
     [[nodiscard]] std::size_t size() const { return bytes_.size(); }
-    Bytes take() { return std::exchange(bytes_, {}); }
+    Bytes popBytes() { return std::exchange(bytes_, {}); }
     void clear() { bytes_.clear(); }
 
 private:

@@ -145,7 +145,7 @@ Bytes McapEncoder::statistics() const {
     content.number64(fileTime_.last);
     content.number32(static_cast<std::uint32_t>(counts.size()));
     content.raw(counts.bytes());
-    return content.take();
+    return content.popBytes();
 }
 
 void McapEncoder::finish() {
@@ -170,9 +170,9 @@ void McapEncoder::finish() {
     ready_.raw(kMcapMagic);
 }
 
-Bytes McapEncoder::take() {
+Bytes McapEncoder::popBytes() {
     taken_ += ready_.size();
-    return ready_.take();
+    return ready_.popBytes();
 }
 
 } // namespace edgescan::containers

@@ -32,7 +32,7 @@ public:
     /// Messages in the chunk that is being filled.
     [[nodiscard]] std::uint64_t openMessages() const { return openMessages_; }
     /// Bytes made since the last call; they belong behind those of the last call.
-    Bytes take();
+    Bytes popBytes();
 
 private:
     struct Span {

@@ -45,7 +45,7 @@ void keepMessage(png_structp png, png_const_charp text) {
     png_longjmp(png, 1);
 }
 void ignoreWarning(png_structp, png_const_charp) {}
-void takeFromText(png_structp png, png_bytep to, png_size_t count) {
+void readFromText(png_structp png, png_bytep to, png_size_t count) {
     auto* left = static_cast<std::string_view*>(png_get_io_ptr(png));
     if (count > left->size()) png_error(png, "the file ends too early");
     std::memcpy(to, left->data(), count);
@@ -56,7 +56,7 @@ void takeFromText(png_structp png, png_bytep to, png_size_t count) {
 /// As in encode(), a longjmp skips no destructor.
 bool readUpToPixels(png_structp png, png_infop head, std::string_view* left) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
-    png_set_read_fn(png, left, takeFromText);
+    png_set_read_fn(png, left, readFromText);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_read_info(png, head);
     return true;

@@ -65,12 +65,12 @@ public:
     bool grow(std::uint32_t seed) {
         size_ = 0;
         if (cells_.empty()) makeRoom();
-        take(seed);
+        addCell(seed);
         std::uint8_t any = 0;
         for (std::size_t at = 0; at < size_; ++at) {
             any |= known_[at];
             if (size_ + kAround > cells_.size()) makeRoom();
-            takeAround(cells_[at]);
+            addNeighbours(cells_[at]);
         }
         return (any & kStrong) != 0;
     }
@@ -82,25 +82,25 @@ private:
         cells_.resize(2 * cells_.size() + 64);
         known_.resize(cells_.size());
     }
-    void take(std::uint32_t k) {
+    void addCell(std::uint32_t k) {
         cells_[size_] = k;
         known_[size_++] = state_[k];
         state_[k] = 0;
     }
     // Takes the waiting neighbours of a cell. Inside the grid the three cells of a line are checked together.
-    void takeAround(std::uint32_t k) {
+    void addNeighbours(std::uint32_t k) {
         const std::uint32_t line = k / beams_;
         const std::uint32_t beam = k % beams_;
         if (line > 0 && line + 1 < lines_ && beam > 0 && beam + 2 < beams_) {
             for (std::uint32_t first = k - beams_ - 1; first <= k + beams_ - 1; first += beams_) {
                 for (std::uint32_t waits = waitingOfThree(first); waits != 0; waits &= waits - 1)
-                    take(first + static_cast<std::uint32_t>(std::countr_zero(waits)) / 8);
+                    addCell(first + static_cast<std::uint32_t>(std::countr_zero(waits)) / 8);
             }
             return;
         }
         for (std::uint32_t i = line - (line > 0 ? 1 : 0); i <= std::min(line + 1, lines_ - 1); ++i) {
             for (std::uint32_t j = beam - (beam > 0 ? 1 : 0); j <= std::min(beam + 1, beams_ - 1); ++j) {
-                if (state_[i * beams_ + j] != 0) take(i * beams_ + j);
+                if (state_[i * beams_ + j] != 0) addCell(i * beams_ + j);
             }
         }
     }

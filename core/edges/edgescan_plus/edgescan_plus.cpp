@@ -114,7 +114,7 @@ void measure(const DepthSurface& surface, const DepthLimits& limits, const Band&
         if (to.cracks != nullptr) copyCracks(lines, band, *to.cracks);
         if (const int line = lines.foldLine(); to.folding != nullptr && band.contains(line))
             to.folding->note(line, lines.folds(Along::Beams).line(line), lines.folds(Along::Lines).line(line), support.line(line));
-        if (recorder && lines.foldLine() >= from) recorder->take(lines.foldLine(), *lines.parts());
+        if (recorder && lines.foldLine() >= from) recorder->addLine(lines.foldLine(), *lines.parts());
         // One line behind the newest: suppression reads the lines on both sides.
         if (const int line = lines.jumpLine() - 1; band.contains(line))
             vectorised<suppressJumps>(bothWays(lines.jumps(Along::Beams), lines.jumps(Along::Lines), line), support.line(line),

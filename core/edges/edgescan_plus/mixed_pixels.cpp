@@ -216,8 +216,8 @@ EDGESCAN_INLINE void lookAtBlock(const float* u, const float* solid, const float
 }
 
 // First pass over some cells: 1 at every cell that the full check could move, and at a few more.
-EDGESCAN_INLINE void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
-                                   const DepthLimits& limits, std::uint8_t* __restrict marked) {
+EDGESCAN_INLINE void markCandidates(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
+                                    const DepthLimits& limits, std::uint8_t* __restrict marked) {
     constexpr auto kCount = std::integral_constant<int, kLookBlock>();
     std::memset(marked, 0, static_cast<std::size_t>(cells));
     int j = 0;
@@ -251,7 +251,7 @@ void snapMixedPixels(const DepthField& field, Along along, int line, const float
     std::array<std::uint8_t, kTogether> marked;
     for (int from = 0; from < field.u.beams; from += kTogether) {
         const int cells = std::min(kTogether, field.u.beams - from);
-        vectorised<takeFirstLook>(u + from, solid + from, angle + from, step, cells, limits, marked.data());
+        vectorised<markCandidates>(u + from, solid + from, angle + from, step, cells, limits, marked.data());
         forEachMarked(std::span(marked.data(), static_cast<std::size_t>(cells)), [&](std::size_t place) {
             const std::size_t j = static_cast<std::size_t>(from) + place;
             snapAt({u + j, solid + j, step}, angle[j], limits, out + j);

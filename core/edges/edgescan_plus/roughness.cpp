@@ -47,14 +47,14 @@ int reachOf(float stepRad) {
 Grid<std::uint32_t> sumsAround(const Grid<std::uint8_t>& counts, int up, int aside) {
     Grid<std::uint32_t> sums(counts.lines, counts.beams);
     std::vector<std::uint32_t> column(static_cast<std::size_t>(counts.beams)), upTo(column.size() + 1);
-    const auto take = [&](int line, std::uint32_t sign) {
+    const auto addLine = [&](int line, std::uint32_t sign) {
         const std::uint8_t* from = counts.line(line);
         for (std::size_t g = 0; g < column.size(); ++g) column[g] += sign * from[g];
     };
-    for (int i = 0; i < std::min(up, counts.lines); ++i) take(i, 1);
+    for (int i = 0; i < std::min(up, counts.lines); ++i) addLine(i, 1);
     for (int i = 0; i < counts.lines; ++i) {
-        if (i + up < counts.lines) take(i + up, 1);
-        if (i - up - 1 >= 0) take(i - up - 1, ~0U);
+        if (i + up < counts.lines) addLine(i + up, 1);
+        if (i - up - 1 >= 0) addLine(i - up - 1, ~0U);
         for (std::size_t g = 0; g < column.size(); ++g) upTo[g + 1] = upTo[g] + column[g];
         std::uint32_t* out = sums.line(i);
         for (int g = 0; g < counts.beams; ++g)

@@ -65,7 +65,7 @@ EDGESCAN_INLINE void markBridgeEnds(const Support* before, const Support* here, 
     for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Filled) & (here[n] == Support::Measured));
 }
 
-EDGESCAN_INLINE void takeLastSolid(const Support* support, int line, int beams, std::int32_t* __restrict last) {
+EDGESCAN_INLINE void updateLastSolid(const Support* support, int line, int beams, std::int32_t* __restrict last) {
     for (int j = 0; j < beams; ++j) last[j] = support[j] != Support::Void ? line : last[j];
 }
 
@@ -105,7 +105,7 @@ void markAlongLines(const InverseRange& inverse, const AngularSteps& steps, cons
                 lookAtBridge({inverse, steps, Along::Lines, static_cast<int>(n), inverse.u.lines, true}, i, limits, marked);
             });
         }
-        vectorised<takeLastSolid>(support, i, beams, last.data());
+        vectorised<updateLastSolid>(support, i, beams, last.data());
     }
 }
 

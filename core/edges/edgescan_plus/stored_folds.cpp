@@ -145,10 +145,10 @@ EDGESCAN_INLINE void degreesOfLine(const FoldParts& beamwise, const FoldParts& l
     }
 }
 
-EDGESCAN_INLINE void takeWholeFolds(float* folds, const float* others, int cells) {
+EDGESCAN_INLINE void computeWholeFolds(float* folds, const float* others, int cells) {
     for (int n = 0; n < cells; ++n) folds[n] = wholeFold(folds[n], others[n]);
 }
-EDGESCAN_INLINE void takeFoldsAlone(float* folds, int cells) {
+EDGESCAN_INLINE void computeLoneFolds(float* folds, int cells) {
     for (int n = 0; n < cells; ++n) folds[n] = wholeFold(folds[n], 0.0F);
 }
 
@@ -164,7 +164,7 @@ EDGESCAN_INLINE void suppressCompared(const ComparedCells& at, int cells, float*
     }
 }
 
-EDGESCAN_INLINE void takeMagnitudes(float* strengths, int beams) {
+EDGESCAN_INLINE void computeMagnitudes(float* strengths, int beams) {
     for (int j = 0; j < beams; ++j) strengths[j] = std::abs(strengths[j]);
 }
 
@@ -220,7 +220,7 @@ void StoredFolds::foldsAt(float creaseDeg, int first, int last, Grid<float>& cre
             const float* parts = at.parts.data();
             strengths.resize(count);
             strengthsAt({parts, parts + count, parts + 2 * count, parts + 3 * count}, static_cast<int>(count), creaseDeg, strengths.data());
-            takeFolds(at, strengths.data(), line, compared, line >= first && line < last ? crease.line(line) : nullptr);
+            scatterFolds(at, strengths.data(), line, compared, line >= first && line < last ? crease.line(line) : nullptr);
         }
         if (line - 1 >= first) suppressOpen(lines_[static_cast<std::size_t>(line - 1)].open, compared, line - 1, strengths, crease);
     }
@@ -246,11 +246,11 @@ void StoredFolds::suppressOpen(const Cells& open, const FoldStrengths& compared,
     scatter(open, at + 6 * count, crease.line(line));
 }
 
-void StoredFolds::takeFolds(const Line& at, float* strengths, int line, FoldStrengths& compared, float* crease) {
+void StoredFolds::scatterFolds(const Line& at, float* strengths, int line, FoldStrengths& compared, float* crease) {
     const auto adding = static_cast<int>(at.adding.size()), alone = static_cast<int>(at.alone.size());
-    vectorised<takeWholeFolds>(strengths, strengths + adding, adding);
+    vectorised<computeWholeFolds>(strengths, strengths + adding, adding);
     float* next = strengths + 2 * adding;
-    vectorised<takeFoldsAlone>(next, alone);
+    vectorised<computeLoneFolds>(next, alone);
     if (crease != nullptr) {
         scatter(at.adding, strengths, crease);
         scatter(at.alone, next, crease);
@@ -275,18 +275,18 @@ FoldRecorder::FoldRecorder(StoredFolds& stored, const Grid<Support>& support, in
       last_(last), alongBeams_{Lines(support.beams, kLinesHeld, 0.0F, from), Lines(support.beams, kLinesHeld, 0.0F, from)},
       alongLines_(alongBeams_), ranks_(support.beams, kLinesHeld, 0, from) {}
 
-void FoldRecorder::Way::take(const FoldParts& parts, int beams) {
+void FoldRecorder::Way::addLine(const FoldParts& parts, int beams) {
     const auto magnitudesAt = [&](int creaseDeg, float* out) {
         strengthsAt(parts, beams, static_cast<float>(creaseDeg), out);
-        vectorised<takeMagnitudes>(out, beams);
+        vectorised<computeMagnitudes>(out, beams);
     };
     magnitudesAt(StoredFolds::kLeastDeg, atLeast.next());
     magnitudesAt(StoredFolds::kMostDeg, atMost.next());
 }
 
-void FoldRecorder::take(int line, const FoldPartLines& parts) {
-    alongBeams_.take(parts.alongBeams.at(line), support_.beams);
-    alongLines_.take(parts.alongLines.at(line), support_.beams);
+void FoldRecorder::addLine(int line, const FoldPartLines& parts) {
+    alongBeams_.addLine(parts.alongBeams.at(line), support_.beams);
+    alongLines_.addLine(parts.alongLines.at(line), support_.beams);
     rank(line - 1, parts);
     if (line - 2 >= first_ && line - 2 < last_) store(line - 2, parts);
 }

@@ -38,7 +38,7 @@ private:
         Cells comparedBeams, comparedLines; // ... and what they are compared with, themselves included
         std::vector<float> parts;           // of the folds of `adding`, their weaker folds, `alone`, ...: all sizes, then `all`, ...
     };
-    static void takeFolds(const Line& at, float* strengths, int line, FoldStrengths& compared, float* crease);
+    static void scatterFolds(const Line& at, float* strengths, int line, FoldStrengths& compared, float* crease);
     static void suppressOpen(const Cells& open, const FoldStrengths& compared, int line, std::vector<float>& work, Grid<float>& crease);
 
     Grid<std::uint8_t> degrees_; // the number of degrees from the least on at which a cell folds
@@ -53,12 +53,12 @@ public:
     FoldRecorder(StoredFolds& stored, const Grid<Support>& support, int from, int first, int last);
 
     /// Takes the next line, and one more line behind the last one.
-    void take(int line, const FoldPartLines& parts);
+    void addLine(int line, const FoldPartLines& parts);
 
 private:
     struct Way {
         Lines atLeast, atMost; // |S_C| at the least and at the most degrees
-        void take(const FoldParts& parts, int beams);
+        void addLine(const FoldParts& parts, int beams);
     };
     void rank(int line, const FoldPartLines& parts);
     void store(int line, const FoldPartLines& parts);

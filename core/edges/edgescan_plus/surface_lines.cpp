@@ -22,7 +22,7 @@ constexpr int kMostPasses = 2;
 static_assert(SurfaceLines::kLinesBefore >= 1 + kFoldReach + kMostPasses + kJumpLinesBefore + kMixedLinesWritten + kMixedLinesBefore + 1);
 static_assert(kMixedLinesWritten <= kMixedLinesAfter && kMixedLinesBefore <= kJumpLinesAfter + kJumpLinesBefore);
 
-EDGESCAN_INLINE void takeSolid(const Support* support, int beams, float* __restrict solid) {
+EDGESCAN_INLINE void setSolid(const Support* support, int beams, float* __restrict solid) {
     for (int j = 0; j < beams; ++j) solid[j] = support[j] == Support::Void ? 0.0F : 1.0F;
 }
 
@@ -46,7 +46,7 @@ SurfaceLines::SurfaceLines(const InverseRange& inverse, const AngularSteps& step
 
 void SurfaceLines::advance() {
     const int line = crackLine_ + kToCracks + 1;
-    takeLine(line);
+    addLine(line);
     snapAlongBeams(line);
     snapAlongLines(line - kToSnapped);
     if (++crackLine_ < from_ - 1) return;
@@ -55,7 +55,7 @@ void SurfaceLines::advance() {
     fitFolds(foldLine());
 }
 
-void SurfaceLines::takeLine(int line) {
+void SurfaceLines::addLine(int line) {
     if (!isInside(line)) {
         measured_.nextEmpty();
         solid_.nextEmpty();
@@ -63,7 +63,7 @@ void SurfaceLines::takeLine(int line) {
     }
     const float* u = inverse_.u.line(line);
     std::copy(u, u + inverse_.u.beams, measured_.next());
-    vectorised<takeSolid>(inverse_.support.line(line), inverse_.u.beams, solid_.next());
+    vectorised<setSolid>(inverse_.support.line(line), inverse_.u.beams, solid_.next());
 }
 
 void SurfaceLines::snapAlongBeams(int line) {

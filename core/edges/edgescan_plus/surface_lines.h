@@ -48,7 +48,7 @@ public:
 
 private:
     [[nodiscard]] bool isInside(int line) const { return line >= from_ && line < lines_; }
-    void takeLine(int line);
+    void addLine(int line);
     void snapAlongBeams(int line);
     void snapAlongLines(int line);
     void findCracks(int line);

@@ -55,20 +55,20 @@ void followFromStrongCells(CannyMarks& marks) {
     const auto width = static_cast<std::ptrdiff_t>(marks.width());
     std::uint8_t* const cells = marks.framed.data();
     std::vector<std::uint8_t*> waiting;
-    const auto take = [&waiting](std::uint8_t* cell) {
+    const auto addEdge = [&waiting](std::uint8_t* cell) {
         if ((*cell & kWaits) == 0) return;
         *cell = kEdge;
         waiting.push_back(cell);
     };
     const auto anyOf = [](const std::uint8_t* middle) { return (middle[-1] | middle[0] | middle[1]) & kWaits; };
     forBytesWith(CannyMarks::kStrong, cells, marks.framed.size(), [&](std::size_t k) {
-        take(cells + k);
+        addEdge(cells + k);
         while (!waiting.empty()) {
             std::uint8_t* const cell = waiting.back();
             waiting.pop_back();
             for (std::uint8_t* middle : {cell - width, cell, cell + width}) {
                 if (anyOf(middle) == 0) continue; // the strong cells of a line that was already followed are edges now
-                for (const std::ptrdiff_t step : {-1, 0, 1}) take(middle + step);
+                for (const std::ptrdiff_t step : {-1, 0, 1}) addEdge(middle + step);
             }
         }
     });

@@ -88,8 +88,8 @@ std::array<double, 255> logLimits(const GrayScale& scale) {
 
 // Converts a line of ranges to levels by plain arithmetic; returns how many are outside near..far.
 template <class LevelOf>
-EDGESCAN_INLINE int takeLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale, LevelOf levelOf,
-                               std::uint8_t* __restrict levels) {
+EDGESCAN_INLINE int computeLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale, LevelOf levelOf,
+                                  std::uint8_t* __restrict levels) {
     int outside = 0;
     for (int j = 0; j < beams; ++j) {
         const double range = rangeMm[j];
@@ -101,11 +101,11 @@ EDGESCAN_INLINE int takeLevels(const float* rangeMm, const CellState* states, in
     return outside;
 }
 
-EDGESCAN_INLINE int takeWindowLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
-                                     std::uint8_t* __restrict levels) {
+EDGESCAN_INLINE int computeWindowLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
+                                        std::uint8_t* __restrict levels) {
     const double nearMm = scale.nearMm;
     const double span = scale.farMm - scale.nearMm;
-    return takeLevels(
+    return computeLevels(
         rangeMm, states, beams, scale, [nearMm, span](double range) { return (range - nearMm) * kLevels / span; }, levels);
 }
 
@@ -189,7 +189,7 @@ GrayImage grayImage(const Scan& scan, const Settings& settings) {
     }
     for (int i = 0; i < scan.lines(); ++i)
         gray.saturated += static_cast<std::size_t>(
-            vectorised<takeWindowLevels>(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), gray.scale, gray.levels.line(i)));
+            vectorised<computeWindowLevels>(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), gray.scale, gray.levels.line(i)));
     return gray;
 }
 

@@ -93,7 +93,7 @@ EDGESCAN_INLINE std::size_t levelsAll(const Grid<float>& rangeMm, const Grid<Cel
     std::size_t outside = 0;
     constexpr int kMany = 4 * kBlock; // for more cells, counting takes as long
     const std::size_t whole = rangeMm.size() / kMany * kMany;
-    const auto take = [&](std::size_t k, auto cells) __attribute__((always_inline)) {
+    const auto convert = [&](std::size_t k, auto cells) __attribute__((always_inline)) {
         const float* from = rangeMm.cells.data() + k;
         const CellState* state = states.cells.data() + k;
         std::uint8_t* level = levels.cells.data() + k;
@@ -101,8 +101,8 @@ EDGESCAN_INLINE std::size_t levelsAll(const Grid<float>& rangeMm, const Grid<Cel
         if (!quick.isSure) exactLevels(from, state, cells, to.factor, level);
         outside += static_cast<std::size_t>(quick.outside);
     };
-    for (std::size_t k = 0; k < whole; k += kMany) take(k, std::integral_constant<int, kMany>());
-    if (whole < rangeMm.size()) take(whole, static_cast<int>(rangeMm.size() - whole));
+    for (std::size_t k = 0; k < whole; k += kMany) convert(k, std::integral_constant<int, kMany>());
+    if (whole < rangeMm.size()) convert(whole, static_cast<int>(rangeMm.size() - whole));
     return outside;
 }
 

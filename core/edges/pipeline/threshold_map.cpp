@@ -20,7 +20,7 @@ constexpr float kFloatBeyondAll = std::numeric_limits<float>::infinity();
 constexpr double kBeyondAll = 1e9;   // larger than every maximum of the parameter table
 constexpr double kGuessError = 1e-6; // relative
 
-EDGESCAN_INLINE void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
+EDGESCAN_INLINE void markEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
     for (std::size_t k = 0; k < cells; ++k) mask[k] = threshold <= highest[k] ? 255 : 0;
 }
 
@@ -245,13 +245,13 @@ public:
         if (last_[a] != kNone) std::swap(next_[last_[a]], next_[last_[b]]); // merges two rings
         last_[a] = last_[b];
     }
-    // Calls take(cell) for each cell in the ring of this root's chain.
-    template <class Take>
-    void takeOut(std::uint32_t rootCell, Take take) {
+    // Calls visit(cell) for each cell in the ring of this root's chain.
+    template <class Visit>
+    void popChain(std::uint32_t rootCell, Visit visit) {
         const std::uint32_t last = last_[rootCell];
         if (last == kNone) return;
         std::uint32_t k = last;
-        do take(k = next_[k]);
+        do visit(k = next_[k]);
         while (k != last);
         last_[rootCell] = kNone;
     }
@@ -289,7 +289,7 @@ void putOffShortChains(ThresholdMap& map, int minimumLength) {
         }
         for (std::size_t n = from; n < at; ++n) {
             const std::uint32_t root = chains.root(order[n].cell);
-            if (chains.size(root) >= wanted) chains.takeOut(root, [&](std::uint32_t member) { highest[member] = level; });
+            if (chains.size(root) >= wanted) chains.popChain(root, [&](std::uint32_t member) { highest[member] = level; });
         }
     }
 }
@@ -356,7 +356,7 @@ double responseThresholdAt(const Grid<float>& response, std::size_t k) {
 
 Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold) {
     Grid<std::uint8_t> mask(map.highest.lines, map.highest.beams);
-    vectorised<takeEdgesAt>(map.highest.cells.data(), mask.size(), threshold, mask.cells.data());
+    vectorised<markEdgesAt>(map.highest.cells.data(), mask.size(), threshold, mask.cells.data());
     return mask;
 }
 

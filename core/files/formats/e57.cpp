@@ -230,7 +230,7 @@ Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
 }
 
 /// Puts the points of a scan onto the grid of the file's own indexes, where they make one.
-Result<Done> takeGrid(PointTable& table, const containers::E57Scan& scan, const E57Numbers& numbers, const Source& source) {
+Result<Done> applyGrid(PointTable& table, const containers::E57Scan& scan, const E57Numbers& numbers, const Source& source) {
     if (numbers.row == nullptr) return Done{};
     const bool linesAreRows = scan.lineIndex == "rowIndex";
     const auto grid = gridOf(scan, numbers, linesAreRows, source.bytes.size());
@@ -271,7 +271,7 @@ Result<E57Choice> readChoice(const Source& source) {
     table.points = pointsOf(*numbers, columns->spherical, invalid);
     table.width = table.points.size();
     if (numbers->intensity != nullptr) table.intensity.assign(numbers->intensity->begin(), numbers->intensity->end());
-    if (auto taken = takeGrid(table, scan, *numbers, source); !taken) return taken.error();
+    if (auto taken = applyGrid(table, scan, *numbers, source); !taken) return taken.error();
     if (numbers->returnIndex != nullptr && !table.gridIsGiven) {
         for (const double index : *numbers->returnIndex) // from 0
             table.returnNumber.push_back(index >= 0 && index < 255 ? static_cast<std::uint8_t>(index + 1) : std::uint8_t{1});

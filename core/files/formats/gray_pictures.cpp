@@ -26,7 +26,7 @@ struct PngBytes {
 };
 
 extern "C" {
-void takeBytes(png_structp png, png_bytep to, png_size_t count) {
+void readBytes(png_structp png, png_bytep to, png_size_t count) {
     auto* reading = static_cast<PngBytes*>(png_get_io_ptr(png));
     if (count > reading->left) png_error(png, "the file ends too early");
     std::memcpy(to, reading->at, count);
@@ -49,7 +49,7 @@ struct Header {
 /// Only trivial objects live in these two, so a longjmp skips no destructor.
 bool readHeader(png_structp png, png_infop head, PngBytes* reading, Header* header) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
-    png_set_read_fn(png, reading, takeBytes);
+    png_set_read_fn(png, reading, readBytes);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1); // a thousand texts of 8 MB fit into 8 MB of file
     png_read_info(png, head);

@@ -90,7 +90,7 @@ std::optional<NumpyScalar> numpyScalarNamed(std::string_view text) {
 }
 
 /// [('x', '<f4'), ('rgb', '<u4'), ('n', '<f4', (3,))]; a field of several numbers is named n[0], n[1] ...
-bool takeRecord(Literal& literal, NumpyArray& array) {
+bool parseRecord(Literal& literal, NumpyArray& array) {
     constexpr std::size_t kMostFields = 4096;
     if (!literal.sign('[')) return false;
     while (!literal.sign(']')) {
@@ -126,7 +126,7 @@ bool takeRecord(Literal& literal, NumpyArray& array) {
     return !array.fields.empty();
 }
 
-bool takeDictionary(std::string_view text, NumpyArray& array) {
+bool parseDictionary(std::string_view text, NumpyArray& array) {
     Literal literal(text);
     bool type = false, order = false, shape = false;
     if (!literal.sign('{')) return false;
@@ -135,7 +135,7 @@ bool takeDictionary(std::string_view text, NumpyArray& array) {
         if (!key || !literal.sign(':')) return false;
         if (*key == "descr" && !type) {
             if (literal.next('[')) {
-                type = takeRecord(literal, array);
+                type = parseRecord(literal, array);
             } else if (const auto name = literal.quoted()) {
                 const auto scalar = numpyScalarNamed(*name);
                 type = scalar.has_value();
@@ -240,7 +240,7 @@ Result<NumpyArray> readNumpy(const Source& source) {
     if (length >= kLongestNumpyHeader || text.size() - from < length)
         return source.refused("the file ends within its numpy header", kCopyAgain);
     NumpyArray array;
-    if (!takeDictionary(text.substr(from, length), array))
+    if (!parseDictionary(text.substr(from, length), array))
         return source.refusedAtByte(from, "the numpy header does not say type, order and shape", kSaveAgain);
     std::uint64_t items = 1;
     for (const std::uint64_t side : array.shape) {

@@ -197,7 +197,7 @@ Result<Done> readBinary(PointTable& table, const PcdHeader& header, const PcdLay
     const auto held = source.bytes.subspan(header.firstByte);
     if (held.size() / layout.recordBytes < layout.points) return tooShort(source, layout, held.size());
     if (auto whole = checkRest(table, layout.points, layout.recordBytes, held, source); !whole) return whole;
-    const bool givenAway = source.placesOnly && source.takePlaces && !header.originM;
+    const bool givenAway = source.placesOnly && source.receivePlaces && !header.originM;
     const auto read = givenAway ? givePlaces : readRecords;
     if (!read(table, layout.fields, layout.points, held, false, source)) return source.cancelled();
     return Done{};

@@ -74,7 +74,7 @@ std::size_t wholeNumbersFirst(const Source& source, const TextLayout& layout) {
 constexpr const char* kSayColumns = "say which columns are easting (x), northing (y) and elevation (z), by number or name: --columns 2,1,3";
 
 /// The column that a word of --columns means: its number from 1, or its name.
-std::optional<std::size_t> columnMeant(std::string_view word, const TextLayout& layout) {
+std::optional<std::size_t> columnOfWord(std::string_view word, const TextLayout& layout) {
     if (const auto number = wholeNumber(word)) return *number >= 1 && *number <= layout.columns ? std::optional(*number - 1) : std::nullopt;
     const auto name = std::ranges::find(layout.names, headingLetters(word), [](const std::string& n) { return headingLetters(n); });
     if (name == layout.names.end()) return std::nullopt;
@@ -88,7 +88,7 @@ Result<std::array<std::size_t, 3>> columnsAsked(const TextLayout& layout, const 
     std::size_t axis = 0;
     for (bool more = true; more; ++axis) {
         const std::size_t comma = asked.find(',');
-        const auto column = axis < 3 ? columnMeant(asked.substr(0, comma), layout) : std::nullopt;
+        const auto column = axis < 3 ? columnOfWord(asked.substr(0, comma), layout) : std::nullopt;
         if (!column) break;
         xyz[axis] = *column;
         more = comma != std::string_view::npos;
@@ -204,7 +204,7 @@ struct RowUse {
     std::array<std::size_t, 3> xyz{};
     std::size_t needed = 0;  ///< columns a row must have
     bool rangesOnly = false; ///< the description says where the points are
-    bool givenAway = false;  ///< to Source::takePlaces
+    bool givenAway = false;  ///< to Source::receivePlaces
 };
 
 RowUse rowUseOf(const Columns& columns, const TextLayout& layout, const Source& source) {
@@ -215,8 +215,8 @@ RowUse rowUseOf(const Columns& columns, const TextLayout& layout, const Source& 
         if (!use.named.anglesForPoint) use.named.angles.reset();
     }
     use.rangesOnly = use.named[ColumnRole::RangeMm] && use.named[ColumnRole::State] && !use.named[ColumnRole::FilledSdMm] &&
-                     takesRangesOnly(layout.description);
-    use.givenAway = source.placesOnly && source.takePlaces && !columns.unnamedCells && !use.named.anglesForPoint;
+                     needsRangesOnly(layout.description);
+    use.givenAway = source.placesOnly && source.receivePlaces && !columns.unnamedCells && !use.named.anglesForPoint;
     return use;
 }
 
@@ -262,7 +262,7 @@ Error tooFewNumbers(const RowReader& rows, std::size_t numbers, std::size_t need
 Result<Done> addRows(PointTable& table, RowReader& rows, const RowUse& use, const TextLayout& layout, const Source& source) {
     constexpr std::size_t kGivenAtOnce = 4096;
     const auto giveAway = [&] {
-        source.takePlaces(table.points);
+        source.receivePlaces(table.points);
         table.points.clear();
     };
     const bool besides = use.named.angles && !use.named.anglesForPoint && !use.rangesOnly;
@@ -284,7 +284,7 @@ Result<Done> addRows(PointTable& table, RowReader& rows, const RowUse& use, cons
     }
     if (use.givenAway) giveAway();
     table.width = rowsRead;
-    if (besides) takeCellsFromAngles(table, angles, *use.named.angles);
+    if (besides) setCellsFromAngles(table, angles, *use.named.angles);
     return Done{};
 }
 
@@ -325,10 +325,10 @@ Result<PointTable> readTextPoints(const Source& source) {
     if (!use.givenAway) reserveRows(table, source, *layout, use.named, use.rangesOnly);
     RowReader rows(source, *layout);
     rows.measure(use.xyz);
-    if (source.placesOnly) rows.takeOnly(use.needed);
+    if (source.placesOnly) rows.limitColumns(use.needed);
     if (auto added = addRows(table, rows, use, *layout, source); !added) return added.error();
     table.precision = precisionOf(rows.digits());
-    if (use.named.anglesForPoint) takePointsFromAngles(table, *use.named.angles);
+    if (use.named.anglesForPoint) setPointsFromAngles(table, *use.named.angles);
     describePoints(table, *columns, use, *layout, source);
     return table;
 }

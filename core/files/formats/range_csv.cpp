@@ -164,8 +164,8 @@ Run runOf(const std::vector<double>& labels) {
 }
 
 /// Takes angles from the labels around the table, where the user gave none. What was taken, as a sentence; empty when nothing was.
-std::string takeAngles(const Run& run, std::size_t count, const char* of, const char* from, std::optional<double>& start,
-                       std::optional<double>& step) {
+std::string applyLabelAngles(const Run& run, std::size_t count, const char* of, const char* from, std::optional<double>& start,
+                             std::optional<double>& step) {
     if (start || step || count < 2 || run.step == 0 || !run.isDegrees(count)) return {};
     start = run.first;
     step = run.step;
@@ -203,10 +203,11 @@ Result<Scan> readRangeCsv(const Source& source) {
     const auto warn = [&](std::string sentence) {
         if (!sentence.empty()) warnings.push_back(std::move(sentence));
     };
-    warn(takeAngles(columns.numbers, columns.count, "beams", "the header", options.beamStartDeg, options.beamStepDeg));
+    warn(applyLabelAngles(columns.numbers, columns.count, "beams", "the header", options.beamStartDeg, options.beamStepDeg));
     auto table = readTable(source, layout, columns);
     if (!table) return table.error();
-    warn(takeAngles(runOf(table->labels), table->labels.size(), "lines", "the first column", options.lineStartDeg, options.lineStepDeg));
+    warn(applyLabelAngles(runOf(table->labels), table->labels.size(), "lines", "the first column", options.lineStartDeg,
+                          options.lineStepDeg));
     if (auto known = checkWidth(layout, columns, asked); !known) return known.error();
     if (table->whole && !options.unitMm) options.unitMm = 1.0; // numbers without a point are millimetres
     auto scan = scanFromRanges(std::move(table->ranges), "table", asked, [&](std::size_t line, std::size_t beam) {

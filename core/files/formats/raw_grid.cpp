@@ -68,7 +68,7 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
     if (auto enough = checkMemory(productOf({grid.lines, grid.beams, 16}), countsPath.string()); !enough) return enough.error();
     Scan scan;
     if (auto known = readGeometry(grid, source, scan); !known) return known.error();
-    takeDescription(scan, grid);
+    applyDescription(scan, grid);
     scan.unitMm = source.options->unitMm.value_or(grid.unitMm);
     ReadingOptions file;
     file.unitMm = grid.unitMm;

@@ -106,8 +106,8 @@ struct Model {
 };
 
 /// Returns about the axis. A plane's angle is as uncertain as the axis, a tilt as the numbers.
-std::vector<recognition::Seen> seenAbout(std::span<const Eigen::Vector3d> points, double rounding, double misfit) {
-    std::vector<recognition::Seen> seen;
+std::vector<recognition::ReturnAngles> returnsAbout(std::span<const Eigen::Vector3d> points, double rounding, double misfit) {
+    std::vector<recognition::ReturnAngles> seen;
     seen.reserve(points.size());
     for (std::size_t m = 0; m < points.size(); ++m) {
         const Eigen::Vector3d& q = points[m];
@@ -120,8 +120,8 @@ std::vector<recognition::Seen> seenAbout(std::span<const Eigen::Vector3d> points
 }
 
 /// False when the list does not run along lines.
-bool takeLines(Model& model, std::span<const Eigen::Vector3d> points, double rounding, double misfit) {
-    const auto runs = recognition::runsOf(seenAbout(points, rounding, misfit));
+bool findLines(Model& model, std::span<const Eigen::Vector3d> points, double rounding, double misfit) {
+    const auto runs = recognition::runsOf(returnsAbout(points, rounding, misfit));
     if (!runs || runs->runs.size() < kFewestLines) return false;
     model.lines.clear();
     for (const recognition::Run& run : runs->runs) model.lines.push_back({run.from, run.to, run.plane});
@@ -215,7 +215,7 @@ std::optional<Model> modelOf(const Returns& returns, const GoOn& goOn) {
     if (!frame || !goOn(0.1)) return std::nullopt;
     guessPlaceOnAxis(*frame, returns.points);
     model.frame = *frame;
-    if (!takeLines(model, inFrame(model.frame, returns), returns.rounding, model.frame.misfit)) return std::nullopt;
+    if (!findLines(model, inFrame(model.frame, returns), returns.rounding, model.frame.misfit)) return std::nullopt;
     for (int pass = 0; pass < kPasses; ++pass) {
         if (!goOn(0.2 + 0.3 * pass / kPasses)) return std::nullopt;
         if (pass > 0) cutWhereBeamsStartOver(model, returns);
@@ -244,7 +244,7 @@ std::optional<Model> fittedTo(const Returns& returns, Model model) {
 
 /// Takes the scale of the grid at which lines and beams fit best into returns and model. The result is this scale; 1 where the fit is not
 /// clearly better, or when it was cancelled: then nothing changes. The square of the misfit is a parabola.
-double takeGridScale(Returns& returns, Model& model, const GoOn& goOn) {
+double applyGridScale(Returns& returns, Model& model, const GoOn& goOn) {
     double best = 1.0, done = 0.5;
     for (const double reach : {5e-4, 5e-5}) {
         std::array<double, 3> squares{};
@@ -310,7 +310,7 @@ Result<FreeAxis> findFreeAxis(const PointList& list) {
     if (cancelled) return Error{"cancelled", "", ""};
     if (!model) return Error{"they do not follow each other in scan lines that turn about an axis elsewhere", "", kWayOut};
     FreeAxis found;
-    if (model->fan.misfit > kExplained * returns.rounding) found.scale = takeGridScale(returns, *model, goOn);
+    if (model->fan.misfit > kExplained * returns.rounding) found.scale = applyGridScale(returns, *model, goOn);
     if (cancelled) return Error{"cancelled", "", ""};
     found.axis = turnLikeAScanner(*model, list.axis);
     found.fanDeg = fanDegOf(*model, found.axis);

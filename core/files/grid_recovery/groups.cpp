@@ -1,6 +1,6 @@
 // Finds the grid of a list in any order, with points left out: its plane angles and tilts gather in groups with voids between them.
 #include "core/base/order_statistic.h"
-#include "core/files/grid_recovery/seen.h"
+#include "core/files/grid_recovery/return_angles.h"
 
 #include <algorithm>
 #include <array>
@@ -232,13 +232,13 @@ struct Share {
 
 class GroupFitter {
 public:
-    GroupFitter(std::span<const AxisPoint> points, const std::vector<Seen>& seen, double period)
+    GroupFitter(std::span<const AxisPoint> points, const std::vector<ReturnAngles>& seen, double period)
         : points_(points), seen_(seen), period_(period) {}
 
     std::optional<Fit> fit(NoFit& best) {
         std::vector<Angle> planes;
         planes.reserve(seen_.size());
-        for (const Seen& s : seen_) {
+        for (const ReturnAngles& s : seen_) {
             if (s.planeError < kPi) planes.push_back({s.plane, s.planeError});
         }
         for (Ring& lines : ringsAmong(planes, period_)) {
@@ -288,7 +288,7 @@ private:
         double sum = 0;
         for (const double one : side) sum += one;
         double all = 0; // a fan that is even on both sides turns over nowhere
-        for (const Seen& s : seen_) all += std::sin(s.tilt);
+        for (const ReturnAngles& s : seen_) all += std::sin(s.tilt);
         double most = std::max(1.05 * std::abs(sum), 0.3 * all);
         std::size_t cut = 0;
         for (std::size_t i = 0; i + 1 < side.size(); ++i) {
@@ -305,7 +305,7 @@ private:
         if (!seemsOn(onRing)) return 0.0;
         Share share;
         line_.clear();
-        for (const Seen& s : seen_) {
+        for (const ReturnAngles& s : seen_) {
             line_.push_back(onRing.place(s.plane, s.planeError));
             share.add(line_.back());
         }
@@ -327,7 +327,7 @@ private:
         std::vector<Angle> tilts;
         tilts.reserve(seen_.size());
         for (std::size_t n = 0; n < seen_.size(); ++n) {
-            const Seen& s = seen_[n];
+            const ReturnAngles& s = seen_[n];
             const double centre = lines.centres[line_[n].group];
             const bool positive = period_ > 1.5 * kPi || std::cos(s.plane - centre) >= 0;
             signedTilt_[n] = positive ? s.tilt : -s.tilt;
@@ -358,7 +358,7 @@ private:
         std::vector<OnCell> returns;
         returns.reserve(seen_.size());
         for (std::size_t n = 0; n < seen_.size(); ++n) {
-            const Seen& s = seen_[n];
+            const ReturnAngles& s = seen_[n];
             const OnRing::Place beam = onBeams.place(signedTilt_[n], s.tiltError);
             if (line_[n].off || beam.off) {
                 ++fit.unplaced;
@@ -379,7 +379,7 @@ private:
     }
 
     std::span<const AxisPoint> points_;
-    const std::vector<Seen>& seen_;
+    const std::vector<ReturnAngles>& seen_;
     double period_;
     std::vector<OnRing::Place> line_;
     std::vector<double> signedTilt_;
@@ -394,7 +394,7 @@ double fillOf(const Fit& fit) {
 } // namespace
 
 std::optional<Fit> fitGroups(std::span<const AxisPoint> points, const Precision& precision, NoFit& best) {
-    const std::vector<Seen> seen = returnsOf(points, precision);
+    const std::vector<ReturnAngles> seen = returnsOf(points, precision);
     if (seen.size() < 12) return std::nullopt;
     GroupFitter wholePlanes(points, seen, kPi);
     GroupFitter halfPlanes(points, seen, 2 * kPi);

@@ -34,7 +34,7 @@ std::vector<Hypothesis> hypothesesFor(std::optional<Axis> axis) {
     return all;
 }
 
-std::vector<AxisPoint> seenAlong(const Hypothesis& hypothesis, std::span<const Eigen::Vector3d> points) {
+std::vector<AxisPoint> axisPointsOf(const Hypothesis& hypothesis, std::span<const Eigen::Vector3d> points) {
     std::vector<AxisPoint> seen;
     seen.reserve(points.size());
     for (const Eigen::Vector3d& given : points) {
@@ -304,7 +304,7 @@ Result<RecoveredGrid> recoverGrid(const PointList& list) {
         for (std::size_t h = 0; h < hypotheses.size(); ++h) {
             const double done = (static_cast<double>(h) / static_cast<double>(hypotheses.size()) + static_cast<double>(way)) / 3;
             if (list.progress && !list.progress("finding the grid", done)) return Error{"cancelled", "", ""};
-            std::vector<AxisPoint> points = seenAlong(hypotheses[h], list.points);
+            std::vector<AxisPoint> points = axisPointsOf(hypotheses[h], list.points);
             auto fit = way == kEveryCell ? fitFileOrder(points, list.precision, list.rowLength)
                        : way == kRuns    ? fitRuns(points, list.precision, seen[h])
                                          : fitGroups(points, list.precision, seen[h]);

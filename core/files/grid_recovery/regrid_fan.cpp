@@ -18,7 +18,7 @@ constexpr std::size_t kFewestLines = 4;
 constexpr std::size_t kPointsPerLine = 12; // on average, at least
 constexpr std::size_t kSample = 60000;     // points of a first look: lines that do not show here do not exist
 
-std::vector<AxisPoint> seenAlong(const LooseCloud& cloud, int axis) {
+std::vector<AxisPoint> axisPointsOf(const LooseCloud& cloud, int axis) {
     std::vector<AxisPoint> seen;
     seen.reserve(cloud.points.size());
     for (const Eigen::Vector3d& p : cloud.points) {
@@ -97,7 +97,7 @@ std::optional<Fan> planes(const std::vector<AxisPoint>& points) {
 std::optional<Fan> findFan(const LooseCloud& cloud) {
     static constexpr std::array<int, 3> kUprightFirst{2, 0, 1};
     for (const int axis : kUprightFirst) {
-        const std::vector<AxisPoint> points = seenAlong(cloud, axis);
+        const std::vector<AxisPoint> points = axisPointsOf(cloud, axis);
         if (axis == 2) {
             if (auto fan = rings(points)) return fan;
         }

@@ -25,14 +25,15 @@ struct Beams {
 
 class BeamFinder {
 public:
-    BeamFinder(std::span<const Seen> seen, const Runs& runs, std::span<const AxisPoint> points) : seen_(seen), runs_(runs) {
-        tilts_.reserve(seen.size());
+    BeamFinder(std::span<const ReturnAngles> returns, const Runs& runs, std::span<const AxisPoint> points)
+        : returns_(returns), runs_(runs) {
+        tilts_.reserve(returns.size());
         for (const Run& run : runs.runs) {
             const double c = std::cos(run.plane);
             const double s = std::sin(run.plane);
             for (std::size_t m = run.from; m < run.to; ++m) {
-                const AxisPoint& p = points[seen[m].point];
-                tilts_.push_back({std::atan2(p.radiusIn(c, s), p.u), seen[m].tiltError});
+                const AxisPoint& p = points[returns[m].point];
+                tilts_.push_back({std::atan2(p.radiusIn(c, s), p.u), returns[m].tiltError});
             }
         }
     }
@@ -49,9 +50,9 @@ public:
                 if (r >= rings.size()) break;
             }
             const Ring& ring = rings[r];
-            if (ring.centres.size() < 2 || seen_.size() < kPointsPerGroup * ring.centres.size()) continue;
+            if (ring.centres.size() < 2 || returns_.size() < kPointsPerGroup * ring.centres.size()) continue;
             Beams beams = onRing(ring);
-            const double share = 1 - static_cast<double>(beams.off) / static_cast<double>(seen_.size());
+            const double share = 1 - static_cast<double>(beams.off) / static_cast<double>(returns_.size());
             if (share > best.onGrid && runs_.runs.size() >= 4) best = {runs_.runs.size(), ring.centres.size(), share};
             if (share >= kShareOnGrid) return beams;
         }
@@ -78,14 +79,14 @@ private:
         return (ring.centres.back() - ring.centres.front()) / static_cast<double>(ring.centres.size() - 1);
     }
     [[nodiscard]] Beams onRing(const Ring& ring) const {
-        Beams beams{ring, std::vector<std::uint32_t>(seen_.size(), kNone), 0};
+        Beams beams{ring, std::vector<std::uint32_t>(returns_.size(), kNone), 0};
         std::vector<Place> places;
-        places.reserve(seen_.size());
+        places.reserve(returns_.size());
         for (const Angle& tilt : tilts_) {
             places.push_back(placeOn(ring, tilt));
             beams.off += places.back().off ? 1 : 0;
         }
-        if (static_cast<double>(beams.off) > (1 - kShareOnGrid) * static_cast<double>(seen_.size())) return beams;
+        if (static_cast<double>(beams.off) > (1 - kShareOnGrid) * static_cast<double>(returns_.size())) return beams;
         for (const Run& run : runs_.runs) placeRun(run, places, ring.centres.size(), beams.of);
         return beams;
     }
@@ -122,7 +123,7 @@ private:
         for (std::size_t n = 0; n < which.size(); ++n) of[which[n]] = static_cast<std::uint32_t>(first + taken[n]);
     }
 
-    std::span<const Seen> seen_;
+    std::span<const ReturnAngles> returns_;
     const Runs& runs_;
     std::vector<Angle> tilts_;
 };
@@ -130,8 +131,8 @@ private:
 /// Lines of the grid to be: runs with their beams.
 class LineMaker {
 public:
-    LineMaker(std::span<const Seen> seen, std::span<const AxisPoint> points, const Beams& beams)
-        : seen_(seen), points_(points), beams_(beams) {}
+    LineMaker(std::span<const ReturnAngles> returns, std::span<const AxisPoint> points, const Beams& beams)
+        : returns_(returns), points_(points), beams_(beams) {}
 
     void add(const Run& run) {
         if (!lines_.empty() && (continues(run) || copies(run))) return append(run);
@@ -139,10 +140,10 @@ public:
     }
 
     [[nodiscard]] std::optional<Fit> fit() {
-        takeStrays();
+        mergeStrays();
         const std::vector<std::size_t> order = orderOfLines();
         const double cells = static_cast<double>(lines_.size()) * static_cast<double>(beams_.ring.centres.size());
-        if (static_cast<double>(seen_.size()) < kLeastFilled * cells) return std::nullopt;
+        if (static_cast<double>(returns_.size()) < kLeastFilled * cells) return std::nullopt;
         Fit fit;
         fit.tilt = beams_.ring.centres;
         fit.pointOf = Grid<std::uint32_t>(static_cast<int>(lines_.size()), static_cast<int>(fit.tilt.size()), kNone);
@@ -155,7 +156,7 @@ public:
                 for (std::size_t m = run.from; m < run.to; ++m) put(fit, static_cast<int>(i), m);
             }
         }
-        if (static_cast<double>(fit.doubled) > kMostDoubled * static_cast<double>(seen_.size())) return std::nullopt;
+        if (static_cast<double>(fit.doubled) > kMostDoubled * static_cast<double>(returns_.size())) return std::nullopt;
         return fit;
     }
 
@@ -169,7 +170,7 @@ private:
     [[nodiscard]] std::vector<std::uint32_t> filledBy(const Run& run) const {
         std::vector<std::uint32_t> cells(beams_.ring.centres.size(), kNone);
         for (std::size_t m = run.from; m < run.to; ++m) {
-            if (beams_.of[m] != kNone && beams_.of[m] < cells.size()) cells[beams_.of[m]] = seen_[m].point;
+            if (beams_.of[m] != kNone && beams_.of[m] < cells.size()) cells[beams_.of[m]] = returns_[m].point;
         }
         return cells;
     }
@@ -222,12 +223,12 @@ private:
             return;
         }
         std::uint32_t& cell = fit.pointOf.at(line, static_cast<int>(beam));
-        const std::uint32_t point = seen_[m].point;
+        const std::uint32_t point = returns_[m].point;
         if (cell != kNone) ++(samePoint(point, cell) ? fit.copied : fit.doubled);
         if (cell == kNone || points_[point].range() < points_[cell].range()) cell = point;
     }
     /// A few returns somewhere in the list, far from their line: no line of their own, but late returns of that one.
-    void takeStrays() {
+    void mergeStrays() {
         std::vector<double> lengths;
         for (const Line& line : lines_) lengths.push_back(static_cast<double>(line.run.to - line.run.from));
         const double few = kShort * median(std::move(lengths));
@@ -308,7 +309,7 @@ private:
         return order;
     }
 
-    std::span<const Seen> seen_;
+    std::span<const ReturnAngles> returns_;
     std::span<const AxisPoint> points_;
     const Beams& beams_;
     std::vector<Line> lines_;
@@ -318,13 +319,13 @@ private:
 } // namespace
 
 std::optional<Fit> fitRuns(std::span<const AxisPoint> points, const Precision& precision, NoFit& best) {
-    const std::vector<Seen> seen = returnsOf(points, precision);
-    if (seen.size() < 12) return std::nullopt;
-    const auto runs = runsOf(seen);
+    const std::vector<ReturnAngles> returns = returnsOf(points, precision);
+    if (returns.size() < 12) return std::nullopt;
+    const auto runs = runsOf(returns);
     if (!runs) return std::nullopt;
-    const auto beams = BeamFinder(seen, *runs, points).find(best);
+    const auto beams = BeamFinder(returns, *runs, points).find(best);
     if (!beams) return std::nullopt;
-    LineMaker maker(seen, points, *beams);
+    LineMaker maker(returns, points, *beams);
     for (const Run& run : runs->runs) maker.add(run);
     auto fit = maker.fit();
     if (!fit) return std::nullopt;

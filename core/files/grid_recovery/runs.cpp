@@ -21,7 +21,7 @@ constexpr double kForget = 0.9;       // what a plane remembers from return to r
 double off(double a, double b, double period) { return std::abs(std::remainder(a - b, period)); }
 
 /// Step of the tilt between two returns of one line; its sign is that of the frame in which the first one is on the positive side.
-double stepBetween(const Seen& a, const Seen& b) {
+double stepBetween(const ReturnAngles& a, const ReturnAngles& b) {
     const bool acrossAxis = off(a.plane, b.plane, 2 * kPi) > kPi / 2;
     return acrossAxis ? -(a.tilt + b.tilt) : b.tilt - a.tilt;
 }
@@ -38,13 +38,13 @@ struct FanGap {
 };
 
 /// The usual step from beam to beam; empty when neighbours in the list are not neighbours on a line.
-std::optional<double> beamStepOf(std::span<const Seen> seen) {
-    const std::size_t stride = std::max<std::size_t>(1, seen.size() / kSamplePairs);
+std::optional<double> beamStepOf(std::span<const ReturnAngles> returns) {
+    const std::size_t stride = std::max<std::size_t>(1, returns.size() / kSamplePairs);
     std::vector<double> steps;
     std::size_t pairs = 0;
-    for (std::size_t m = 0; m + 1 < seen.size(); m += stride) {
-        const Seen& a = seen[m];
-        const Seen& b = seen[m + 1];
+    for (std::size_t m = 0; m + 1 < returns.size(); m += stride) {
+        const ReturnAngles& a = returns[m];
+        const ReturnAngles& b = returns[m + 1];
         if (a.planeError + b.planeError > kSideUnknown) continue;
         ++pairs;
         const double step = std::abs(stepBetween(a, b));
@@ -57,7 +57,7 @@ std::optional<double> beamStepOf(std::span<const Seen> seen) {
 
 class Cutter {
 public:
-    Cutter(std::span<const Seen> seen, double beamStep) : seen_(seen), beamStep_(beamStep) {}
+    Cutter(std::span<const ReturnAngles> returns, double beamStep) : returns_(returns), beamStep_(beamStep) {}
 
     /// Looks where no tilts are. Lines need not be cut well for that.
     void findGap(const std::vector<Run>& runs) {
@@ -66,7 +66,7 @@ public:
         const auto binOf = [](double angle) { return static_cast<std::size_t>((angle + kPi) / (2 * kPi) * kBins) % kBins; };
         for (const Run& run : runs) {
             for (std::size_t m = run.from; m < run.to; ++m) {
-                const Seen& s = seen_[m];
+                const ReturnAngles& s = returns_[m];
                 if (s.planeError <= kSideUnknown) filled[binOf(tiltOn(run.plane, s, 0.0))] = true;
             }
         }
@@ -86,7 +86,7 @@ public:
     /// Where the tilts turn back. `bothWays`: lines are listed to and fro, else all in one direction, which makes their tilts ascend.
     [[nodiscard]] std::vector<Run> cut(bool bothWays) const {
         std::vector<Run> runs;
-        for (std::size_t from = 0; from < seen_.size();) {
+        for (std::size_t from = 0; from < returns_.size();) {
             double plane = planeFrom(from);
             if (!bothWays && descends(from, plane)) plane += kPi;
             if (bothWays && !runs.empty() && off(plane, runs.back().plane, 2 * kPi) > kPi / 2) plane += kPi;
@@ -119,9 +119,9 @@ public:
         std::complex<double> sum;
         double weights = 0;
         for (std::size_t m = run.from; m < run.to; ++m) {
-            if (seen_[m].planeError > kSideUnknown) continue;
-            const double weight = 1 / (seen_[m].planeError * seen_[m].planeError + 1e-30);
-            sum += weight * std::polar(1.0, 2 * seen_[m].plane);
+            if (returns_[m].planeError > kSideUnknown) continue;
+            const double weight = 1 / (returns_[m].planeError * returns_[m].planeError + 1e-30);
+            sum += weight * std::polar(1.0, 2 * returns_[m].plane);
             weights += weight;
         }
         run.planeError = weights > 0 ? 1 / std::sqrt(weights) : kPi;
@@ -131,31 +131,33 @@ public:
 private:
     /// The best known plane angle of the next few returns.
     [[nodiscard]] double planeFrom(std::size_t from) const {
-        const auto first = seen_.begin() + static_cast<std::ptrdiff_t>(from);
-        const auto last = first + static_cast<std::ptrdiff_t>(std::min(kLookAhead, seen_.size() - from));
-        return std::min_element(first, last, [](const Seen& a, const Seen& b) { return a.planeError < b.planeError; })->plane;
+        const auto first = returns_.begin() + static_cast<std::ptrdiff_t>(from);
+        const auto last = first + static_cast<std::ptrdiff_t>(std::min(kLookAhead, returns_.size() - from));
+        return std::min_element(first, last, [](const ReturnAngles& a, const ReturnAngles& b) { return a.planeError < b.planeError; })
+            ->plane;
     }
     [[nodiscard]] bool descends(std::size_t from, double plane) const {
         int votes = 0;
-        const std::size_t to = std::min(from + kLookAhead, seen_.size());
-        double before = tiltOn(plane, seen_[from], seen_[from].tilt);
+        const std::size_t to = std::min(from + kLookAhead, returns_.size());
+        double before = tiltOn(plane, returns_[from], returns_[from].tilt);
         for (std::size_t m = from + 1; m < to; ++m) {
-            const double here = tiltOn(plane, seen_[m], before);
+            const double here = tiltOn(plane, returns_[m], before);
             const double step = std::remainder(here - before, 2 * kPi);
-            if (std::abs(step) > seen_[m].tiltError + seen_[m - 1].tiltError && std::abs(step) < 4 * beamStep_) votes += step > 0 ? 1 : -1;
+            if (std::abs(step) > returns_[m].tiltError + returns_[m - 1].tiltError && std::abs(step) < 4 * beamStep_)
+                votes += step > 0 ? 1 : -1;
             before = here;
         }
         return votes < 0;
     }
     /// The first return behind the run that begins at `from`; `plane` follows the most precise return of the run.
     [[nodiscard]] std::size_t endOf(std::size_t from, double& plane, bool bothWays) const {
-        double before = tiltOn(plane, seen_[from], seen_[from].tilt);
+        double before = tiltOn(plane, returns_[from], returns_[from].tilt);
         double travelled = 0;
         double lastStep = kPi;
         double best = kPi;
         int direction = bothWays ? 0 : 1;
-        for (std::size_t m = from + 1; m < seen_.size(); ++m) {
-            const Seen& s = seen_[m];
+        for (std::size_t m = from + 1; m < returns_.size(); ++m) {
+            const ReturnAngles& s = returns_[m];
             if (s.planeError < best) {
                 plane += std::remainder(s.plane - plane, kPi);
                 best = s.planeError;
@@ -163,7 +165,7 @@ private:
             const double here = tiltOn(plane, s, before);
             const double step = stepFrom(before, here);
             travelled += step;
-            if (std::abs(step) > s.tiltError + seen_[m - 1].tiltError) {
+            if (std::abs(step) > s.tiltError + returns_[m - 1].tiltError) {
                 const int sign = step > 0 ? 1 : -1;
                 if (direction == 0) direction = sign;
                 // To and fro, the turning point is measured twice: the second time by the new line.
@@ -173,7 +175,7 @@ private:
             lastStep = step;
             before = here;
         }
-        return seen_.size();
+        return returns_.size();
     }
     [[nodiscard]] double stepFrom(double before, double here) const {
         return gap_.width > 4 * beamStep_ ? gap_.from(here) - gap_.from(before) : std::remainder(here - before, 2 * kPi);
@@ -183,7 +185,7 @@ private:
         std::complex<double> sum;
         double weights = 0;
         for (std::size_t m = from; m < to; ++m) {
-            const Seen& s = seen_[m];
+            const ReturnAngles& s = returns_[m];
             if (s.planeError > kSideUnknown) continue;
             if (weights > 0) {
                 const double far = off(s.plane, 0.5 * std::arg(sum), kPi);
@@ -196,7 +198,7 @@ private:
         return to;
     }
 
-    std::span<const Seen> seen_;
+    std::span<const ReturnAngles> returns_;
     double beamStep_;
     FanGap gap_;
 };
@@ -228,26 +230,26 @@ void continuePlanes(std::vector<Run>& runs) {
 
 } // namespace
 
-double tiltOn(double plane, const Seen& seen, double near) {
-    if (seen.planeError <= kSideUnknown) return std::cos(seen.plane - plane) >= 0 ? seen.tilt : -seen.tilt;
-    return std::abs(std::remainder(seen.tilt - near, 2 * kPi)) <= std::abs(std::remainder(-seen.tilt - near, 2 * kPi)) ? seen.tilt
-                                                                                                                       : -seen.tilt;
+double tiltOn(double plane, const ReturnAngles& angles, double near) {
+    if (angles.planeError <= kSideUnknown) return std::cos(angles.plane - plane) >= 0 ? angles.tilt : -angles.tilt;
+    return std::abs(std::remainder(angles.tilt - near, 2 * kPi)) <= std::abs(std::remainder(-angles.tilt - near, 2 * kPi)) ? angles.tilt
+                                                                                                                           : -angles.tilt;
 }
 
-std::optional<Runs> runsOf(std::span<const Seen> seen) {
-    const auto beamStep = beamStepOf(seen);
+std::optional<Runs> runsOf(std::span<const ReturnAngles> returns) {
+    const auto beamStep = beamStepOf(returns);
     if (!beamStep) return std::nullopt;
-    Cutter cutter(seen, *beamStep);
+    Cutter cutter(returns, *beamStep);
     Runs found{cutter.cut(false), *beamStep};
     const bool bothWays = turnsOverAndOver(found.runs);
     if (bothWays) found.runs = cutter.cut(true);
-    if (static_cast<double>(seen.size()) < kFewestPerRun * static_cast<double>(found.runs.size())) return std::nullopt;
+    if (static_cast<double>(returns.size()) < kFewestPerRun * static_cast<double>(found.runs.size())) return std::nullopt;
     cutter.findGap(found.runs);
     found.runs = cutter.cut(bothWays);
-    if (static_cast<double>(seen.size()) < kFewestPerRun * static_cast<double>(found.runs.size())) return std::nullopt;
+    if (static_cast<double>(returns.size()) < kFewestPerRun * static_cast<double>(found.runs.size())) return std::nullopt;
     for (Run& run : found.runs) cutter.measure(run);
     found.runs = cutter.cutWherePlanesChange(found.runs);
-    if (static_cast<double>(seen.size()) < kFewestPerRun * static_cast<double>(found.runs.size())) return std::nullopt;
+    if (static_cast<double>(returns.size()) < kFewestPerRun * static_cast<double>(found.runs.size())) return std::nullopt;
     continuePlanes(found.runs);
     return found;
 }

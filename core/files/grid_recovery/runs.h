@@ -2,7 +2,7 @@
 // the motor is.
 #pragma once
 
-#include "core/files/grid_recovery/seen.h"
+#include "core/files/grid_recovery/return_angles.h"
 
 #include <cstddef>
 #include <optional>
@@ -24,9 +24,9 @@ struct Runs {
 };
 
 /// Empty for a list that does not run along its lines.
-[[nodiscard]] std::optional<Runs> runsOf(std::span<const Seen> seen);
+[[nodiscard]] std::optional<Runs> runsOf(std::span<const ReturnAngles> returns);
 
 /// Tilt of a return on a line, -pi to pi; where the return may be on either side of the axis, the one nearer to `near`.
-[[nodiscard]] double tiltOn(double plane, const Seen& seen, double near);
+[[nodiscard]] double tiltOn(double plane, const ReturnAngles& angles, double near);
 
 } // namespace edgescan::files::recognition

@@ -54,7 +54,7 @@ RangeUnit findUnit(std::span<const double> ranges, const Precision& precision, s
     return unit;
 }
 
-std::optional<double> unitToldBy(const std::string& warning) {
+std::optional<double> unitOfWarning(const std::string& warning) {
     for (const double mm : {1.0, 10.0, 1000.0}) {
         if (warning.starts_with(std::string("Unit taken as ") + unitName(mm) + ",")) return mm;
     }

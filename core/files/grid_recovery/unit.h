@@ -23,7 +23,7 @@ struct RangeUnit {
 [[nodiscard]] RangeUnit findUnit(std::span<const double> ranges, const Precision& precision, std::optional<double> knownMmPerUnit);
 
 /// Millimetres per number, of a warning that is such a remark; empty of any other.
-[[nodiscard]] std::optional<double> unitToldBy(const std::string& warning);
+[[nodiscard]] std::optional<double> unitOfWarning(const std::string& warning);
 
 /// Status codes of a SICK LMS2xx in place of whole millimetres; empty when the scan shows none: they are the
 /// largest values there are, no other value is among them, and they repeat as no range does. `rangeMm` lines x beams.

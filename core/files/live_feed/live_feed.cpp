@@ -74,14 +74,14 @@ bool LiveFeed::comesAfterTheLast(bool isLine) {
 }
 
 /// Records a message before anything looks into it, and takes the lines that it gives.
-template <class TakeLines>
-void LiveFeed::take(const RecordingMessagePtr& message, const scanner::HostTime& time, const TakeLines& takeLines) {
+template <class AddLines>
+void LiveFeed::addMessage(const RecordingMessagePtr& message, const scanner::HostTime& time, const AddLines& addLines) {
     record(message);
     int lines = 0;
     {
         const std::lock_guard lock(mutex_);
         const int before = feed_.assembler().sweepNumber();
-        lines = takeLines();
+        lines = addLines();
         // At a reversal some of the new sweep came before; they are few, and the recording is cut into the same sweeps.
         if (feed_.assembler().sweepNumber() != before || (lines > 0 && source_ && source_->newest())) sweepFirst_ = message;
         lines_ += lines;
@@ -93,14 +93,14 @@ void LiveFeed::take(const RecordingMessagePtr& message, const scanner::HostTime&
 
 void LiveFeed::received(const scanner::ColaFrame& frame) {
     if (comesAfterTheLast(scanner::isScanTelegram(frame.payload()))) return;
-    take(receivedMessage(frame, clock_), frame.received, [&] { return feed_.frame(frame, clock_.ns(frame.received)) ? 1 : 0; });
+    addMessage(receivedMessage(frame, clock_), frame.received, [&] { return feed_.frame(frame, clock_.ns(frame.received)) ? 1 : 0; });
 }
 
 void LiveFeed::received(RecordingMessage received, const scanner::HostTime& time, bool isLine) {
     if (comesAfterTheLast(isLine)) return;
     received.hostNs = clock_.ns(time);
     const auto message = std::make_shared<const RecordingMessage>(std::move(received));
-    take(message, time, [&] {
+    addMessage(message, time, [&] {
         source_->heard(message, time.monotonicNs);
         return source_->play(message, feed_.assembler());
     });
@@ -141,9 +141,9 @@ std::vector<OfferedTopic> LiveFeed::offered() const {
     return source_ ? source_->offered() : std::vector<OfferedTopic>();
 }
 
-std::vector<scanner::FinishedSweep> LiveFeed::takeFinished() {
+std::vector<scanner::FinishedSweep> LiveFeed::popFinished() {
     const std::lock_guard lock(mutex_);
-    return feed_.assembler().takeFinished();
+    return feed_.assembler().popFinished();
 }
 
 Result<int> LiveFeed::startRecording(const std::filesystem::path& path) {

@@ -69,7 +69,7 @@ public:
     /// Of a bridge: what it offers and which of it is subscribed; by name.
     [[nodiscard]] std::vector<OfferedTopic> offered() const;
     /// Sweeps finished since the last call.
-    [[nodiscard]] std::vector<scanner::FinishedSweep> takeFinished();
+    [[nodiscard]] std::vector<scanner::FinishedSweep> popFinished();
 
     /// Other mounting, steps or lines from now on; the lines of the sweep under way, as far as they are remembered, are put into their new
     /// places. A recording that is being written keeps the settings it began with. Gives the number of lines that are no longer remembered;
@@ -94,8 +94,8 @@ private:
     void changedTo(const scanner::ConnectionState& state);
     void received(const scanner::ColaFrame& frame);
     void received(RecordingMessage message, const scanner::HostTime& time, bool isLine);
-    template <class TakeLines>
-    void take(const RecordingMessagePtr& message, const scanner::HostTime& time, const TakeLines& takeLines);
+    template <class AddLines>
+    void addMessage(const RecordingMessagePtr& message, const scanner::HostTime& time, const AddLines& addLines);
     [[nodiscard]] bool comesAfterTheLast(bool isLine);
     void record(RecordingMessagePtr message);
     [[nodiscard]] std::vector<RecordingMessagePtr> messagesOfSweep() const; // with the lock

@@ -15,7 +15,7 @@ namespace {
 std::string sizeOfReach() { return significantText(physical::kRangeMm.limits.most * 1e-6, 6) + " km"; }
 
 /// NaN where a cell has no point; empty where no point has an intensity.
-void takeIntensity(Scan& scan, const std::vector<float>& intensity, const Grid<std::uint32_t>& pointOf) {
+void storeIntensity(Scan& scan, const std::vector<float>& intensity, const Grid<std::uint32_t>& pointOf) {
     if (std::ranges::none_of(intensity, [](float value) { return std::isfinite(value); })) return;
     scan.intensity = Grid<float>(pointOf.lines, pointOf.beams, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t k = 0; k < pointOf.size(); ++k) {
@@ -26,9 +26,9 @@ void takeIntensity(Scan& scan, const std::vector<float>& intensity, const Grid<s
 } // namespace
 
 void fillCells(Scan& scan, const PointTable& table, const std::vector<double>& ranges, const RangeUnit& unit,
-               const Grid<std::uint32_t>& pointOf, bool takeGiven) {
+               const Grid<std::uint32_t>& pointOf, bool useGiven) {
     const std::vector<float> none;
-    const std::vector<float>& given = takeGiven ? table.rangeMm : none;
+    const std::vector<float>& given = useGiven ? table.rangeMm : none;
     scan.rangeMm = Grid<float>(pointOf.lines, pointOf.beams);
     scan.state = Grid<CellState>(pointOf.lines, pointOf.beams, CellState::NoReturn);
     std::size_t tooFar = 0;
@@ -42,14 +42,14 @@ void fillCells(Scan& scan, const PointTable& table, const std::vector<double>& r
         scan.rangeMm[k] = static_cast<float>(unit.wholeMm && given.empty() ? std::round(mm) : mm);
         scan.state[k] = CellState::Valid;
     }
-    takeIntensity(scan, table.intensity, pointOf);
+    storeIntensity(scan, table.intensity, pointOf);
     if (!unit.remark.empty()) scan.warnings.push_back(unit.remark);
     if (tooFar == 0) return;
     scan.warnings.push_back(std::to_string(tooFar) + " points lie farther than " + sizeOfReach() +
                             " from the sensor and were taken as no return: --sensor X,Y,Z says where it stood.");
 }
 
-void takeStates(Scan& scan, const PointTable& table, const Grid<std::uint32_t>& pointOf) {
+void storeStates(Scan& scan, const PointTable& table, const Grid<std::uint32_t>& pointOf) {
     if (table.state.empty()) return;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         if (scan.state[k] != CellState::NoReturn || pointOf[k] == RecoveredGrid::kNoPoint) continue;

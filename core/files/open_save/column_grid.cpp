@@ -92,7 +92,7 @@ bool fits(const PointTable& table, const Eigen::Vector3d& sensor, double unitMm)
 }
 
 /// Ranges of the file show unit and sensor; ranges that fit no place are not used.
-void takeSensorOfRanges(PointTable& table, bool sensorGiven) {
+void findSensorFromRanges(PointTable& table, bool sensorGiven) {
     if (table.rangeMm.size() != table.points.size()) return table.rangeMm.clear();
     for (const double unitMm : {1000.0, 1.0, 10.0}) {
         if (table.unitMm && *table.unitMm != unitMm) continue;
@@ -125,7 +125,7 @@ bool layOutByColumns(PointTable& table, bool sensorGiven, std::vector<AttachedPo
         table.remarks.emplace_back("The columns of lines and beams hold no grid and were not used.");
         return false;
     }
-    takeSensorOfRanges(table, sensorGiven);
+    findSensorFromRanges(table, sensorGiven);
     const std::size_t cells = shape->lines * shape->beams;
     std::vector<Eigen::Vector3d> points(cells, Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
     std::vector<float> ranges(table.rangeMm.empty() ? 0 : cells, 0.0F);

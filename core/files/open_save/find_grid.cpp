@@ -47,7 +47,7 @@ bool isOfAnotherShape(const RecoveredGrid& grid, const PointTable& table) {
 }
 
 /// The angles of a scanner's fan, where the beams that were measured are all of it.
-void takeFan(PolarGeometry& geometry, double fanDeg) {
+void applyFan(PolarGeometry& geometry, double fanDeg) {
     constexpr double kSameBeam = 0.01; // of the step
     if (fanDeg == 0.0 || geometry.beamDeg.size() < 2) return;
     const double step = fanDeg / static_cast<double>(geometry.beamDeg.size() - 1);
@@ -100,7 +100,7 @@ FoundGrid findMovedGrid(const PointTable& table, const Source& source, bool orga
     if (found.grid && named && isOfAnotherShape(*found.grid, table)) found.grid = Error{"another grid", "", ""};
     found.inFrameOfFile = static_cast<bool>(found.grid);
     if (found.grid) {
-        takeFan(found.grid->geometry, moved->fanDeg);
+        applyFan(found.grid->geometry, moved->fanDeg);
         found.moved = std::move(*moved);
     } else if (!found.cancelled()) {
         found.grid = Error{"about the axis of their scan lines they are on no common beams", "", found.grid.error().hint};

@@ -56,7 +56,7 @@ Result<Scan> ownScan(PointTable table, const Source& source) {
         if (scan.state[k] == CellState::Valid && !physical::kRangeMm.hold(scan.rangeMm[k]))
             return source.refused("a valid cell has a number that is not a range", "save the scan again");
     }
-    takeDescription(scan, *grid);
+    applyDescription(scan, *grid);
     scan.warnings = std::move(table.remarks);
     if (table.scannerPoints.size() == cells) table.points = std::move(table.scannerPoints);
     std::optional<PolarGeometry> polar = polarOf(*grid);
@@ -71,7 +71,7 @@ Result<Scan> ownScan(PointTable table, const Source& source) {
 }
 
 /// Cells that an export of ours had filled were never measured: they become no returns, and a remark says so.
-void takeFilledOut(PointTable& table) {
+void removeFilledCells(PointTable& table) {
     if (table.filledSdMm.size() != table.points.size()) return;
     std::size_t filled = 0;
     for (std::size_t n = 0; n < table.points.size(); ++n) {
@@ -95,7 +95,7 @@ void warnOfIdle(Scan& scan, const Source& source) {
 }
 
 /// What the file states of the whole scan, beyond its points.
-void takeStatements(Scan& scan, Reading& reading, const Source& source) {
+void applyStatements(Scan& scan, Reading& reading, const Source& source) {
     if (reading.place) placeAsWritten(scan, *reading.place, source);
     if (reading.acquisition) scan.acquisition = std::move(reading.acquisition);
     if (!reading.note.empty()) scan.note = std::move(reading.note);
@@ -106,7 +106,7 @@ void takeStatements(Scan& scan, Reading& reading, const Source& source) {
 
 Result<Scan> placeOnGrid(Reading reading, const Source& source) {
     if (auto* table = std::get_if<PointTable>(&reading.content)) {
-        takeFilledOut(*table);
+        removeFilledCells(*table);
         if (auto scan = scanOfSidecar(*table, reading.place, source)) {
             warnOfIdle(*scan, source);
             return std::move(*scan);
@@ -123,7 +123,7 @@ Result<Scan> placeOnGrid(Reading reading, const Source& source) {
         warnOfIdle(std::get<Scan>(reading.content), source);
     }
     Scan& scan = std::get<Scan>(reading.content);
-    takeStatements(scan, reading, source);
+    applyStatements(scan, reading, source);
     return std::move(scan);
 }
 

@@ -30,7 +30,7 @@ namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 320; // while the grid is being found
 
-void takeStatusCodes(Scan& scan) {
+void markStatusCodes(Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr) return;
     scan.statusCodes = lms2xxStatusCodes(scan.rangeMm, scan.state, *polar);
@@ -68,7 +68,7 @@ Eigen::Matrix3d axesOfNumbers(const FreeAxis* moved, const PolarGeometry& polar,
 
 /// Coordinates that were rounded more coarsely than the scanner measures: their ranges as whole millimetres, where that is what they were.
 /// `moved`: null, or how the points were taken into the scanner's frame.
-void takeWholeRanges(Scan& scan, const PointTable& table, const RecoveredGrid& grid, const RangeUnit& unit, const FreeAxis* moved) {
+void roundRanges(Scan& scan, const PointTable& table, const RecoveredGrid& grid, const RangeUnit& unit, const FreeAxis* moved) {
     DirectedPoints rounded;
     std::vector<std::size_t> cells;
     const CartesianTables tables(scan);
@@ -100,15 +100,15 @@ Scan recoveredScan(const PointTable& table, RecoveredGrid grid, const Source& so
     const std::vector<double> ranges = rangesOf(table);
     const RangeUnit unit = unitOf(table, ranges, source);
     fillCells(scan, table, ranges, unit, grid.pointOf, true);
-    takeStates(scan, table, grid.pointOf);
+    storeStates(scan, table, grid.pointOf);
     if (table.leftHanded) {
         grid.geometry.lineDirection = -1.0;
         scan.warnings.emplace_back("The file's coordinates are left-handed and were turned right-handed: y is mirrored.");
     }
     scan.geometry = grid.geometry;
-    if (!unit.wholeMm && table.rangeMm.empty()) takeWholeRanges(scan, table, grid, unit, moved);
+    if (!unit.wholeMm && table.rangeMm.empty()) roundRanges(scan, table, grid, unit, moved);
     if (inFrameOfFile && table.sensor.isZero(0.0)) {
-        if (unit.wholeMm && table.state.empty()) takeStatusCodes(scan);
+        if (unit.wholeMm && table.state.empty()) markStatusCodes(scan);
     } else {
         PointGeometry points = pointGeometry(table, grid.pointOf, unit);
         points.angles = std::move(grid.geometry);
@@ -133,7 +133,7 @@ Scan organisedScan(const PointTable& table, const Source& source) {
     Grid<std::uint32_t> inOrder(static_cast<int>(table.height), static_cast<int>(table.width));
     for (std::size_t k = 0; k < inOrder.size(); ++k) inOrder[k] = static_cast<std::uint32_t>(k);
     fillCells(scan, table, ranges, unit, inOrder, true);
-    takeStates(scan, table, inOrder);
+    storeStates(scan, table, inOrder);
     scan.geometry = pointGeometry(table, inOrder, unit);
     return scan;
 }
@@ -214,7 +214,7 @@ void compareWithSensor(const FreeAxis& moved, PointTable& table) {
 }
 
 /// The points in the frame of the scanner, as if it were mounted without any error; their numbers are as precise as before.
-void takePointsOf(FreeAxis& moved, PointTable& table) {
+void storeMovedPoints(FreeAxis& moved, PointTable& table) {
     table.precision = moved.precision;
     table.points = std::move(moved.points);
     table.sensor = Eigen::Vector3d::Zero();
@@ -333,7 +333,7 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     }
     const bool organised = table.height > 1 || laidOut;
     if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
-    const auto afar = organised ? seenFromAfar(table, source) : std::nullopt;
+    const auto afar = organised ? wrongOrigin(table, source) : std::nullopt;
     FoundGrid found = laidOut || table.gridIsGiven ? findGridEitherWay(table, source, behind, afar.has_value())
                       : afar                       ? findMovedGrid(table, source, organised, false)
                                                    : findGrid(table, source, organised, false);
@@ -356,7 +356,7 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
         const FirstReturns firsts{later, table, found.moved ? found.moved->place : Eigen::Vector3d(table.sensor)};
         if (found.moved) {
             compareWithSensor(*found.moved, table);
-            takePointsOf(*found.moved, table);
+            storeMovedPoints(*found.moved, table);
         }
         if (grid && !later.empty()) {
             behind = firsts.behindCells(table, grid->pointOf);
@@ -450,7 +450,7 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
     }
     if (auto fine = checkDigits(table, source); !fine) return fine.error();
     table.precision = withDecimals(table.precision, table.points);
-    takeGivenSensor(table, source);
+    applyGivenSensor(table, source);
     const auto returns = static_cast<std::size_t>(std::count_if(table.points.begin(), table.points.end(), isReturn));
     auto scan = scanOf(table, source);
     // What was wrong with the file may be why its points make no scan.

@@ -38,7 +38,7 @@ struct SidecarGrid {
 };
 
 /// Angles, or room for the points that are still to be laid into their cells; false where the description has neither.
-bool takeGeometry(Scan& scan, const GridDescription& grid) {
+bool applyGeometry(Scan& scan, const GridDescription& grid) {
     auto polar = polarOf(grid);
     const bool known = grid.sensorM || polar;
     if (grid.sensorM) {
@@ -65,12 +65,12 @@ Result<SidecarGrid> gridOf(const json& record, std::size_t points, const Source&
     Scan& scan = sidecar.scan;
     scan.rangeMm = Grid<float>(static_cast<int>(grid->lines), static_cast<int>(grid->beams));
     scan.state = Grid<CellState>(scan.lines(), scan.beams(), CellState::NoReturn);
-    if (!takeGeometry(scan, *grid)) return refused("describes a grid without angles and without a sensor");
+    if (!applyGeometry(scan, *grid)) return refused("describes a grid without angles and without a sensor");
     auto list = cellsOfRuns(record.at(cells).get_ref<const std::string&>(), points, scan.cells());
     if (!list) return refused("lists other cells than the file has points");
     sidecar.cells = std::move(*list);
     applyStateRuns(scan, *grid);
-    takeDescription(scan, *grid);
+    applyDescription(scan, *grid);
     if (record.contains(content) && record.at(content) == json("edge cloud")) scan.warnings.emplace_back(kEdgesOnly);
     if (record.contains(frame) && record.at(frame).is_string())
         sidecar.frame = frameNamed(record.at(frame).get<std::string>()).value_or(CoordinateFrame::Scanner);
@@ -79,7 +79,7 @@ Result<SidecarGrid> gridOf(const json& record, std::size_t points, const Source&
 }
 
 /// As gridOf(); empty where the file has no sidecar with a grid.
-std::optional<Result<SidecarGrid>> gridBeside(std::size_t points, const Source& source) {
+std::optional<Result<SidecarGrid>> gridOfSidecar(std::size_t points, const Source& source) {
     const auto path = sidecarOf(source.path);
     if (!path) return std::nullopt;
     const auto bytes = readInput(*path);
@@ -154,7 +154,7 @@ std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<Written
     if (!table.description.empty() || source.options->unitMm || source.inMemory) return std::nullopt;
     const auto isListed = [&](const Vector3d& p) { return !place || isReturn(p); }; // PTX holds every cell
     const auto listed = static_cast<std::size_t>(std::ranges::count_if(table.points, isListed));
-    auto found = gridBeside(listed, source);
+    auto found = gridOfSidecar(listed, source);
     if (!found) return std::nullopt;
     const auto notUsed = [&](const std::string& why) {
         table.remarks.push_back("The record next to the file " + why + ", so the grid in it was not used.");

@@ -125,7 +125,7 @@ bool dropImpossibleSensor(PointTable& table, const Source& source) {
     return true;
 }
 
-std::optional<Error> seenFromAfar(const PointTable& table, const Source& source) {
+std::optional<Error> wrongOrigin(const PointTable& table, const Source& source) {
     constexpr double kNarrowRad = 0.0175, kNarrowCellRad = 3.5e-5; // a degree, and two thousandths of one
     if (source.options->sensorM || !table.sensor.isZero(0.0)) return std::nullopt;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -152,7 +152,7 @@ std::optional<Error> seenFromAfar(const PointTable& table, const Source& source)
                           kGiveSensor);
 }
 
-void takeGivenSensor(PointTable& table, const Source& source) {
+void applyGivenSensor(PointTable& table, const Source& source) {
     if (!source.options->sensorM) return;
     Eigen::Vector3d given = *source.options->sensorM;
     if (table.leftHanded) given.y() *= -1;

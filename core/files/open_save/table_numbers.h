@@ -32,7 +32,7 @@ namespace edgescan::files {
 
 /// The sensor's place that the user gave in metres, in the file's own numbers. Where these do not say their unit, each one puts the
 /// sensor elsewhere: one in which the ranges about it are whole millimetres, else metres within a scanner's reach, else the nearest.
-void takeGivenSensor(PointTable& table, const Source& source);
+void applyGivenSensor(PointTable& table, const Source& source);
 
 /// A sensor farther away than that, in sizes of all that it measured, sees all points within about a degree: no scanner measures so.
 inline constexpr double kMostTimesTheirSize = 50;
@@ -43,6 +43,6 @@ inline constexpr double kMostTimesTheirSize = 50;
 
 /// An organised cloud whose points all lie one way from the origin was not taken from there: coordinates of a mine, and it is unknown where
 /// the scanner was. Empty: nothing speaks against the origin, or a sensor's place is known.
-[[nodiscard]] std::optional<Error> seenFromAfar(const PointTable& table, const Source& source);
+[[nodiscard]] std::optional<Error> wrongOrigin(const PointTable& table, const Source& source);
 
 } // namespace edgescan::files

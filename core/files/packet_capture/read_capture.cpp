@@ -25,7 +25,7 @@ struct Heard {
     std::uint64_t skipped = 0; ///< bytes that belong to no telegram
     scanner::Dialect dialect = scanner::Dialect::B;
 
-    void take(scanner::ColaFrame&& frame, std::int64_t hostNs) {
+    void addFrame(scanner::ColaFrame&& frame, std::int64_t hostNs) {
         const bool scan = scanner::isScanTelegram(frame.payload());
         if (scan && scans++ == 0) dialect = frame.dialect;
         messages.push_back(
@@ -41,7 +41,7 @@ Heard heardIn(const TcpStream& stream) {
         latestNs = std::max(latestNs, piece.timeNs);
         for (scanner::ColaFrame& frame : frames.push(piece.bytes, {latestNs, latestNs})) {
             const std::int64_t receivedNs = frame.received.utcNs;
-            heard.take(std::move(frame), receivedNs);
+            heard.addFrame(std::move(frame), receivedNs);
         }
     }
     heard.skipped = frames.counts().skipped + frames.waiting();
@@ -70,7 +70,7 @@ public:
         constexpr std::int64_t kStartNs = kNsPerSecondWhole; // no date is known
         if (scanner::isScanTelegram(frame.payload())) {
             const auto telegram = scanner::decodeScanTelegram(frame);
-            if (telegram) takeUs(telegram->transmittedUs);
+            if (telegram) advanceTo(telegram->transmittedUs);
         }
         return kStartNs + us_ * 1000;
     }
@@ -78,7 +78,7 @@ public:
 private:
     static constexpr std::int64_t kNsPerSecondWhole = 1'000'000'000;
 
-    void takeUs(std::uint32_t now) {
+    void advanceTo(std::uint32_t now) {
         const std::int64_t ahead = last_ ? static_cast<std::int32_t>(now - *last_) : 0;
         us_ += std::max<std::int64_t>(0, ahead); // a clock that was set back stops once
         last_ = now;
@@ -220,7 +220,7 @@ Result<Scan> readColaCapture(const Source& source) {
     for (std::size_t at = 0; at < bytes.size(); at += kAtOnce) {
         for (scanner::ColaFrame& frame : stream.push(bytes.subspan(at, std::min(kAtOnce, bytes.size() - at)))) {
             const std::int64_t hostNs = time.of(frame);
-            heard.take(std::move(frame), hostNs);
+            heard.addFrame(std::move(frame), hostNs);
         }
         if (!source.goOn("finding telegrams", 0.1)) return source.cancelled();
     }

@@ -88,7 +88,7 @@ public:
         return segment.starts && last_ && (!firstSyn_ || *firstSyn_ != segment.sequence);
     }
 
-    void take(const Segment& segment, std::int64_t timeNs) {
+    void addSegment(const Segment& segment, std::int64_t timeNs) {
         const std::uint32_t sequence = segment.sequence + (segment.starts ? 1U : 0U);
         if (segment.starts) firstSyn_ = segment.sequence;
         const std::int64_t place = last_ ? place_ + static_cast<std::int32_t>(sequence - *last_) : 0;
@@ -173,7 +173,7 @@ TcpStreams tcpStreams(const std::vector<Packet>& packets) {
             entry->second = directions.size();
             directions.emplace_back(segment.from, segment.to);
         }
-        directions[entry->second].take(segment, packet.timeNs);
+        directions[entry->second].addSegment(segment, packet.timeNs);
     }
     for (Direction& direction : directions) found.streams.push_back(std::move(direction).stream());
     std::erase_if(found.streams, [](const TcpStream& stream) { return stream.pieces.empty(); });

@@ -29,7 +29,7 @@ Sentence wordsOf(const ListedTopic& topic) {
 }
 
 /// What follows `head` in a warning of the scan, up to `tail`.
-std::optional<std::string> saidBetween(const Scan& scan, std::string_view head, std::string_view tail) {
+std::optional<std::string> warningTextBetween(const Scan& scan, std::string_view head, std::string_view tail) {
     for (const std::string& warning : scan.warnings) {
         const std::size_t at = warning.find(head);
         const std::size_t end = at == std::string::npos ? at : warning.find(tail, at + head.size());
@@ -44,8 +44,8 @@ std::size_t wholeOf(const std::string& text) {
     return number;
 }
 
-const ListedTopic* takenTopic(const BagListing& listing, const Scan& scan, const ReadingOptions& options) {
-    const auto said = saidBetween(scan, "GUESS: the topic ", " (");
+const ListedTopic* openedTopic(const BagListing& listing, const Scan& scan, const ReadingOptions& options) {
+    const auto said = warningTextBetween(scan, "GUESS: the topic ", " (");
     const std::string name = !options.topic.empty() ? options.topic : said.value_or("");
     const auto found = std::ranges::find_if(listing.topics,
                                             [&](const ListedTopic& topic) { return topic.isScan && (name.empty() || topic.name == name); });
@@ -63,12 +63,13 @@ OpeningPoint topicOf(const BagListing& listing, const ListedTopic& taken, const 
         other.scanIndex.reset();
         point.others.push_back({wordsOf(topic), std::move(other)});
     }
-    point.source = !options.topic.empty() ? Source::Typed : point.others.empty() ? Source::Said : Source::Guessed;
+    point.source = !options.topic.empty() ? Source::Typed : point.others.empty() ? Source::Stated : Source::Guessed;
     return point;
 }
 
 std::optional<OpeningPoint> sweepOf(const Scan& scan, const ReadingOptions& options) {
-    const auto count = saidBetween(scan, "The topic holds ", " sweeps; sweep "), number = saidBetween(scan, " sweeps; sweep ", ", counted");
+    const auto count = warningTextBetween(scan, "The topic holds ", " sweeps; sweep "),
+               number = warningTextBetween(scan, " sweeps; sweep ", ", counted");
     if (!count || !number) return std::nullopt;
     OpeningPoint point{"Sweep"};
     point.source = options.scanIndex ? Source::Typed : Source::Guessed;
@@ -86,7 +87,7 @@ OpeningPoint angleOf(const BagListing& listing, const Scan& scan, const ReadingO
     OpeningPoint point{"Angle of each line"};
     point.source = options.joint.empty() ? Source::Guessed : Source::Typed;
     const std::string source =
-        options.joint.empty() ? saidBetween(scan, "the angle of each line comes from ", ".").value_or("--line-step") : options.joint;
+        options.joint.empty() ? warningTextBetween(scan, "the angle of each line comes from ", ".").value_or("--line-step") : options.joint;
     point.taken = {options.joint.empty() ? kAngleTaken : kAngleOfJoint, {source}};
     if (!options.joint.empty()) {
         ReadingOptions other = options;
@@ -108,7 +109,7 @@ OpeningPoint angleOf(const BagListing& listing, const Scan& scan, const ReadingO
 
 std::vector<OpeningPoint> bagCheck(const BagListing& listing, const Scan& scan, const ReadingOptions& options) {
     std::vector<OpeningPoint> points;
-    const ListedTopic* taken = takenTopic(listing, scan, options);
+    const ListedTopic* taken = openedTopic(listing, scan, options);
     if (taken == nullptr) return points;
     points.push_back(topicOf(listing, *taken, options));
     if (taken->type == "sensor_msgs/PointCloud2") return points;

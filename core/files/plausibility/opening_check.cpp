@@ -62,11 +62,11 @@ double medianRangeM(const Scan& scan) {
 bool isUsual(double rangeM) { return rangeM >= kNearestUsualM && rangeM <= kFarthestUsualM; }
 
 std::optional<OpeningPoint> unitOf(const Scan& scan, const ReadingOptions& options) {
-    const auto told = std::ranges::find_if(scan.warnings, [](const std::string& w) { return unitToldBy(w).has_value(); });
+    const auto told = std::ranges::find_if(scan.warnings, [](const std::string& w) { return unitOfWarning(w).has_value(); });
     const bool whole = scan.format == kRangeTable; // whole numbers in it are taken as millimetres without a word
     const bool guessed = told != scan.warnings.end() || whole;
     if (!guessed && !options.unitMm) return std::nullopt; // the file says it
-    const double mm = options.unitMm.value_or(told != scan.warnings.end() ? *unitToldBy(*told) : 1.0);
+    const double mm = options.unitMm.value_or(told != scan.warnings.end() ? *unitOfWarning(*told) : 1.0);
     const double median = medianRangeM(scan);
     if (median <= 0.0) return std::nullopt;
     const auto now = std::ranges::find_if(kUnits, [mm](const Unit& unit) { return unit.mm == mm; });
@@ -102,11 +102,11 @@ bool warned(std::string_view words, const Scan& scan) {
 /// Grid and angles were found from a bare list of points.
 bool gridWasFound(const Scan& scan) { return warned(kListsOnlyPoints, scan); }
 
-bool anglesWereTaken(const Scan& scan) { return warned("does not say its angles", scan) || gridWasFound(scan); }
+bool anglesWereAssumed(const Scan& scan) { return warned("does not say its angles", scan) || gridWasFound(scan); }
 
 OpeningPoint mountingOf(const Scan& scan, const PolarGeometry& polar, const ReadingOptions& options, const CommonPlanes& now) {
-    const bool assumed = anglesWereTaken(scan) || warned("ASSUMED: the axis", scan);
-    OpeningPoint point{"Mounting", options.axis ? Source::Typed : assumed ? Source::Assumed : Source::Said};
+    const bool assumed = anglesWereAssumed(scan) || warned("ASSUMED: the axis", scan);
+    OpeningPoint point{"Mounting", options.axis ? Source::Typed : assumed ? Source::Assumed : Source::Stated};
     point.taken = {wordsOf(polar.axis).taken, flatOf(now)};
     PolarGeometry turned = polar;
     turned.axis = polar.axis == Axis::Spin ? Axis::Sweep : Axis::Spin;
@@ -154,8 +154,8 @@ std::vector<double> timesOf(double allDeg, bool assumed) {
 /// The angle from line to line, which bends walls where it is wrong.
 OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, const ReadingOptions& options, const CommonPlanes& now,
                     bool mountingFits) {
-    const bool assumed = anglesWereTaken(scan) || (mountingAssumed(scan) && warned("the step from line to line", scan));
-    OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : assumed ? Source::Assumed : Source::Said};
+    const bool assumed = anglesWereAssumed(scan) || (mountingAssumed(scan) && warned("the step from line to line", scan));
+    OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : assumed ? Source::Assumed : Source::Stated};
     const double between = static_cast<double>(polar.lineDeg.size() - 1), all = std::abs(step) * between;
     const auto inWords = [between](const CommonPlanes& planes, double stepDeg) {
         return with(with(flatOf(planes), significantText(std::abs(stepDeg), 4)), significantText(std::abs(stepDeg) * between, 4));
@@ -186,7 +186,7 @@ OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, c
 
 /// No surface distinguishes left from right: only a person who was there can.
 OpeningPoint orderOf(const Scan& scan, const PolarGeometry& polar, double step, const ReadingOptions& options) {
-    OpeningPoint point{"Order of the lines", options.lineStepDeg ? Source::Typed : gridWasFound(scan) ? Source::Guessed : Source::Said};
+    OpeningPoint point{"Order of the lines", options.lineStepDeg ? Source::Typed : gridWasFound(scan) ? Source::Guessed : Source::Stated};
     point.taken = {"line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged",
                    {significantText(polar.lineDeg.front(), 4), significantText(polar.lineDeg.back(), 4)}};
     point.others.push_back({{"the other way round: left and right exchanged"}, withLines(options, -polar.lineDeg.front(), -step)});
@@ -223,7 +223,7 @@ std::optional<OpeningPoint> gridOf(const Scan& scan, const ReadingOptions& optio
 std::optional<OpeningPoint> displacementOf(const Scan& scan, const ReadingOptions& options) {
     const auto told = std::ranges::find_if(scan.warnings, isDisplacementWarning);
     if (told == scan.warnings.end() && !options.straighten) return std::nullopt;
-    OpeningPoint point{kDisplacedPoint.data(), options.straighten ? Source::Typed : Source::Said};
+    OpeningPoint point{kDisplacedPoint.data(), options.straighten ? Source::Typed : Source::Stated};
     point.taken = options.straighten ? Sentence{"straightened"} : Sentence{"where their angles say"};
     if (!options.straighten) point.against = {"%1", {*told}}; // a warning of the scan: as it is in records
     ReadingOptions other = options;

@@ -19,13 +19,13 @@ struct OtherReading {
 /// One thing that a reader has to know.
 struct OpeningPoint {
     enum class Source {
-        Said,    ///< by the file
+        Stated,  ///< by the file
         Typed,   ///< by the person who opened it
         Guessed, ///< found out from the numbers
         Assumed, ///< taken as usual: the file does not say it
     };
     const char* what; ///< "Unit", "Mounting", ...
-    Source source = Source::Said;
+    Source source = Source::Stated;
     Sentence taken{};                   ///< what it was taken as, in words
     Sentence against{};                 ///< what the scan says against it, one sentence; empty: nothing
     std::vector<OtherReading> others{}; ///< the likelier first; may be empty

@@ -63,7 +63,7 @@ std::optional<double> unitDegOf(std::string_view word) {
 }
 
 /// AngleWords next to the one that counts: "laser azimuth angle", "Vertikalwinkel 1".
-bool isBesideAngle(std::string_view word) {
+bool goesWithAngle(std::string_view word) {
     static constexpr std::string_view kWords[]{"angle", "angles", "winkel", "angulo", "kulma", "vinkel", "hoek", "kat",      "uhel",
                                                "laser", "beam",   "scan",   "point",  "field", "slope",  "grad", "measured", "угол"};
     return std::ranges::find(kWords, word) != std::end(kWords);
@@ -86,7 +86,7 @@ NamedAngle namedAngle(const std::string& name) {
     const bool degreeSign = name.find("\xC2\xB0") != std::string::npos || name.find('\xB0') != std::string::npos;
     if (degreeSign) found.unitDeg = 1.0;
     std::vector<std::string> words = headingWords(name);
-    std::erase_if(words, isBesideAngle);
+    std::erase_if(words, goesWithAngle);
     for (std::size_t n = 0; n < words.size(); ++n) {
         if (const auto unit = n > 0 ? unitDegOf(words[n]) : std::nullopt)
             found.unitDeg = unit;
@@ -195,7 +195,7 @@ std::optional<AngleColumns> angleColumnsNamed(std::span<const std::string> names
     return columns;
 }
 
-void takeCellsFromAngles(PointTable& table, std::span<const Eigen::Vector2d> angles, const AngleColumns& columns) {
+void setCellsFromAngles(PointTable& table, std::span<const Eigen::Vector2d> angles, const AngleColumns& columns) {
     constexpr double kFilled = 0.5, kAlone = 0.95;
     if (!table.line.empty() || angles.size() != table.points.size() || angles.size() < 4) return;
     const double turn = 360.0 / unitDegOf(angles, columns);
@@ -218,7 +218,7 @@ void takeCellsFromAngles(PointTable& table, std::span<const Eigen::Vector2d> ang
     table.beam = std::move(beams.of);
 }
 
-void takePointsFromAngles(PointTable& table, const AngleColumns& columns) {
+void setPointsFromAngles(PointTable& table, const AngleColumns& columns) {
     std::vector<Eigen::Vector2d> angles;
     angles.reserve(table.points.size());
     for (const Eigen::Vector3d& p : table.points) angles.emplace_back(p.x(), p.y());
@@ -229,7 +229,7 @@ void takePointsFromAngles(PointTable& table, const AngleColumns& columns) {
         const double range = p.z() > 0 ? p.z() : 0.0;
         p = range * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
     }
-    takeCellsFromAngles(table, angles, columns);
+    setCellsFromAngles(table, angles, columns);
     const double rounding = table.line.empty() ? 0.5 * std::max(angleStepOf(angles, 0), angleStepOf(angles, 1)) * unitRad : 0.0;
     table.precision = {0.0, 1e-14 + rounding};
     table.remarks.push_back(std::string("Points were computed from the columns of angles and ranges, with angles ") +

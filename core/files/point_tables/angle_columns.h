@@ -26,9 +26,9 @@ struct AngleColumns {
 
 /// Replaces azimuth, elevation and range, which the points of the table hold in place of x, y and z, by x, y and z. Where the angles make
 /// a regular grid the points get their line (azimuth) and beam (elevation). A remark says what was done.
-void takePointsFromAngles(PointTable& table, const AngleColumns& columns);
+void setPointsFromAngles(PointTable& table, const AngleColumns& columns);
 
 /// Lines and beams of points by their angles (azimuth, elevation), one per point, where these make a regular grid; else nothing is done.
-void takeCellsFromAngles(PointTable& table, std::span<const Eigen::Vector2d> angles, const AngleColumns& columns);
+void setCellsFromAngles(PointTable& table, std::span<const Eigen::Vector2d> angles, const AngleColumns& columns);
 
 } // namespace edgescan::files

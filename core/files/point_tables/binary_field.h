@@ -42,11 +42,11 @@ template <class T>
 
 } // namespace binary
 
-/// Calls take(n, value) for the `count` numbers that are `stride` bytes from each other.
-template <class Take>
-void forEachScalar(Scalar scalar, const std::byte* first, std::size_t stride, std::size_t count, bool bigEndian, Take take) {
+/// Calls visit(n, value) for the `count` numbers that are `stride` bytes from each other.
+template <class Visit>
+void forEachScalar(Scalar scalar, const std::byte* first, std::size_t stride, std::size_t count, bool bigEndian, Visit visit) {
     const auto all = [&]<class T>(T) {
-        for (std::size_t n = 0; n < count; ++n) take(n, binary::as<T>(first + n * stride, bigEndian));
+        for (std::size_t n = 0; n < count; ++n) visit(n, binary::as<T>(first + n * stride, bigEndian));
     };
     switch (scalar) {
     case Scalar::Int8:

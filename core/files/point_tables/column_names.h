@@ -36,7 +36,7 @@ struct NamedColumns {
     bool rowsAndColumns = false;        ///< line and beam are called row and column, which programs mean either way
     std::optional<double> unitMm;       ///< millimetres per number of x y z, where their names say so: "x_mm", "X [m]"
     std::optional<AngleColumns> angles; ///< azimuth and elevation, where no columns count lines and beams
-    bool anglesForPoint = false;        ///< x, y and z are the columns of azimuth, elevation and range: takePointsFromAngles()
+    bool anglesForPoint = false;        ///< x, y and z are the columns of azimuth, elevation and range: setPointsFromAngles()
 
     [[nodiscard]] std::optional<std::size_t> operator[](ColumnRole role) const { return of[static_cast<std::size_t>(role)]; }
     [[nodiscard]] bool hasPoint() const { return of[0] && of[1] && of[2]; }

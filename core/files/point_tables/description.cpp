@@ -151,13 +151,13 @@ std::optional<PolarGeometry> polarOf(const GridDescription& grid) {
     return polar;
 }
 
-bool takesRangesOnly(const std::string& description) {
+bool needsRangesOnly(const std::string& description) {
     if (description.empty()) return false;
     const auto grid = parseDescription(description, "");
     return grid && !grid->sensorM && grid->beamDeg && grid->lineDeg && grid->axis;
 }
 
-void takeDescription(Scan& scan, const GridDescription& grid) {
+void applyDescription(Scan& scan, const GridDescription& grid) {
     scan.unitMm = grid.unitMm;
     scan.noReturnCodes = grid.noReturnCodes;
     scan.statusCodes = grid.statusCodes;

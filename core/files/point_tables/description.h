@@ -59,10 +59,10 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
 
 /// Whether a file of this program with this description (JSON, or empty) says everything by its columns of ranges and states, because the
 /// angles say the rest: then a reader can skip its x y z, line and beam.
-[[nodiscard]] bool takesRangesOnly(const std::string& description);
+[[nodiscard]] bool needsRangesOnly(const std::string& description);
 
 /// Unit, codes, note, place and acquisition.
-void takeDescription(Scan& scan, const GridDescription& grid);
+void applyDescription(Scan& scan, const GridDescription& grid);
 
 /// The states that the counts cannot express, as far as the scan's cells go.
 void applyStateRuns(Scan& scan, const GridDescription& grid);

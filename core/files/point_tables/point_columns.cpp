@@ -61,7 +61,7 @@ bool givePlaces(PointTable& table, const PointFields& fields, std::size_t points
         read(fields.x, 0);
         read(fields.y, 1);
         read(fields.z, 2);
-        source.takePlaces(std::span(piece).first(count));
+        source.receivePlaces(std::span(piece).first(count));
         if (!source.goOn("reading points", 0.5 * static_cast<double>(first) / static_cast<double>(points))) return false;
     }
     return true;
@@ -71,7 +71,7 @@ bool readRecords(PointTable& table, const PointFields& all, std::size_t points, 
                  const Source& source) {
     PointFields fields = all;
     if (source.placesOnly) fields = {all.x, all.y, all.z, {}, {}, {}, {}, {}, {}, {}, all.unitMm, false};
-    const bool rangesOnly = !source.placesOnly && all.rangeMm && all.state && !all.filledSdMm && takesRangesOnly(table.description);
+    const bool rangesOnly = !source.placesOnly && all.rangeMm && all.state && !all.filledSdMm && needsRangesOnly(table.description);
     if (rangesOnly) {
         fields.line.reset();
         fields.beam.reset();

@@ -41,7 +41,7 @@ struct PointFields {
 bool readRecords(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                  const Source& source);
 
-/// The same where only places are asked for and are given away (Source::takePlaces); the table stays empty.
+/// The same where only places are asked for and are given away (Source::receivePlaces); the table stays empty.
 bool givePlaces(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                 const Source& source);
 

@@ -32,7 +32,7 @@ struct Source {
     LinePlayed played = {};  ///< called after every line of a recording or of a laser's bag
     bool placesOnly = false; ///< only x y z of the points are asked for: their other columns may be left out
     /// Where it is set, a reader may pass these points on some at a time, in order, instead of storing them in its table.
-    std::function<void(std::span<const Eigen::Vector3d>)> takePlaces = {};
+    std::function<void(std::span<const Eigen::Vector3d>)> receivePlaces = {};
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
     [[nodiscard]] ByteView octets() const { return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}; }

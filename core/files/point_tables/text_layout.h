@@ -83,7 +83,7 @@ public:
     void measure(std::array<std::size_t, 3> columns) { measured_ = columns; }
     void measureAll() { measured_.reset(); }
     /// Only the first so many numbers of a row are read; the rest is not looked at.
-    void takeOnly(std::size_t columns) { mostNumbers_ = columns; }
+    void limitColumns(std::size_t columns) { mostNumbers_ = columns; }
     /// The text before the numbers of the row that next() gave, where the layout has labels.
     [[nodiscard]] std::string_view label() const { return label_; }
     /// Of the measured columns of the rows read so far.

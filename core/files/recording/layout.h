@@ -56,8 +56,8 @@ public:
     void message(const RecordingMessage& message);
     void endChunk() { encoder_.endChunk(); }
     void finish() { encoder_.finish(); }
-    Bytes take() { return encoder_.take(); }
-    /// Messages that take() would not give yet.
+    Bytes popBytes() { return encoder_.popBytes(); }
+    /// Messages that popBytes() would not give yet.
     [[nodiscard]] std::uint64_t openMessages() const { return encoder_.openMessages(); }
 
 private:

@@ -44,7 +44,7 @@ Result<Scan> withRecordedGrid(Scan scan, const scanner::SweepMetadata& metadata,
     if (grid->axis) polar.axis = *grid->axis;
     polar.lineDirection = grid->lineDirection;
     const auto readings = scan.placement; // a place per line needs all the lines
-    takeDescription(scan, *grid);
+    applyDescription(scan, *grid);
     if (!grid->placement || grid->lines != lines) scan.placement = readings;
     return scan;
 }

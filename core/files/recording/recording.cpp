@@ -12,7 +12,7 @@ Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::
     if (!read) return read.error();
     const auto* first = reinterpret_cast<const std::uint8_t*>(read->data());
     auto recording = std::make_shared<Recording>();
-    const auto taken = recording->take(Bytes(first, first + read->size()), path.string(), goOn);
+    const auto taken = recording->load(Bytes(first, first + read->size()), path.string(), goOn);
     std::vector<RecordedMessage>& messages = recording->messages_;
     if (messages.empty() && addon().recorded != nullptr) {
         auto source = addon().recorded(recording->content_, path.string(), goOn);
@@ -26,11 +26,11 @@ Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::
 
 Result<std::shared_ptr<const Recording>> Recording::fromBytes(Bytes bytes, const std::string& where, const std::function<bool()>& goOn) {
     auto recording = std::make_shared<Recording>();
-    if (auto taken = recording->take(std::move(bytes), where, goOn); !taken) return taken.error();
+    if (auto taken = recording->load(std::move(bytes), where, goOn); !taken) return taken.error();
     return std::shared_ptr<const Recording>(std::move(recording));
 }
 
-Result<Done> Recording::take(Bytes bytes, const std::string& where, const std::function<bool()>& goOn) {
+Result<Done> Recording::load(Bytes bytes, const std::string& where, const std::function<bool()>& goOn) {
     bytes_ = std::move(bytes);
     auto content = containers::readMcap(bytes_, where, goOn);
     if (!content) return content.error();

@@ -41,7 +41,7 @@ public:
     Recording& operator=(const Recording&) = delete;
 
 private:
-    Result<Done> take(Bytes bytes, const std::string& where, const std::function<bool()>& goOn);
+    Result<Done> load(Bytes bytes, const std::string& where, const std::function<bool()>& goOn);
 
     Bytes bytes_;
     containers::McapContent content_;

@@ -126,7 +126,7 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     scanner::FinishedSweep best;
     int sweeps = 0;
     const auto collect = [&] {
-        for (scanner::FinishedSweep& sweep : replay.feed().assembler().takeFinished()) {
+        for (scanner::FinishedSweep& sweep : replay.feed().assembler().popFinished()) {
             ++sweeps;
             if (!best.scan || sweep.progress.received > best.progress.received) best = std::move(sweep);
         }

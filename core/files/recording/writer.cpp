@@ -207,7 +207,7 @@ void RecordingWriter::Work::encode(const std::vector<RecordingMessagePtr>& messa
 
 /// What the encoder has ready goes to the file. False: it cannot.
 bool RecordingWriter::Work::write() {
-    const Bytes bytes = encoder.take();
+    const Bytes bytes = encoder.popBytes();
     if (bytes.empty()) return true;
     {
         const std::lock_guard lock(mutex);
@@ -291,7 +291,7 @@ Bytes recordingBytes(const scanner::SweepMetadata& metadata, const std::vector<R
     RecordingEncoder encoder(metadata);
     for (const RecordingMessagePtr& message : messages) encoder.message(*message);
     encoder.finish();
-    return encoder.take();
+    return encoder.popBytes();
 }
 
 Result<Done> saveMessages(const std::filesystem::path& path, const scanner::SweepMetadata& metadata,

@@ -77,7 +77,7 @@ double medianOf(std::vector<double> values) {
 }
 
 /// The cells connected with `start`; they are removed from `open`.
-std::vector<std::uint32_t> takenFrom(Grid<std::uint8_t>& open, const Grid<RangeChange>& cells, std::uint32_t start) {
+std::vector<std::uint32_t> removeConnected(Grid<std::uint8_t>& open, const Grid<RangeChange>& cells, std::uint32_t start) {
     std::vector<std::uint32_t> found{start};
     open[start] = 0;
     const RangeChange kind = cells[start];
@@ -131,7 +131,7 @@ ChangedRegion regionOf(const std::vector<std::uint32_t>& cells, const Scan& late
 }
 
 /// The distribution of the range differences: differences beyond the noise of both scans are errors of the registration.
-void takeAgreement(SceneChange& change, const Scan& later) {
+void measureAgreement(SceneChange& change, const Scan& later) {
     constexpr double kToSigma = 1.4826; // converts a median of absolute values to a standard deviation of a normal distribution
     std::vector<double> off, ranges;
     for (std::size_t k = 0; k < later.cells(); ++k) {
@@ -213,7 +213,7 @@ std::vector<ChangedRegion> changedRegions(const Scan& later, const RangeChanges&
     std::vector<ChangedRegion> regions;
     for (std::size_t k = 0; k < open.size(); ++k) {
         if (open[k] == 0) continue;
-        const auto cells = takenFrom(open, changes.cells, static_cast<std::uint32_t>(k));
+        const auto cells = removeConnected(open, changes.cells, static_cast<std::uint32_t>(k));
         if (cells.size() >= kSmallestRegion) regions.push_back(regionOf(cells, later, steps, changes, noise));
     }
     std::ranges::stable_sort(regions, std::greater<>(), &ChangedRegion::areaM2);
@@ -235,7 +235,7 @@ Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier
     change = withEdges(std::move(change), later);
     if (change.earlier.how.by == RegistrationBasis::OneScan) return change;
     change.noise = {noiseByRange(inverseRange(*later.scan)), noiseByRange(inverseRange(*earlier.scan)), 0.0};
-    takeAgreement(change, *later.scan);
+    measureAgreement(change, *later.scan);
     change.ranges = rangeChanges(*later.scan, before, change.noise);
     if (change.earlier.how.measurable()) change.regions = changedRegions(*later.scan, change.ranges, change.noise);
     return change;

@@ -9,10 +9,10 @@ namespace edgescan::inspect {
 namespace {
 
 /// The click that an end of a measurement comes from, if it is where such a click is measured.
-std::optional<MeantCell> clickAtEnd(const Scan& scan, const StoredMeasure& measure, std::size_t n) {
+std::optional<ClickedCell> clickAtEnd(const Scan& scan, const StoredMeasure& measure, std::size_t n) {
     const std::uint32_t clicked = n < measure.clicked.size() ? measure.clicked[n] : measure.cells[n];
     if (clicked >= scan.cells()) return std::nullopt;
-    const MeantCell click = meantCell(scan, clicked);
+    const ClickedCell click = nearSideCell(scan, clicked);
     return click.cell == measure.cells[n] ? std::optional(click) : std::nullopt;
 }
 

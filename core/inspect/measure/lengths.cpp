@@ -79,7 +79,7 @@ MeasuredLength heightOf(std::span<const PickedEnd> ends, const Eigen::Vector3d& 
 }
 
 /// Of a line that has a length.
-void takeSlope(std::span<const PickedEnd> ends, const Eigen::Vector3d& up, MeasuredCells& measured) {
+void measureSlope(std::span<const PickedEnd> ends, const Eigen::Vector3d& up, MeasuredCells& measured) {
     const Eigen::Vector3d way = ends[1].pointM - ends[0].pointM;
     const double height = up.dot(way);
     const Eigen::Vector3d flat = way - height * up;
@@ -92,7 +92,7 @@ void takeSlope(std::span<const PickedEnd> ends, const Eigen::Vector3d& up, Measu
 }
 
 /// Returns false if a side has no length.
-bool takeAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
+bool measureAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
     const Eigen::Vector3d a = ends[0].pointM - ends[1].pointM;
     const Eigen::Vector3d b = ends[2].pointM - ends[1].pointM;
     if (!(a.norm() > 0.0) || !(b.norm() > 0.0)) return false;
@@ -134,21 +134,21 @@ std::vector<double> rangesUnder(const Scan& scan, std::uint32_t from, std::uint3
 std::vector<RowJump> jumpsUnder(std::span<const double> rangesM) { return jumpsAlong(rangesM, static_cast<int>(rangesM.size())); }
 
 /// From both ends over their first jumps. `lengthM`: straight from end to end.
-void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, double lengthM, MeasuredCells& measured) {
+void measureJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, double lengthM, MeasuredCells& measured) {
     const std::vector<double> rangesM = rangesUnder(scan, from, to);
     const std::vector<RowJump> jumps = jumpsUnder(rangesM);
     if (jumps.empty()) return;
     // A click that missed its edge has the nearer surface next to it, or is so far behind that the length is another one.
-    constexpr int kNextTo = 15;                     // cells
-    constexpr double kShare = 1.0 / 3.0;            // of the length
-    const auto take = [&](double stepM, int away) { // as seen from the end: positive is farther away
+    constexpr int kNextTo = 15;                          // cells
+    constexpr double kShare = 1.0 / 3.0;                 // of the length
+    const auto storeJump = [&](double stepM, int away) { // as seen from the end: positive is farther away
         if (stepM > 0.0 && measured.kind != MeasureKind::Throat) measured.inFrontM = std::max(measured.inFrontM, stepM);
         if (stepM >= 0.0) return;
         double& nearer = away <= kNextTo || -stepM > kShare * lengthM ? measured.behindM : measured.nearerBetweenM;
         nearer = std::max(nearer, -stepM);
     };
-    take(stepsOf(jumps), jumps.front().from);
-    take(-stepsOf(std::views::reverse(jumps)), static_cast<int>(rangesM.size()) - 1 - jumps.back().to);
+    storeJump(stepsOf(jumps), jumps.front().from);
+    storeJump(-stepsOf(std::views::reverse(jumps)), static_cast<int>(rangesM.size()) - 1 - jumps.back().to);
 }
 
 std::optional<MeasuredCells> measureInSection(const Scan& scan, const RangeNoise& noise, std::span<const std::uint32_t> cells,
@@ -203,7 +203,7 @@ double acrossBeamsM(const Scan& scan, const CartesianTables& tables, std::uint32
 /// How far the cell that the click meant is behind this end, across a jump; 0: it is not seen through the opening, or nothing was measured
 /// there.
 double behindEndM(const Scan& scan, std::uint32_t end, std::uint32_t clicked, double openingRad) {
-    const MeantCell click = meantCell(scan, clicked);
+    const ClickedCell click = nearSideCell(scan, clicked);
     if (!click.measured()) return 0.0;
     const double endM = scan.rangeMm[end] / 1000.0, behindM = scan.rangeMm[click.cell] / 1000.0 - endM;
     if (behindM <= leastJumpM(endM) || !isBehind(endM + behindM, endM, openingRad)) return 0.0;
@@ -213,8 +213,8 @@ double behindEndM(const Scan& scan, std::uint32_t end, std::uint32_t clicked, do
 }
 
 /// Where the ends of a throat are, seen from the clicks at its two sides.
-void takeSides(const Scan& scan, const CartesianTables& tables, std::span<const std::uint32_t> cells,
-               std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
+void measureSides(const Scan& scan, const CartesianTables& tables, std::span<const std::uint32_t> cells,
+                  std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
     const int beams = scan.beams();
     const double wide = openingRad(tables, cells[0], cells[1]);
     for (std::size_t n = 0; n < 2; ++n) {
@@ -312,11 +312,11 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
         const rocks::UpDirection up = rocks::upOf(scan);
         measured.lengths = {kind == MeasureKind::Vertical ? heightOf(all, up.up) : distanceOf(all)};
         measured.upAssumed = up.assumed && (kind == MeasureKind::Vertical || !measured.lengths.front().isBelow);
-        if (kind == MeasureKind::Distance && !measured.lengths.front().isBelow) takeSlope(all, up.up, measured);
+        if (kind == MeasureKind::Distance && !measured.lengths.front().isBelow) measureSlope(all, up.up, measured);
         break;
     }
     case MeasureKind::Angle:
-        if (!takeAngle(all, measured)) return std::nullopt;
+        if (!measureAngle(all, measured)) return std::nullopt;
         break;
     case MeasureKind::Spans:
         measured.lengths = {distanceOf(all.subspan(0, 2)), distanceOf(all.subspan(2, 2))};
@@ -325,11 +325,12 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
         break;
     }
     for (const auto& [from, to] : linksOf(kind))
-        takeJumpsUnder(scan, cells[from], cells[to], (ends[from].pointM - ends[to].pointM).norm(), measured);
+        measureJumpsUnder(scan, cells[from], cells[to], (ends[from].pointM - ends[to].pointM).norm(), measured);
     return measured;
 }
 
-void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
+void measureClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked,
+                   MeasuredCells& measured) {
     if (measured.kind != MeasureKind::Throat || cells.size() != 2) return;
     if (clicked.empty()) clicked = cells; // each end is where it was clicked
     const bool isPair = clicked.size() == 2 && std::ranges::all_of(clicked, [&](std::uint32_t k) { return k < scan.cells(); });
@@ -349,7 +350,7 @@ void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::spa
         if (const auto resolution = resolutionAt(scan, tables, k))
             measured.spreadM = std::max(measured.spreadM, kClickSpread * resolution->spacingM);
     }
-    if (!measured.byOneClick) takeSides(scan, tables, cells, clicked, measured);
+    if (!measured.byOneClick) measureSides(scan, tables, cells, clicked, measured);
 }
 
 double MeasuredCells::endsApartM() const {

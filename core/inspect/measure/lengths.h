@@ -106,7 +106,7 @@ struct SurfacePoint {
 /// For Throat: where its ends are, seen from the clicks, and how far it depends on the clicks. Its ± then
 /// includes the lengths that clicks next to these find. `clicked`: of each of its cells (twice the same: one click
 /// into the opening, see throatThrough()); empty: these are its cells.
-void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured);
+void measureClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured);
 
 /// "0.512 m ± 0.034", "< 88 mm".
 [[nodiscard]] std::string lengthText(const MeasuredLength& length);

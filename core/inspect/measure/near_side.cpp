@@ -50,8 +50,8 @@ public:
             }
         }
         for (int n = 0; n < kSide; ++n) {
-            takeRow({n, 0}, 0, 1);
-            takeRow({0, n}, 1, 0);
+            findRimsAlong({n, 0}, 0, 1);
+            findRimsAlong({0, n}, 1, 0);
         }
     }
 
@@ -115,7 +115,7 @@ private:
         if (b.line < a.line || b.beam < a.beam) std::swap(a, b);
         return a.line == b.line ? cutBeam_[index(a)] : cutLine_[index(a)];
     }
-    void takeRow(Place start, int downLine, int alongBeam) {
+    void findRimsAlong(Place start, int downLine, int alongBeam) {
         std::array<double, kSide> row;
         const auto place = [&](int n) { return start.by(n * downLine, n * alongBeam); };
         for (int n = 0; n < kSide; ++n) row[static_cast<std::size_t>(n)] = rangeM(place(n));
@@ -144,7 +144,7 @@ int cellsAway(Place at) { return std::max(std::abs(at.line - kRadius), std::abs(
 
 /// Whether the click means `at` before `other`: nearer to it, or as near and on a surface in front. Of one surface none goes before by its
 /// noise: the shortest range of several would be too short.
-bool isMeantBefore(const Square& square, Place at, Place other) {
+bool isPreferred(const Square& square, Place at, Place other) {
     if (squareAway(at) != squareAway(other)) return squareAway(at) < squareAway(other);
     return square.rangeM(at) < square.rangeM(other) - kStair * leastJumpM(square.rangeM(other));
 }
@@ -155,7 +155,7 @@ std::optional<Place> nearestMeasured(const Square& square) {
     for (const bool dust : {false, true}) {
         for (int i = kRadius - kSnapReach; i <= kRadius + kSnapReach; ++i) {
             for (int j = kRadius - kSnapReach; j <= kRadius + kSnapReach; ++j) {
-                if (square.rangeM({i, j}) > 0.0 && square.isDust({i, j}) == dust && (!best || isMeantBefore(square, {i, j}, *best)))
+                if (square.rangeM({i, j}) > 0.0 && square.isDust({i, j}) == dust && (!best || isPreferred(square, {i, j}, *best)))
                     best = Place{i, j};
             }
         }
@@ -173,7 +173,7 @@ std::optional<Place> rimInFront(const Square& square, Place at) {
         if (cellsAway(rim.at) > kSnapReach || surface[Square::index(rim.at)] || square.isMixed(rim.at) || square.isDust(rim.at)) continue;
         // In the middle between two surfaces a cell is on neither of them.
         const double limit = square.isMixed(at) ? square.rangeM(rim.at) : (square.rangeM(rim.at) + rim.behindM) / 2;
-        if (rangeM <= limit || (best && !isMeantBefore(square, rim.at, *best))) continue;
+        if (rangeM <= limit || (best && !isPreferred(square, rim.at, *best))) continue;
         if (std::ranges::count(square.surfaceOf(rim.at), true) >= kFewestCells) best = rim.at;
     }
     return best;
@@ -205,34 +205,34 @@ std::optional<Place> rimBeforeChosen(const Square& square, Place chosen) {
     return best;
 }
 
-double nearerM(const Scan& scan, const MeantCell& meant) {
-    if (scan.state[meant.clicked] != CellState::Valid) return 0.0;
-    return static_cast<double>(scan.rangeMm[meant.clicked] - scan.rangeMm[meant.cell]) / 1000.0;
+double nearerM(const Scan& scan, const ClickedCell& click) {
+    if (scan.state[click.clicked] != CellState::Valid) return 0.0;
+    return static_cast<double>(scan.rangeMm[click.clicked] - scan.rangeMm[click.cell]) / 1000.0;
 }
 
 } // namespace
 
-MeantCell meantCell(const Scan& scan, std::uint32_t k) {
+ClickedCell nearSideCell(const Scan& scan, std::uint32_t k) {
     const Square square(scan, k);
     const std::optional<Place> start = nearestMeasured(square); // the clicked cell itself if it has a range and is not dust
     if (!start) return {k, k, SnapReason::NoRange, 0.0};
-    MeantCell meant{square.cellOf(*start), k, SnapReason::AsClicked, 0.0};
-    if (meant.moved()) meant.reason = scan.state[k] == CellState::Valid ? SnapReason::Dust : SnapReason::NoRange;
+    ClickedCell click{square.cellOf(*start), k, SnapReason::AsClicked, 0.0};
+    if (click.moved()) click.reason = scan.state[k] == CellState::Valid ? SnapReason::Dust : SnapReason::NoRange;
     const std::optional<Place> rim = rimInFront(square, *start);
-    if (rim && !meant.moved()) meant.reason = square.isMixed(*start) ? SnapReason::MixedPixel : SnapReason::BehindAnEdge;
+    if (rim && !click.moved()) click.reason = square.isMixed(*start) ? SnapReason::MixedPixel : SnapReason::BehindAnEdge;
     const Place chosen = soundCell(square, rim.value_or(*start));
-    meant.cell = square.cellOf(chosen);
-    if (const auto other = rimBeforeChosen(square, chosen)) meant.alsoNear = square.cellOf(*other);
-    if (meant.moved() && meant.reason == SnapReason::AsClicked) meant.reason = SnapReason::MixedPixel;
-    meant.nearerM = nearerM(scan, meant);
-    return meant;
+    click.cell = square.cellOf(chosen);
+    if (const auto other = rimBeforeChosen(square, chosen)) click.alsoNear = square.cellOf(*other);
+    if (click.moved() && click.reason == SnapReason::AsClicked) click.reason = SnapReason::MixedPixel;
+    click.nearerM = nearerM(scan, click);
+    return click;
 }
 
-MeantCell meantEdge(const Scan& scan, const Grid<std::uint8_t>& mask, std::uint32_t k) {
-    MeantCell meant = meantCell(scan, k);
-    if (!meant.measured() || mask.cells[k] != 255 || mask.cells[meant.cell] == 255) return meant;
-    const int line = static_cast<int>(meant.cell) / scan.beams(), beam = static_cast<int>(meant.cell) % scan.beams();
-    const double rangeM = static_cast<double>(scan.rangeMm[meant.cell]) / 1000.0;
+ClickedCell nearSideEdge(const Scan& scan, const Grid<std::uint8_t>& mask, std::uint32_t k) {
+    ClickedCell click = nearSideCell(scan, k);
+    if (!click.measured() || mask.cells[k] != 255 || mask.cells[click.cell] == 255) return click;
+    const int line = static_cast<int>(click.cell) / scan.beams(), beam = static_cast<int>(click.cell) % scan.beams();
+    const double rangeM = static_cast<double>(scan.rangeMm[click.cell]) / 1000.0;
     std::optional<std::uint32_t> best;
     int least = kEdgeReach * kEdgeReach * 2 + 1;
     for (int i = -kEdgeReach; i <= kEdgeReach; ++i) {
@@ -245,11 +245,11 @@ MeantCell meantEdge(const Scan& scan, const Grid<std::uint8_t>& mask, std::uint3
             best = static_cast<std::uint32_t>(mask.index(line + i, beam + j));
         }
     }
-    if (!best) return meant;
-    meant.cell = *best;
-    if (!meant.moved()) meant.reason = SnapReason::AsClicked;
-    meant.nearerM = nearerM(scan, meant);
-    return meant;
+    if (!best) return click;
+    click.cell = *best;
+    if (!click.moved()) click.reason = SnapReason::AsClicked;
+    click.nearerM = nearerM(scan, click);
+    return click;
 }
 
 } // namespace edgescan::inspect

@@ -20,7 +20,7 @@ enum class SnapReason : std::uint8_t {
     NoRange,      ///< nothing was measured at the clicked cell
 };
 
-struct MeantCell {
+struct ClickedCell {
     std::uint32_t cell = 0; ///< the cell to measure at
     std::uint32_t clicked = 0;
     SnapReason reason = SnapReason::AsClicked;
@@ -34,12 +34,12 @@ struct MeantCell {
 };
 
 /// The cell itself, for one that was chosen without a click or with the intention to take no other.
-[[nodiscard]] inline MeantCell exactly(std::size_t k) { return {static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k)}; }
+[[nodiscard]] inline ClickedCell exactly(std::size_t k) { return {static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k)}; }
 
 /// Depends on the ranges alone. `k` must be a cell of the scan.
-[[nodiscard]] MeantCell meantCell(const Scan& scan, std::uint32_t k);
-/// Of a click on an edge of `mask` (lines x beams, 255 = edge): the nearest edge cell on the surface of meantCell(), within two cells of
-/// that. Otherwise meantCell().
-[[nodiscard]] MeantCell meantEdge(const Scan& scan, const Grid<std::uint8_t>& mask, std::uint32_t k);
+[[nodiscard]] ClickedCell nearSideCell(const Scan& scan, std::uint32_t k);
+/// Of a click on an edge of `mask` (lines x beams, 255 = edge): the nearest edge cell on the surface of nearSideCell(), within two cells of
+/// that. Otherwise nearSideCell().
+[[nodiscard]] ClickedCell nearSideEdge(const Scan& scan, const Grid<std::uint8_t>& mask, std::uint32_t k);
 
 } // namespace edgescan::inspect

@@ -174,7 +174,7 @@ Result<Done> checkScan(JsonFields fields, const NotebookScan& scan, const std::s
 
 std::optional<MeasuredCells> measureStored(const Scan& scan, const RangeNoise& noise, const StoredMeasure& measure) {
     auto measured = measureCells(scan, noise, measure.kind, measure.cells, measure.shares);
-    if (measured) takeClicks(scan, measure.cells, measure.clicked, *measured);
+    if (measured) measureClicks(scan, measure.cells, measure.clicked, *measured);
     return measured;
 }
 

@@ -29,7 +29,7 @@ struct PinnedTarget {
     bool locked = false;                                       ///< only its own button removes it
     std::string pinnedUtc;                                     ///< ISO 8601
     std::vector<std::pair<std::string, std::string>> asPinned; ///< label and value of each row
-    std::optional<std::uint32_t> clicked{};                    ///< the cell of the click, if meantCell() moved it (near_side.h)
+    std::optional<std::uint32_t> clicked{};                    ///< the cell of the click, if nearSideCell() moved it (near_side.h)
     std::string note{};                                        ///< of the operator; may be empty
 
     bool operator==(const PinnedTarget&) const = default;
@@ -48,7 +48,7 @@ struct StoredMeasure {
     bool operator==(const StoredMeasure&) const = default;
 };
 
-/// measureCells() and takeClicks().
+/// measureCells() and measureClicks().
 [[nodiscard]] std::optional<MeasuredCells> measureStored(const Scan& scan, const RangeNoise& noise, const StoredMeasure& measure);
 
 struct Notebook {

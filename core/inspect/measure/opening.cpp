@@ -371,7 +371,7 @@ bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_
     return k < scan.cells() && sidesAround(scan, tables, k).has_value();
 }
 
-std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTables& tables, const MeantCell& click) {
+std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTables& tables, const ClickedCell& click) {
     if (isIntoOpening(scan, tables, click.cell)) return click.cell;
     if (click.clicked >= scan.cells()) return std::nullopt;
     const int line = static_cast<int>(click.clicked) / scan.beams(), beam = static_cast<int>(click.clicked) % scan.beams();

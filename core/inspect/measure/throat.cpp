@@ -107,16 +107,16 @@ std::uint32_t rimBefore(const Scan& scan, const CartesianTables& tables, std::ui
 }
 
 /// The cells that these clicks mean: that of the click itself first. Empty if nothing was measured there.
-std::vector<std::uint32_t> meantNear(const Scan& scan, std::uint32_t clicked) {
-    std::vector<std::uint32_t> meant;
+std::vector<std::uint32_t> nearSideCells(const Scan& scan, std::uint32_t clicked) {
+    std::vector<std::uint32_t> cells;
     for (const std::uint32_t each : clicksNear(scan, clicked)) {
-        const MeantCell click = meantCell(scan, each);
+        const ClickedCell click = nearSideCell(scan, each);
         if (click.measured())
-            meant.push_back(click.cell);
-        else if (meant.empty())
+            cells.push_back(click.cell);
+        else if (cells.empty())
             return {};
     }
-    return meant;
+    return cells;
 }
 
 std::optional<std::array<std::uint32_t, 2>> narrowestOf(const Scan& scan, const CartesianTables& tables, Rims& rims, std::uint32_t a,
@@ -181,7 +181,7 @@ std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, 
         if (throat) std::swap(throat->ends[0], throat->ends[1]);
         return throat;
     }
-    const std::vector<std::uint32_t> firsts = meantNear(scan, clickedA), seconds = meantNear(scan, clickedB);
+    const std::vector<std::uint32_t> firsts = nearSideCells(scan, clickedA), seconds = nearSideCells(scan, clickedB);
     if (firsts.empty() || seconds.empty()) return std::nullopt;
     struct Way {
         double lengthM;

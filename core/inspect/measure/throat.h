@@ -33,7 +33,7 @@ struct Throat {
 };
 
 /// For all pairs of a click at each side (the click itself, and those kClickSpread cells from it in four directions; a click means
-/// meantCell()) the way across the middle of the opening that the line between the two crosses, if that way crosses the line; else
+/// nearSideCell()) the way across the middle of the opening that the line between the two crosses, if that way crosses the line; else
 /// narrowestBetween() the sides of that opening; else narrowestBetween() the two, unless most pairs find an opening. The ends are those of
 /// the median length, that of the first click first. Empty if no pair finds a way. Twice the same cell is one click: throatThrough().
 [[nodiscard]] std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA,
@@ -44,7 +44,7 @@ struct Throat {
 
 /// The cell of the opening that a click means: the meant cell, or in a void and at its rim the nearest cell of that void within kSnapReach,
 /// for a view of points has none in the void. Empty: the click is on the rock at a side.
-[[nodiscard]] std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTables& tables, const MeantCell& click);
+[[nodiscard]] std::optional<std::uint32_t> openingOfClick(const Scan& scan, const CartesianTables& tables, const ClickedCell& click);
 
 /// The shortest way across the middle of the opening around a click, on a void or on what is seen through it. The middle is the cell that
 /// is farthest from the sides, uphill from the click, and again from between the ends that it finds while the way gets shorter; of an

@@ -86,11 +86,11 @@ private:
         return prepared("SELECT " + columns + " FROM " + table + " NOT INDEXED");
     }
 
-    /// Calls `take` with each row; the state that SQLite ends with.
-    template <class Take>
-    int eachRow(const Statement& rows, const Take& take) {
+    /// Calls `visit` with each row; the state that SQLite ends with.
+    template <class Visit>
+    int eachRow(const Statement& rows, const Visit& visit) {
         int state = rows ? sqlite3_step(rows.get()) : SQLITE_ERROR;
-        for (; state == SQLITE_ROW && allowance_.take(rows.get()); state = sqlite3_step(rows.get())) take(rows.get());
+        for (; state == SQLITE_ROW && allowance_.countRow(rows.get()); state = sqlite3_step(rows.get())) visit(rows.get());
         return state;
     }
 

@@ -28,7 +28,7 @@ DatabaseAllowance::DatabaseAllowance(sqlite3* database, std::size_t bytes, const
 
 DatabaseAllowance::~DatabaseAllowance() { sqlite3_progress_handler(database_, 0, nullptr, nullptr); }
 
-bool DatabaseAllowance::take(sqlite3_stmt* row) {
+bool DatabaseAllowance::countRow(sqlite3_stmt* row) {
     std::uint64_t bytes = kFewestBytesOfRow;
     for (int column = 0; column < sqlite3_column_count(row); ++column) {
         if (!isNumber(sqlite3_column_type(row, column))) bytes += static_cast<std::uint64_t>(sqlite3_column_bytes(row, column));

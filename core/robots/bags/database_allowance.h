@@ -20,7 +20,7 @@ public:
     DatabaseAllowance& operator=(const DatabaseAllowance&) = delete;
 
     /// Counts the bytes of a row. False: the rows so far need more than the file has.
-    bool take(sqlite3_stmt* row);
+    bool countRow(sqlite3_stmt* row);
     [[nodiscard]] bool isSpent() const { return isSpent_; }
     [[nodiscard]] bool isCancelled() const { return isCancelled_; }
 

@@ -31,8 +31,8 @@ Result<Done> BridgeConnection::receive(Clock::time_point deadline) {
     if (!*received) return Done{};
     const WebSocketMessage& message = **received;
     bytes_ += message.bytes.size();
-    if (message.isText) return takeText({reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size()});
-    takeData(message);
+    if (message.isText) return receiveText({reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size()});
+    receiveData(message);
     return Done{};
 }
 
@@ -43,7 +43,7 @@ Error BridgeConnection::silent(const std::string& time) const {
     return {"no scan line of " + lines_->topic + " for " + time, where(), "check whether the laser runs and publishes this topic"};
 }
 
-Result<Done> BridgeConnection::takeText(std::string_view json) {
+Result<Done> BridgeConnection::receiveText(std::string_view json) {
     constexpr std::size_t kMostTopics = 100'000;
     auto text = bridgeText(json, where());
     if (!text) return text.error();
@@ -84,7 +84,7 @@ Result<Done> BridgeConnection::chooseAgain() {
     return socket_.send(subscribeText(wanted), settings_.timeouts.answer);
 }
 
-void BridgeConnection::takeData(const WebSocketMessage& message) {
+void BridgeConnection::receiveData(const WebSocketMessage& message) {
     const auto data = bridgeData(message.bytes);
     const auto channel = data ? subscribed_.find(data->subscription) : subscribed_.end();
     if (channel == subscribed_.end()) {

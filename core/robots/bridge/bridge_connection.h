@@ -37,8 +37,8 @@ private:
     Result<Done> start() override;
     Result<Done> receive(Clock::time_point deadline) override;
     [[nodiscard]] Error silent(const std::string& time) const override;
-    Result<Done> takeText(std::string_view json);
-    void takeData(const WebSocketMessage& message);
+    Result<Done> receiveText(std::string_view json);
+    void receiveData(const WebSocketMessage& message);
     Result<Done> chooseAgain();
 
     const BridgeEvents events_;

@@ -12,7 +12,7 @@ namespace edgescan::robots {
 
 LiveCloud::~LiveCloud() { ending_ = true; }
 
-void LiveCloud::take(RosTopic topic, files::RecordingMessagePtr message) {
+void LiveCloud::receive(RosTopic topic, files::RecordingMessagePtr message) {
     {
         const std::lock_guard lock(mutex_);
         ++messages_;

@@ -24,7 +24,7 @@ public:
     LiveCloud(const LiveCloud&) = delete;
     LiveCloud& operator=(const LiveCloud&) = delete;
 
-    void take(RosTopic topic, files::RecordingMessagePtr message);
+    void receive(RosTopic topic, files::RecordingMessagePtr message);
     /// After the last message: makes the scan of the newest one.
     void finish();
 

@@ -100,9 +100,9 @@ void RobotSource::heard(const files::RecordingMessagePtr& message, std::int64_t 
 int RobotSource::play(const files::RecordingMessagePtr& message, scanner::SweepAssembler& to) {
     const auto topic = topicOf(*message->channel);
     if (!topic) return 0;
-    if (!cloud_) return laser_.take(*topic, message->payload, to);
+    if (!cloud_) return laser_.receive(*topic, message->payload, to);
     if (topic->name != linesTopic_) return 0;
-    cloud_->take(*topic, message);
+    cloud_->receive(*topic, message);
     return 1;
 }
 

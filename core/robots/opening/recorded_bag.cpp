@@ -37,7 +37,7 @@ public:
             [lines](const RecordedMessage& message) { return message.sourceTopic == lines; },
             [this, lines, laser = LiveLaser(settings, options.joint)](const RecordedMessage& message, scanner::SweepAssembler& to) mutable {
                 const RosTopic& topic = bag_.topics[message.sourceTopic];
-                if (message.sourceTopic == lines || givesAngles(topic.type)) laser.take(topic, message.payload, to);
+                if (message.sourceTopic == lines || givesAngles(topic.type)) laser.receive(topic, message.payload, to);
             }};
     }
 

@@ -173,12 +173,12 @@ struct Pieces {
 
 class Reader {
 public:
-    void take(const files::Packet& packet) {
+    void addPacket(const files::Packet& packet) {
         const auto ip = files::ipPacket(packet);
         if (!ip || ip->empty()) return;
         const int version = (*ip)[0] / 16;
-        if (version == 4) takeIpv4(*ip, packet.timeNs);
-        if (version == 6 && ip->size() >= kIpv6Head && (*ip)[6] == kUdp) takeUdp(ip->subspan(kIpv6Head), ip->subspan(8, 16), packet.timeNs);
+        if (version == 4) addIpv4(*ip, packet.timeNs);
+        if (version == 6 && ip->size() >= kIpv6Head && (*ip)[6] == kUdp) addUdp(ip->subspan(kIpv6Head), ip->subspan(8, 16), packet.timeNs);
     }
     UdpDatagrams all() {
         for (const Pieces& pieces : open_) giveUp(pieces);
@@ -186,7 +186,7 @@ public:
     }
 
 private:
-    void takeIpv4(ByteView ip, std::int64_t timeNs) {
+    void addIpv4(ByteView ip, std::int64_t timeNs) {
         if (ip.size() < kIpv4Head || ip[9] != kUdp) return;
         const std::size_t header = std::size_t{ip[0]} % 16 * 4, stated = files::netU16(ip, 2);
         if (header < kIpv4Head || ip.size() < header) return;
@@ -195,7 +195,7 @@ private:
         const std::uint32_t place = files::netU16(ip, 6);
         const bool more = (place & 0x2000U) != 0;
         const std::size_t offset = std::size_t{place & 0x1FFFU} * 8;
-        if (!more && offset == 0) return takeUdp(body, from, timeNs);
+        if (!more && offset == 0) return addUdp(body, from, timeNs);
         if (offset + body.size() > kLongestIp) return;
         Pieces& pieces = piecesOf(from, ip.subspan(16, 4), files::netU16(ip, 4), timeNs);
         if (std::ranges::find(pieces.places, offset) != pieces.places.end()) {
@@ -215,7 +215,7 @@ private:
         if (pieces.whole == 0 || pieces.held < pieces.whole) return;
         found_.joined.push_back(std::move(pieces.bytes));
         pieces.joined = found_.joined.back();
-        takeUdp(found_.joined.back(), from, timeNs);
+        addUdp(found_.joined.back(), from, timeNs);
     }
 
     /// The pieces that one belongs to; those of a packet that is too old with the same number are given up.
@@ -239,7 +239,7 @@ private:
 
     void giveUp(const Pieces& pieces) { found_.torn += pieces.joined.empty() ? 1 : 0; }
 
-    void takeUdp(ByteView udp, ByteView from, std::int64_t timeNs) {
+    void addUdp(ByteView udp, ByteView from, std::int64_t timeNs) {
         if (udp.size() < kUdpHead) return;
         const std::size_t stated = files::netU16(udp, 4);
         const std::size_t end = stated >= kUdpHead ? std::min(stated, udp.size()) : udp.size();
@@ -254,7 +254,7 @@ private:
 /// Over IPv4, and over IPv6 without extension headers. The packets must outlive it.
 UdpDatagrams udpDatagrams(const std::vector<files::Packet>& packets) {
     Reader reader;
-    for (const files::Packet& packet : packets) reader.take(packet);
+    for (const files::Packet& packet : packets) reader.addPacket(packet);
     return reader.all();
 }
 
@@ -300,7 +300,7 @@ std::optional<Result<Scan>> velodyneIn(const UdpDatagrams& udp, const files::Pac
     const ScannerPackets found = scannerPackets(udp.datagrams, clockOf, kHourNs);
     if (found.packets.empty()) return std::nullopt;
     Vlp16Columns all;
-    for (const auto& one : found.packets) all.take(*decodeVlp16(one.payload), one.timeNs);
+    for (const auto& one : found.packets) all.addPacket(*decodeVlp16(one.payload), one.timeNs);
     auto scan = chosenTurn(all.columns(), vlp16Beams(), source);
     if (!scan) return scan;
     if (all.others() > 0)

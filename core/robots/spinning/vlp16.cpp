@@ -67,7 +67,7 @@ SpinningBeams vlp16Beams() {
     return beams;
 }
 
-void Vlp16Columns::take(const Vlp16Packet& packet, std::int64_t timeNs) {
+void Vlp16Columns::addPacket(const Vlp16Packet& packet, std::int64_t timeNs) {
     const bool dual = packet.returns == Vlp16Return::Dual;
     const std::size_t every = dual ? 2 : 1;
     for (std::size_t b = 0; b < packet.blocks.size(); b += every) {

@@ -39,7 +39,7 @@ struct Vlp16Packet {
 /// that are left out.
 class Vlp16Columns {
 public:
-    void take(const Vlp16Packet& packet, std::int64_t timeNs);
+    void addPacket(const Vlp16Packet& packet, std::int64_t timeNs);
     [[nodiscard]] const std::vector<SpinningColumn>& columns() const { return columns_; }
     [[nodiscard]] std::size_t others() const { return others_; }
 

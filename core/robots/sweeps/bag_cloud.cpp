@@ -45,7 +45,8 @@ const files::RecordField* oneOf(const std::vector<files::RecordField>& fields, s
 
 /// Lines and beams of a scanner with several beams: its rings are the beams. Of an organised cloud the columns are the firings, of another
 /// one the times say them.
-void takeRings(files::PointTable& table, const std::vector<files::RecordField>& fields, std::span<const std::byte> bytes, bool bigEndian) {
+void setCellsFromRings(files::PointTable& table, const std::vector<files::RecordField>& fields, std::span<const std::byte> bytes,
+                       bool bigEndian) {
     const files::RecordField* ring = oneOf(fields, {"ring", "line", "channel", "laser_id"});
     const files::RecordField* time = oneOf(fields, {"t", "time", "timestamp", "time_stamp", "offset_time", "time_offset"});
     const std::size_t points = table.points.size();
@@ -107,7 +108,7 @@ Result<files::PointTable> tableOf(const RosValue& message, const files::Source& 
     const std::vector<std::byte> packed = stride == rowBytes ? std::vector<std::byte>() : rowsOf(bytes, height, rowBytes, stride);
     const std::span<const std::byte> records = packed.empty() ? bytes : std::span<const std::byte>(packed);
     if (!readRecords(table, *fields, height * width, records, bigEndian, source)) return source.cancelled();
-    if (!source.placesOnly) takeRings(table, all, records, bigEndian);
+    if (!source.placesOnly) setCellsFromRings(table, all, records, bigEndian);
     return table;
 }
 

@@ -54,13 +54,13 @@ void addPoses(FrameTree& tree, const RosBag& bag, const std::string& frame, std:
     if (!mapAbove(tree, frame).empty()) return;
     const std::string highest = tree.chain(frame).back();
     std::map<std::uint32_t, std::vector<NamedPose>> found; // by topic
-    const auto take = [&](std::uint32_t topic, const RosValue& message) {
+    const auto addPose = [&](std::uint32_t topic, const RosValue& message) {
         const std::string map = frameNameOf(message.text("header.frame_id"));
         const auto pose = isMap(map) ? poseIn(message, "pose.position", "pose.orientation") : std::nullopt;
         if (pose) found[topic].push_back({highest, map, *pose});
     };
     const auto read = eachMessage(
-        bag, [](const std::string& type) { return type == "geometry_msgs/PoseStamped"; }, "", take, [] {}, {});
+        bag, [](const std::string& type) { return type == "geometry_msgs/PoseStamped"; }, "", addPose, [] {}, {});
     if (!read || found.empty()) return; // a pose is only a guess
     for (const NamedPose& pose : found.begin()->second) tree.add(pose);
     warnings.push_back("GUESS: the poses of the topic " + bag.topics[found.begin()->first].name + " are those of the frame " + highest +

@@ -66,7 +66,7 @@ public:
         warnings_ = bag_.warnings;
         warnings_.insert(warnings_.end(), said.begin(), said.end());
         warnings_.insert(warnings_.end(), tree_.warnings().begin(), tree_.warnings().end());
-        sayWhatWasTaken();
+        addWarnings();
         giveAngles();
         return chosen();
     }
@@ -74,7 +74,7 @@ public:
 private:
     void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
 
-    void sayWhatWasTaken() {
+    void addWarnings() {
         if (auto guess = guessText(bag_, topic_, source_.options->topic)) warn(std::move(*guess));
         if (bag_.topics[topic_.topic].assumed)
             warn("The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.");
@@ -166,7 +166,7 @@ private:
         scanner::FinishedSweep best;
         std::size_t sweeps = 0, number = 0;
         const auto collect = [&] {
-            for (scanner::FinishedSweep& sweep : assembler.takeFinished()) {
+            for (scanner::FinishedSweep& sweep : assembler.popFinished()) {
                 if (wanted ? *wanted == sweeps : !best.scan || sweep.progress.received > best.progress.received) {
                     best = std::move(sweep);
                     number = sweeps;

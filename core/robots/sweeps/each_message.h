@@ -10,10 +10,10 @@
 
 namespace edgescan::robots {
 
-/// Calls `take` with topic and message for each message whose type `isWanted` accepts, in the order of the bag, and `damaged` for one that
+/// Calls `visit` with topic and message for each message whose type `isWanted` accepts, in the order of the bag, and `damaged` for one that
 /// cannot be read. `goOn`: false cancels; empty: never. Error: a definition is not understood, or cancelled.
-template <class IsWanted, class Take, class Damaged>
-Result<Done> eachMessage(const RosBag& bag, const IsWanted& isWanted, const std::string& where, const Take& take, const Damaged& damaged,
+template <class IsWanted, class Visit, class Damaged>
+Result<Done> eachMessage(const RosBag& bag, const IsWanted& isWanted, const std::string& where, const Visit& visit, const Damaged& damaged,
                          const std::function<bool()>& goOn) {
     constexpr std::size_t kBetweenLooks = 16; // at the wish to stop
     std::vector<std::optional<RosDefinition>> definitions(bag.topics.size());
@@ -29,7 +29,7 @@ Result<Done> eachMessage(const RosBag& bag, const IsWanted& isWanted, const std:
         if (goOn && read++ % kBetweenLooks == 0 && !goOn()) return Error{"cancelled", where, ""};
         const auto message = rosMessage(*definitions[stored.topic], bag.topics[stored.topic].encoding, stored.bytes, where);
         if (message)
-            take(stored.topic, *message);
+            visit(stored.topic, *message);
         else
             damaged();
     }

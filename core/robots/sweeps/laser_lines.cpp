@@ -44,7 +44,7 @@ std::vector<double> echoesOf(const RosValue& message, const char* name, scanner:
     return all;
 }
 
-void takeRanges(scanner::SweepLine& line, const std::vector<double>& rangesM, double leastM, double mostM) {
+void storeRanges(scanner::SweepLine& line, const std::vector<double>& rangesM, double leastM, double mostM) {
     for (const double metres : rangesM) {
         const bool isRange = std::isfinite(metres) && metres > 0 && metres >= leastM && metres <= mostM &&
                              physical::kRangeMm.hold(static_cast<float>(metres * kMmPerM));
@@ -220,7 +220,7 @@ Result<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
     if (found.timeUnknown) found.beamS = 0;
     const double farthestM = number("range_max", 0);
     found.mostM = farthestM > 0 ? farthestM : std::numeric_limits<double>::max();
-    takeRanges(line, rangesM, number("range_min", 0), found.mostM);
+    storeRanges(line, rangesM, number("range_min", 0), found.mostM);
     const std::vector<double> strengths = echoesOf(message, "intensities", echo);
     if (strengths.size() == rangesM.size()) line.intensity.assign(strengths.begin(), strengths.end());
     found.reversed = step < 0;

@@ -183,12 +183,12 @@ Result<LaserMotion> motionByJoint(const RosBag& bag, const std::string& joint, s
     constexpr std::int64_t kAroundNs = 1'000'000'000;
     JointAngles joints;
     std::size_t damaged = 0;
-    const auto take = [&](std::uint32_t, const RosValue& message) {
+    const auto addMessage = [&](std::uint32_t, const RosValue& message) {
         const auto ns = stampNs(message, "header.stamp");
         if (ns && *ns >= fromNs - kAroundNs && *ns <= toNs + kAroundNs) addJoints(joints, message);
     };
     const auto read = eachMessage(
-        bag, [](const std::string& type) { return type == "sensor_msgs/JointState"; }, where, take, [&] { ++damaged; }, goOn);
+        bag, [](const std::string& type) { return type == "sensor_msgs/JointState"; }, where, addMessage, [&] { ++damaged; }, goOn);
     if (!read) return read.error();
     auto motion = motionOfJoints(std::move(joints), joint, where);
     if (motion) motion->damagedMessages = damaged;

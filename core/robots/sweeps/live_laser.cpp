@@ -35,7 +35,7 @@ void keepLast(std::deque<double>& numbers, double newest, std::size_t most) {
 
 } // namespace
 
-int LiveLaser::take(const RosTopic& topic, ByteView bytes, scanner::SweepAssembler& to) {
+int LiveLaser::receive(const RosTopic& topic, ByteView bytes, scanner::SweepAssembler& to) {
     constexpr std::size_t kMostTopics = 100;
     auto known = definitions_.find(topic.name);
     if (known == definitions_.end()) {
@@ -53,11 +53,11 @@ int LiveLaser::take(const RosTopic& topic, ByteView bytes, scanner::SweepAssembl
         return 0;
     }
     if (isLine)
-        takeLine(*message);
+        receiveLine(*message);
     else if (topic.type == "sensor_msgs/JointState")
-        takeJoints(*message);
+        receiveJoints(*message);
     else
-        takeTransforms(*message);
+        receiveTransforms(*message);
     if (!motion_ && !bySteps_) findMotion();
     return push(to);
 }
@@ -69,7 +69,7 @@ void LiveLaser::leaveOut(const char* why) {
     why_ = why;
 }
 
-void LiveLaser::takeLine(const RosValue& message) {
+void LiveLaser::receiveLine(const RosValue& message) {
     auto line = laserLine(message, asked_.echo);
     if (!line) return leaveOut(line.error().what.c_str());
     if (newestNs_ != 0 && line->stampNs < newestNs_ - kRestartNs) restart();
@@ -100,28 +100,28 @@ void LiveLaser::leaveOutNoReturns(LaserLine& line) {
     noReturns_ += static_cast<std::int64_t>(leaveOutFrom(line, *noReturnMm_));
 }
 
-void LiveLaser::takeTransforms(const RosValue& message) {
+void LiveLaser::receiveTransforms(const RosValue& message) {
     if (!motion_) return tree_.add(message);
     if (motion_->axisAssumed) return; // by a joint
     std::size_t unusable = 0;
     for (const NamedPose& found : posesIn(message, unusable)) {
         if (found.child != motion_->mover || found.parent != motion_->baseFrame) continue;
-        takeAngle({found.pose.ns, laterAngleDeg(*motion_, found.pose)});
+        addAngle({found.pose.ns, laterAngleDeg(*motion_, found.pose)});
     }
 }
 
-void LiveLaser::takeJoints(const RosValue& message) {
+void LiveLaser::receiveJoints(const RosValue& message) {
     if (!motion_) return addJoints(joints_, message);
     if (!motion_->axisAssumed) return;
     JointAngles newest;
     addJoints(newest, message);
     for (TimedAngle angle : newest[motion_->mover]) {
         angle.deg += 360 * std::round((motion_->angles.back().deg - angle.deg) / 360);
-        takeAngle(angle);
+        addAngle(angle);
     }
 }
 
-void LiveLaser::takeAngle(TimedAngle angle) {
+void LiveLaser::addAngle(TimedAngle angle) {
     std::vector<TimedAngle>& angles = motion_->angles;
     if (angle.ns <= angles.back().ns) return; // the same once more
     angles.push_back(angle);

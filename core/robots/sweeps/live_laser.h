@@ -22,7 +22,7 @@ public:
 
     /// A message of the laser, of transforms or of joints. Pushes the lines that it makes known, their number is returned. The assembler is
     /// made again with what the laser needs before its first line.
-    int take(const RosTopic& topic, ByteView bytes, scanner::SweepAssembler& to);
+    int receive(const RosTopic& topic, ByteView bytes, scanner::SweepAssembler& to);
 
     /// Lines that were left out, and why the last one was.
     [[nodiscard]] std::int64_t leftOut() const { return leftOut_; }
@@ -35,10 +35,10 @@ public:
     [[nodiscard]] std::string waitsFor() const;
 
 private:
-    void takeLine(const RosValue& message);
-    void takeTransforms(const RosValue& message);
-    void takeJoints(const RosValue& message);
-    void takeAngle(TimedAngle angle);
+    void receiveLine(const RosValue& message);
+    void receiveTransforms(const RosValue& message);
+    void receiveJoints(const RosValue& message);
+    void addAngle(TimedAngle angle);
     void findMotion();
     void restart();
     int push(scanner::SweepAssembler& to);

@@ -27,16 +27,16 @@ struct Fan {
     std::int64_t fromNs = 0, toNs = 0;
 };
 
-/// Calls `take` with each readable line of a topic and its message.
-template <class Take>
-void eachLine(const RosBag& bag, std::uint32_t topic, const Take& take) {
+/// Calls `visit` with each readable line of a topic and its message.
+template <class Visit>
+void eachLine(const RosBag& bag, std::uint32_t topic, const Visit& visit) {
     const RosTopic& of = bag.topics[topic];
     const auto definition = rosDefinition(of.type, of.definition, "");
     for (const RosBagMessage& stored : bag.messages) {
         if (stored.topic != topic || !definition) continue;
         const auto message = rosMessage(*definition, of.encoding, stored.bytes, "");
         if (!message) continue;
-        if (const auto line = laserLine(*message, scanner::Echo::First)) take(*line, *message);
+        if (const auto line = laserLine(*message, scanner::Echo::First)) visit(*line, *message);
     }
 }
 

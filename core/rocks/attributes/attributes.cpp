@@ -150,13 +150,13 @@ private:
         if (rock.cells == 0) return rock;
         rock.centreM = tables_.sensor() + region.sums.sumM / static_cast<double>(rock.cells);
         if (const Rock* known = known_[label])
-            take(*known, rock);
+            copyMeasures(*known, rock);
         else
             measure(rock, buffers);
         return rock;
     }
 
-    static void take(const Rock& known, Rock& rock) {
+    static void copyMeasures(const Rock& known, Rock& rock) {
         rock.cell = known.cell;
         rock.longestCaliperM = known.longestCaliperM;
         rock.shortestCaliperM = known.shortestCaliperM;

@@ -43,7 +43,7 @@ private:
         const Lanes<float> said = network_.says(features);
         for (std::size_t n = 0; n < count_; ++n) {
             if (watch_) show(n, features);
-            take(places_[n], said[n]);
+            addPlace(places_[n], said[n]);
         }
         count_ = 0;
     }
@@ -54,7 +54,7 @@ private:
         for (std::size_t f = 0; f < features.size(); ++f) question.features[f] = features[f][lane];
         watch_(question);
     }
-    void take(const BorderPlace& place, float said) {
+    void addPlace(const BorderPlace& place, float said) {
         if (place.line != best_.line || place.beam != best_.beam) {
             end();
             best_ = {place.line, place.beam, place.own, place.own};

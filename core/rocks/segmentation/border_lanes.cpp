@@ -65,7 +65,7 @@ template <class Vector>
 struct NeighbourRanges {
     Vector closest = Vector{} + kMostOff, sum{}, cells{};
 
-    EDGESCAN_INLINE void take(const Vector& off, const typename At<Vector>::Numbers& isIn) {
+    EDGESCAN_INLINE void add(const Vector& off, const typename At<Vector>::Numbers& isIn) {
         closest = smaller(closest, chosen(isIn, absolute(off), Vector{} + kMostOff));
         sum += where(isIn, clipped(off, -kMostOff, kMostOff));
         cells += where(isIn, Vector{} + 1.0F);
@@ -81,7 +81,7 @@ EDGESCAN_INLINE void lookAtNeighbours(const BorderLanes& lanes, const At<Vector>
     for (const std::size_t q : kCorners) {
         const auto isIn = at(lanes.solid[q]) == segment;
         neighbours += where(isIn, Vector{} + kAtCorner);
-        ranges.take((r - 1.0F / at(lanes.u[q])) * perM, isIn);
+        ranges.add((r - 1.0F / at(lanes.u[q])) * perM, isIn);
     }
     for (std::size_t s = 0; s < kCellSides; ++s) {
         const auto isIn = at(lanes.solid[kSideCells[s]]) == segment;
@@ -90,7 +90,7 @@ EDGESCAN_INLINE void lookAtNeighbours(const BorderLanes& lanes, const At<Vector>
         mostJump = larger(mostJump, chosen(isIn, clipped(jump, -1.0F, 5.0F), -one));
         mostValley = larger(mostValley, chosen(isIn, clipped(valley, -1.0F, 3.0F), -one));
         adjacent += where(isIn, one);
-        ranges.take((r - 1.0F / at(lanes.u[kSideCells[s]])) * perM, isIn);
+        ranges.add((r - 1.0F / at(lanes.u[kSideCells[s]])) * perM, isIn);
     }
     for (std::size_t q = 0; q < kCellsAround; ++q) {
         if (q != kMiddle) around += where(at(lanes.solid[q]) == segment, one);

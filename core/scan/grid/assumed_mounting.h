@@ -12,7 +12,7 @@ namespace edgescan {
 inline constexpr const char* kMountingAssumed =
     "How a motor turned the scanner was not said in full. ASSUMED: ";         ///< begins the scan's warning
 inline constexpr const char* kAxisAssumed = "the axis (";                     ///< of that sentence, if the axis was not given
-inline constexpr const char* kAxisSeen = ", seen in the ranges)";             ///< behind the name of an axis that the ranges show
+inline constexpr const char* kAxisFromRanges = ", seen in the ranges)";       ///< behind the name of an axis that the ranges show
 inline constexpr const char* kStepAssumed = "the step from line to line (";   ///< and before the degrees of a step not given
 inline constexpr const char* kFirstAssumed = "the angle of the first line ("; ///< likewise
 
@@ -24,7 +24,7 @@ enum class Assumed { Nothing, Direction, SeenAxis, Step, Mounting };
 [[nodiscard]] inline Assumed assumedIn(std::string_view sentence) {
     if (!sentence.starts_with(kMountingAssumed)) return Assumed::Nothing;
     const auto has = [&](std::string_view words) { return sentence.find(words) != sentence.npos; };
-    if (has(kAxisAssumed) && !has(kAxisSeen)) return Assumed::Mounting;
+    if (has(kAxisAssumed) && !has(kAxisFromRanges)) return Assumed::Mounting;
     return has(kStepAssumed) ? Assumed::Step : has(kAxisAssumed) ? Assumed::SeenAxis : Assumed::Direction;
 }
 
@@ -36,9 +36,9 @@ enum class Assumed { Nothing, Direction, SeenAxis, Step, Mounting };
 }
 
 /// The axis was not given, and the ranges show it.
-[[nodiscard]] inline bool isAxisSeen(const Scan& scan) {
+[[nodiscard]] inline bool isAxisFromRanges(const Scan& scan) {
     return std::ranges::any_of(scan.warnings,
-                               [](const std::string& w) { return w.starts_with(kMountingAssumed) && w.find(kAxisSeen) != w.npos; });
+                               [](const std::string& w) { return w.starts_with(kMountingAssumed) && w.find(kAxisFromRanges) != w.npos; });
 }
 
 /// Lengths depend on what was assumed.

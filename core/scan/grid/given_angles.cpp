@@ -18,8 +18,8 @@ void useAngles(std::vector<double>& degrees, std::optional<double> start, std::o
 }
 
 /// The first angle and the step of the file, in ten thousandths of a degree; as given where they are equal within that.
-void takeAngles(const std::vector<double>& degrees, std::optional<double> givenStart, std::optional<double> givenStep,
-                std::optional<double>& start, std::optional<double>& step) {
+void storeStartAndStep(const std::vector<double>& degrees, std::optional<double> givenStart, std::optional<double> givenStep,
+                       std::optional<double>& start, std::optional<double>& step) {
     const auto rounded = [](double of, std::optional<double> given) {
         constexpr double kPerDegree = 1e4;
         return given && std::abs(*given - of) < 1 / kPerDegree ? *given : std::round(of * kPerDegree) / kPerDegree;
@@ -46,8 +46,8 @@ void applyGivenAngles(Scan& scan, const ReadingOptions& options) {
     }
     ReadingOptions file;
     file.axis = polar->axis;
-    takeAngles(polar->beamDeg, options.beamStartDeg, options.beamStepDeg, file.beamStartDeg, file.beamStepDeg);
-    takeAngles(polar->lineDeg, options.lineStartDeg, options.lineStepDeg, file.lineStartDeg, file.lineStepDeg);
+    storeStartAndStep(polar->beamDeg, options.beamStartDeg, options.beamStepDeg, file.beamStartDeg, file.beamStepDeg);
+    storeStartAndStep(polar->lineDeg, options.lineStartDeg, options.lineStepDeg, file.lineStartDeg, file.lineStepDeg);
     append(scan.warnings, replacedByOptions(options, file));
     useAngles(polar->beamDeg, options.beamStartDeg, options.beamStepDeg);
     useAngles(polar->lineDeg, options.lineStartDeg, options.lineStepDeg);

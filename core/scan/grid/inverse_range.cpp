@@ -31,8 +31,8 @@ constexpr std::size_t kCellsForNoise = 250000;
 constexpr std::size_t kCellsForSpacing = 50000;
 
 // Converts measured ranges to inverse range; `isolated`: 255 at isolated cells.
-EDGESCAN_INLINE void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams,
-                                  float* __restrict u, Support* __restrict support) {
+EDGESCAN_INLINE void invertMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams,
+                                    float* __restrict u, Support* __restrict support) {
     for (int j = 0; j < beams; ++j) {
         const bool valid = (state[j] == CellState::Valid) & (isolated[j] == 0) & (rangeMm[j] >= kLeastRangeMm);
         support[j] = valid ? Support::Measured : Support::Void;
@@ -189,8 +189,8 @@ InverseRange inverseRange(const Scan& scan, int threads) {
         for (int i = first; i < last; ++i) {
             isolatedLines.next(isolated.data());
             if (bands == 1) inverse.u.cells.resize(inverse.u.index(i + 1, 0)); // cleared while it is in the cache
-            vectorised<takeMeasured>(scan.rangeMm.line(i), scan.state.line(i), isolated.data(), beams, inverse.u.line(i),
-                                     inverse.support.line(i));
+            vectorised<invertMeasured>(scan.rangeMm.line(i), scan.state.line(i), isolated.data(), beams, inverse.u.line(i),
+                                       inverse.support.line(i));
             ends.fillAlongBeams(inverse, i);
             if (bands == 1) ends.fillAlongLines(inverse, i);
         }

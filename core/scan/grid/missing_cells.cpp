@@ -18,14 +18,14 @@ constexpr float kAgreeShare = 0.08F;
 constexpr float kAgreeMm = 60.0F;
 
 // Copies the ranges of a line with one cell on either side. A missing range becomes a value that agrees with nothing.
-EDGESCAN_INLINE void takeValid(const float* ranges, const CellState* states, int beams, float* __restrict out) {
+EDGESCAN_INLINE void copyValid(const float* ranges, const CellState* states, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) out[j] = states[j] == CellState::Valid ? ranges[j] : std::numeric_limits<float>::quiet_NaN();
 }
 
-void takeRanges(std::vector<float>& out, const Scan& scan, int line) {
+void copyRanges(std::vector<float>& out, const Scan& scan, int line) {
     out.assign(static_cast<std::size_t>(scan.beams()) + 2, std::numeric_limits<float>::quiet_NaN());
     if (line >= 0 && line < scan.lines())
-        vectorised<takeValid>(scan.rangeMm.line(line), scan.state.line(line), scan.beams(), out.data() + 1);
+        vectorised<copyValid>(scan.rangeMm.line(line), scan.state.line(line), scan.beams(), out.data() + 1);
 }
 
 // 255 where too few neighbours agree. The lines have one cell on either side.
@@ -69,13 +69,13 @@ bool isIsolated(const Scan& scan, std::uint32_t cell) {
 }
 
 IsolatedLines::IsolatedLines(const Scan& scan, int firstLine) : scan_(&scan), line_(firstLine) {
-    takeRanges(ranges_[1], scan, firstLine - 1);
-    takeRanges(ranges_[2], scan, firstLine);
+    copyRanges(ranges_[1], scan, firstLine - 1);
+    copyRanges(ranges_[2], scan, firstLine);
 }
 
 void IsolatedLines::next(std::uint8_t* isolated) {
     std::rotate(ranges_.begin(), ranges_.begin() + 1, ranges_.end());
-    takeRanges(ranges_[2], *scan_, ++line_);
+    copyRanges(ranges_[2], *scan_, ++line_);
     vectorised<isolatedOfLine>(ranges_[0].data() + 1, ranges_[1].data() + 1, ranges_[2].data() + 1, scan_->beams(), isolated);
 }
 

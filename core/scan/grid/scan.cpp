@@ -26,7 +26,7 @@ struct LimitsOfLane {
     }
 };
 
-EDGESCAN_INLINE void takeLimits(const float* rangeMm, const CellState* states, int beams, LimitsOfLane& lanes) {
+EDGESCAN_INLINE void updateLimits(const float* rangeMm, const CellState* states, int beams, LimitsOfLane& lanes) {
     constexpr int kLaneCount = LimitsOfLane::kLaneCount;
     LimitsOfLane found = lanes; // on the stack, so that reading the grid cannot change it
     int j = 0;
@@ -64,7 +64,7 @@ std::array<std::size_t, kCellStates> countCells(const Scan& scan) {
 
 RangeLimits rangeLimits(const Scan& scan) {
     LimitsOfLane lanes;
-    for (int i = 0; i < scan.lines(); ++i) vectorised<takeLimits>(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), lanes);
+    for (int i = 0; i < scan.lines(); ++i) vectorised<updateLimits>(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), lanes);
     const RangeLimits limits{*std::ranges::min_element(lanes.least), *std::ranges::max_element(lanes.most)};
     return limits.minMm <= limits.maxMm ? limits : RangeLimits{};
 }

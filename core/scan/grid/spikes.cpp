@@ -21,8 +21,8 @@ struct Height {
 };
 
 // First pass: compares each cell with its four neighbours, so that few cells remain for the full check.
-EDGESCAN_INLINE void takeFirstLook(const float* u, std::ptrdiff_t stride, int beams, const Height& height,
-                                   std::uint8_t* __restrict marked) {
+EDGESCAN_INLINE void markCandidates(const float* u, std::ptrdiff_t stride, int beams, const Height& height,
+                                    std::uint8_t* __restrict marked) {
     for (int j = 1; j < beams - 1; ++j) {
         const float nearest = std::max(std::max(u[j - 1], u[j + 1]), std::max(u[j - stride], u[j + stride]));
         const float farthest = std::min(std::min(u[j - 1], u[j + 1]), std::min(u[j - stride], u[j + stride]));
@@ -58,7 +58,7 @@ void removeSpikes(InverseRange& inverse, const RangeNoise& noise) {
     std::vector<std::uint8_t> marked(static_cast<std::size_t>(u.beams));
     // Spikes never touch each other, so their order does not matter.
     for (int i = 1; i + 1 < u.lines; ++i) {
-        vectorised<takeFirstLook>(u.line(i), u.beams, u.beams, height, marked.data());
+        vectorised<markCandidates>(u.line(i), u.beams, u.beams, height, marked.data());
         forEachMarked(marked, [&](std::size_t beam) {
             const int j = static_cast<int>(beam);
             if (!isSpike(inverse, i, j, height)) return;

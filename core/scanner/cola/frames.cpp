@@ -80,7 +80,7 @@ ColaStream::Step ColaStream::tryText(ColaFrame& frame) {
         ++counts_.torn;
         return drop(1);
     }
-    return take(frame, Dialect::A, static_cast<std::size_t>(mark - bytes.begin()) + 1);
+    return popFrame(frame, Dialect::A, static_cast<std::size_t>(mark - bytes.begin()) + 1);
 }
 
 ColaStream::Step ColaStream::tryBinary(ColaFrame& frame) {
@@ -105,10 +105,10 @@ ColaStream::Step ColaStream::tryBinary(ColaFrame& frame) {
         ++counts_.badChecksum;
         return drop(1);
     }
-    return take(frame, Dialect::B, kHead + length + 1);
+    return popFrame(frame, Dialect::B, kHead + length + 1);
 }
 
-ColaStream::Step ColaStream::take(ColaFrame& frame, Dialect dialect, std::size_t length) {
+ColaStream::Step ColaStream::popFrame(ColaFrame& frame, Dialect dialect, std::size_t length) {
     const ByteView bytes = rest().first(length);
     while (arrivals_.size() > 1 && arrivals_[1].offset <= offset_) arrivals_.pop_front();
     frame = {dialect, Bytes(bytes.begin(), bytes.end()), arrivals_.front().time, offset_, skippedSince_};

@@ -69,7 +69,7 @@ private:
     Step tryStep(ColaFrame& frame);
     Step tryText(ColaFrame& frame);
     Step tryBinary(ColaFrame& frame);
-    Step take(ColaFrame& frame, Dialect dialect, std::size_t length);
+    Step popFrame(ColaFrame& frame, Dialect dialect, std::size_t length);
     Step drop(std::size_t count);
     void compact();
 

@@ -21,7 +21,7 @@ float intensityIn(const ScanChannel* rssi, std::size_t beam) {
 }
 
 /// Takes the farthest return of each beam over all echoes.
-void takeLastEcho(SweepLine& line, const ScanTelegram& telegram, const ScanChannel& first) {
+void storeLastEcho(SweepLine& line, const ScanTelegram& telegram, const ScanChannel& first) {
     for (const ScanChannel& channel : telegram.channels16) {
         if (&channel == &first || !isRange(channel) || beamGrid(channel) != line.beams) continue;
         const LineRanges other = rangesMm(channel);
@@ -64,7 +64,7 @@ SweepLine sweepLine(const ScanTelegram& telegram, Echo echo) {
     line.ranges = rangesMm(*channel);
     line.unitMm = channel->scale > 0.0F ? static_cast<double>(channel->scale) : 1.0;
     if (const ScanChannel* rssi = rssiOf(telegram, *channel)) line.intensity.assign(rssi->values.begin(), rssi->values.end());
-    if (echo == Echo::Last) takeLastEcho(line, telegram, *channel);
+    if (echo == Echo::Last) storeLastEcho(line, telegram, *channel);
     return line;
 }
 

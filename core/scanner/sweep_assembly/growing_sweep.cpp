@@ -41,14 +41,14 @@ GrowingSweep::Place GrowingSweep::push(const SweepLine& line, std::int64_t lost,
         early_.push_back({line, next});
         lastSlot_ = next;
         rebuild();
-        return Place::Taken;
+        return Place::Added;
     }
     if (!part) return Place::Misfit;
     const std::int64_t slot = slotOf(*part, lost);
     if (slot - origin_ >= static_cast<std::int64_t>(mostRows(settings)) * beams_.parts) return Place::Full;
     if (early) early_.push_back({line, slot});
     write(line, slot, *part);
-    return Place::Taken;
+    return Place::Added;
 }
 
 int GrowingSweep::mostRows(const SweepSettings& settings) const {

@@ -14,7 +14,7 @@ namespace edgescan::scanner {
 class GrowingSweep {
 public:
     enum class Place : std::uint8_t {
-        Taken,
+        Added,
         Misfit, ///< other beams than those of this sweep
         Full,   ///< belongs behind the last row that the sweep can have
     };

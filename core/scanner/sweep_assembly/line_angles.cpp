@@ -30,7 +30,7 @@ double meanRate(std::span<const LineTiming> lines, const LineAngles& angles, con
 }
 
 /// The mean speed that the stepper reported, over the lines with a report.
-double saidRate(std::span<const LineTiming> lines) {
+double reportedRate(std::span<const LineTiming> lines) {
     double sum = 0.0;
     int count = 0;
     for (const LineTiming& line : lines) {
@@ -96,7 +96,7 @@ LineAngles lineAngles(std::span<const LineTiming> lines, const SweepSettings& se
     }
     if (known.empty()) return angles;
     if (settings.continuous) {
-        const double rate = angles.source == AngleSource::Stepper ? saidRate(lines) : meanRate(lines, angles, known);
+        const double rate = angles.source == AngleSource::Stepper ? reportedRate(lines) : meanRate(lines, angles, known);
         angles.degPerTurn = rate * secondsPerTurn(lines);
     }
     // If only a later part of a line arrived, the line started that much earlier.

@@ -11,7 +11,7 @@ constexpr std::size_t kLines = 256;   // number of earlier lines that a reading 
 
 double rateOf(const StepperReading& reading) { return reading.moving ? reading.degPerSecond : 0.0; }
 
-void take(LineTiming& line, double deg, double rate, bool settled) {
+void setStepperAngle(LineTiming& line, double deg, double rate, bool settled) {
     line.stepperDeg = deg;
     line.degPerSecond = rate;
     line.stepperSettled = settled;
@@ -22,9 +22,9 @@ void take(LineTiming& line, double deg, double rate, bool settled) {
 void StepperTrack::line(LineTiming& line) const {
     if (last_.empty()) return;
     const auto latched = std::find_if(last_.rbegin(), last_.rend(), [&](const StepperReading& r) { return r.hostNs == line.hostNs; });
-    if (latched != last_.rend()) return take(line, latched->phiDeg, rateOf(*latched), true);
+    if (latched != last_.rend()) return setStepperAngle(line, latched->phiDeg, rateOf(*latched), true);
     const StepperReading& newest = last_.back();
-    take(line, newest.phiDeg + rateOf(newest) * secondsBetween(newest.hostNs, line.stampNs), rateOf(newest), false);
+    setStepperAngle(line, newest.phiDeg + rateOf(newest) * secondsBetween(newest.hostNs, line.stampNs), rateOf(newest), false);
 }
 
 void StepperTrack::reading(const StepperReading& reading, std::span<LineTiming> lines) {
@@ -33,14 +33,14 @@ void StepperTrack::reading(const StepperReading& reading, std::span<LineTiming> 
         LineTiming& line = lines[row];
         if (!line.received) continue;
         if (line.hostNs == reading.hostNs) {
-            take(line, reading.phiDeg, rateOf(reading), true);
+            setStepperAngle(line, reading.phiDeg, rateOf(reading), true);
         } else if (!line.stepperSettled && line.stampNs > reading.hostNs) {
-            take(line, reading.phiDeg + rateOf(reading) * secondsBetween(reading.hostNs, line.stampNs), rateOf(reading), false);
+            setStepperAngle(line, reading.phiDeg + rateOf(reading) * secondsBetween(reading.hostNs, line.stampNs), rateOf(reading), false);
         } else if (!line.stepperSettled && !last_.empty() && line.stampNs >= last_.back().hostNs && line.stampNs <= reading.hostNs) {
             const StepperReading& before = last_.back();
             const double whole = secondsBetween(before.hostNs, reading.hostNs);
             const double share = whole > 0 ? secondsBetween(before.hostNs, line.stampNs) / whole : 0.0;
-            take(line, before.phiDeg + (reading.phiDeg - before.phiDeg) * share, rateOf(reading), true);
+            setStepperAngle(line, before.phiDeg + (reading.phiDeg - before.phiDeg) * share, rateOf(reading), true);
         }
     }
     last_.push_back(reading);

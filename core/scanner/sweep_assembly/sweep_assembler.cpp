@@ -53,7 +53,7 @@ void SweepAssembler::push(SweepLine line, std::int64_t hostNs) {
     last_ = line.facts;
     ended_.lost += lost;
     note(line, stamp);
-    take(std::move(line), lost);
+    addLine(std::move(line), lost);
     splitAtReversal();
 }
 
@@ -176,7 +176,7 @@ bool SweepAssembler::encoderLeapsBack(std::uint32_t position, std::int64_t lost,
     return false;
 }
 
-void SweepAssembler::take(SweepLine line, std::int64_t lost) {
+void SweepAssembler::addLine(SweepLine line, std::int64_t lost) {
     if (line.beams.beams == 0) {
         note(Irregularity::NoRanges);
         lostSince_ += lost + 1;
@@ -193,7 +193,7 @@ void SweepAssembler::take(SweepLine line, std::int64_t lost) {
     lostSince_ = 0;
     if (!sweep_) return start(line);
     switch (sweep_->push(line, lost, settings_)) {
-    case GrowingSweep::Place::Taken:
+    case GrowingSweep::Place::Added:
         if (std::exchange(misfit_, std::nullopt)) note(Irregularity::Misfit);
         return;
     case GrowingSweep::Place::Full:
@@ -204,17 +204,17 @@ void SweepAssembler::take(SweepLine line, std::int64_t lost) {
     case GrowingSweep::Place::Misfit:
         break;
     }
-    if (misfit_) return takeMisfit(line, between);
+    if (misfit_) return startAtMisfit(line, between);
     lostSince_ = lost + 1; // one line with other beams is a fault; two mean another scan mode
     misfit_ = std::move(line);
 }
 
 /// The second such line in a row: the sweep ends before the first of them.
-void SweepAssembler::takeMisfit(const SweepLine& line, std::int64_t between) {
+void SweepAssembler::startAtMisfit(const SweepLine& line, std::int64_t between) {
     const SweepLine first = *std::exchange(misfit_, std::nullopt);
     finishSweep();
     start(first);
-    if (between <= settings_.longestGap && sweep_->push(line, between, settings_) == GrowingSweep::Place::Taken) return;
+    if (between <= settings_.longestGap && sweep_->push(line, between, settings_) == GrowingSweep::Place::Added) return;
     finishSweep(); // the first line fits neither sweep: it becomes a sweep of its own
     start(line);
 }
@@ -255,7 +255,7 @@ void SweepAssembler::finishSweep() {
         if (finished_.size() > kFinishedKept) finished_.pop_front();
         ++number_;
     }
-    axisBefore_ = axisSeen_;
+    axisBefore_ = axisFound_;
     finishedProgress_ = finished_.empty() ? SweepProgress{} : finished_.back().progress;
     ended_ = account();
     note(Irregularity::LeftOut, sweep_->leftOut());
@@ -287,7 +287,7 @@ TelegramAccount SweepAssembler::account() const {
 
 void SweepAssembler::finish() { finishSweep(); }
 
-std::vector<FinishedSweep> SweepAssembler::takeFinished() {
+std::vector<FinishedSweep> SweepAssembler::popFinished() {
     std::vector<FinishedSweep> taken(std::make_move_iterator(finished_.begin()), std::make_move_iterator(finished_.end()));
     finished_.clear();
     return taken;

@@ -83,7 +83,7 @@ public:
     [[nodiscard]] std::shared_ptr<const Scan> snapshot();
     [[nodiscard]] SweepProgress progress() const;
     /// Sweeps finished since the last call, oldest first; at most the last four are stored.
-    [[nodiscard]] std::vector<FinishedSweep> takeFinished();
+    [[nodiscard]] std::vector<FinishedSweep> popFinished();
 
     /// SweepProgress::number.
     [[nodiscard]] int sweepNumber() const { return number_; }
@@ -94,8 +94,8 @@ private:
     bool isNew(SweepLine& line, std::int64_t hostNs, LineStamp& stamp);
     void note(const SweepLine& line, const LineStamp& stamp);
     void note(Irregularity kind, std::int64_t times = 1, std::int64_t ahead = 0);
-    void take(SweepLine line, std::int64_t lost);
-    void takeMisfit(const SweepLine& line, std::int64_t between);
+    void addLine(SweepLine line, std::int64_t lost);
+    void startAtMisfit(const SweepLine& line, std::int64_t between);
     void start(const SweepLine& line);
     void finishSweep();
     void splitAtReversal();
@@ -121,7 +121,8 @@ private:
     std::optional<std::uint32_t> encoderAt_;
     std::int64_t encoderCount_ = 0, encoderStep_ = 0; // step: counts to the newest line, of an encoder without a scale
     bool encoderWithoutScale_ = false, encoderWasReset_ = false;
-    std::optional<Axis> axisSeen_, axisBefore_; // that the ranges show where none was given: of this sweep or those before, of those before
+    std::optional<Axis> axisFound_,
+        axisBefore_;            // that the ranges show where none was given: of this sweep or those before, of those before
     bool startIsKnown_ = false; // the stepper went back to its start; before that, it may have been turning at the first line
     DeviceFlags device_;
 

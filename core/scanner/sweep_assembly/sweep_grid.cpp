@@ -17,7 +17,7 @@ constexpr std::size_t kKeptCopies = 4; // one copy is drawn, one is processed, o
 /// Scans that can be reused. The thread that releases the last pointer gives a scan back.
 class SweepGrid::Copies {
 public:
-    std::unique_ptr<Copy> take() {
+    std::unique_ptr<Copy> popFree() {
         const std::lock_guard lock(mutex_);
         if (free_.empty()) return std::make_unique<Copy>();
         // The copy that follows the grid most closely needs the fewest rows to be copied.
@@ -96,7 +96,7 @@ bool SweepGrid::same(int row, int first, int stride, const std::vector<float>& r
 }
 
 /// Appends the cells of a row of `other`, which this grid does not have yet, as the cells of its row `to`.
-void SweepGrid::takeCells(const SweepGrid& other, int row, std::size_t to) {
+void SweepGrid::appendCells(const SweepGrid& other, int row, std::size_t to) {
     if (other.at(row) == kLostRow) return;
     const auto from = static_cast<std::ptrdiff_t>(other.at(row));
     at_[to] = state_.size();
@@ -116,7 +116,7 @@ SweepGrid SweepGrid::cutFrom(int row) {
     rest.changed_.assign(static_cast<std::size_t>(rest.rows_), ++rest.change_);
     rest.at_.assign(static_cast<std::size_t>(rest.rows_), kLostRow);
     stays.at_.assign(static_cast<std::size_t>(row), kLostRow);
-    for (int r = 0; r < rows_; ++r) (r < row ? stays : rest).takeCells(*this, r, static_cast<std::size_t>(r < row ? r : r - row));
+    for (int r = 0; r < rows_; ++r) (r < row ? stays : rest).appendCells(*this, r, static_cast<std::size_t>(r < row ? r : r - row));
     at_ = std::move(stays.at_);
     rangeMm_ = std::move(stays.rangeMm_);
     state_ = std::move(stays.state_);
@@ -136,7 +136,7 @@ std::array<std::size_t, kCellStates> SweepGrid::counts(int rows) const {
 }
 
 std::shared_ptr<Scan> SweepGrid::scan(int rows) {
-    std::unique_ptr<Copy> copy = store_.copies->take();
+    std::unique_ptr<Copy> copy = store_.copies->popFree();
     Scan& scan = copy->scan;
     if (scan.rangeMm.beams != beams_) {
         scan.rangeMm.beams = scan.state.beams = beams_;

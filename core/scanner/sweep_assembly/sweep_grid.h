@@ -67,7 +67,7 @@ private:
     [[nodiscard]] std::size_t index(int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(beams_); }
     /// Where the cells of the row begin below; kLostRow: it has none.
     [[nodiscard]] std::size_t at(int row) const { return at_[static_cast<std::size_t>(row)]; }
-    void takeCells(const SweepGrid& other, int row, std::size_t to);
+    void appendCells(const SweepGrid& other, int row, std::size_t to);
 
     int beams_ = 0;
     int rows_ = 0;

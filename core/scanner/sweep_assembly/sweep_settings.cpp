@@ -54,7 +54,7 @@ constexpr const char* kFirstKey = "stepper.phi0_deg";
 constexpr const char* kAssumedKey = "assumed";
 
 /// Values that a recording gives and does not mark as assumed.
-void takeAssumed(Keys& keys, SweepSettings& settings) {
+void readAssumed(Keys& keys, SweepSettings& settings) {
     const std::string* list = keys.text(kAssumedKey);
     const auto isAssumed = [&](const char* key) { return list != nullptr && list->find(key) != std::string::npos; };
     const bool rate = keys.text("stepper.deg_per_s") != nullptr;
@@ -66,7 +66,7 @@ void takeAssumed(Keys& keys, SweepSettings& settings) {
 }
 
 /// [0,0,1] is spin, [1,0,0] is sweep; with the opposite sign the line angles rotate against the axis.
-void takeAxis(Keys& keys, SweepSettings& settings) {
+void readAxis(Keys& keys, SweepSettings& settings) {
     const std::string* text = keys.text(kAxisKey);
     if (text == nullptr) return;
     const auto list = parseJson(*text, "", kReadingJson);
@@ -117,8 +117,8 @@ SettingsFound settingsOf(const SweepMetadata& metadata, const SweepSettings& oth
     SettingsFound found{otherwise, {}};
     SweepSettings& settings = found.settings;
     Keys keys(metadata, found.warnings);
-    takeAxis(keys, settings);
-    takeAssumed(keys, settings);
+    readAxis(keys, settings);
+    readAssumed(keys, settings);
     settings.firstLineDeg =
         keys.number(kFirstKey, physical::kLineDeg.limits.least, physical::kLineDeg.limits.most).value_or(settings.firstLineDeg);
     if (const std::string* mode = keys.text("stepper.mode")) settings.continuous = *mode == "continuous";

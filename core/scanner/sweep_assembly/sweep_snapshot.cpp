@@ -56,7 +56,7 @@ std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::si
 }
 
 /// A step that is counted is assumed, too; an encoder or the stepper reports its angles itself.
-std::string assumedText(const SweepSettings& settings, bool axisSeen, AngleSource source) {
+std::string assumedText(const SweepSettings& settings, bool fromRanges, AngleSource source) {
     std::string what, flags;
     const auto addAssumption = [&](const std::string& words, const char* flag) {
         what += (what.empty() ? "" : ", ") + words;
@@ -64,7 +64,7 @@ std::string assumedText(const SweepSettings& settings, bool axisSeen, AngleSourc
     };
     if (settings.axisAssumed) {
         const bool spin = settings.axis == Axis::Spin;
-        addAssumption(std::string(kAxisAssumed) + (spin ? "spin" : "sweep") + (axisSeen ? kAxisSeen : ")"), "--axis");
+        addAssumption(std::string(kAxisAssumed) + (spin ? "spin" : "sweep") + (fromRanges ? kAxisFromRanges : ")"), "--axis");
     }
     if (settings.stepAssumed && source == AngleSource::Steps) {
         addAssumption(kStepAssumed + shortestText(*settings.degPerLine) + " degrees" +
@@ -122,7 +122,7 @@ SweepProgress SweepAssembler::progress() const {
         const SweepSettings used = settingsInUse();
         progress.axis = used.axis;
         progress.firstLineDeg = used.firstLineDeg;
-        progress.assumed = assumedText(used, axisSeen_.has_value(), progress.angleSource);
+        progress.assumed = assumedText(used, axisFound_.has_value(), progress.angleSource);
         progress.startAssumed = startAssumed(progress.angleSource);
         const bool placed = encoderAt_ || progress.angleSource == AngleSource::Stepper;
         progress.endUnknown = placed && !startIsKnown_;
@@ -165,7 +165,7 @@ std::string SweepAssembler::startAssumed(AngleSource source) const {
 /// With the axis that the ranges show, and the angle of the first line that follows from it, where these are assumed.
 SweepSettings SweepAssembler::settingsInUse() const {
     SweepSettings used = settings_;
-    used.axis = axisSeen_.value_or(used.axis);
+    used.axis = axisFound_.value_or(used.axis);
     if (used.firstAssumed) used.firstLineDeg = assumedFirstDeg(used.axis, used);
     return used;
 }
@@ -174,7 +174,7 @@ SweepSettings SweepAssembler::settingsInUse() const {
 void SweepAssembler::describe(Scan& scan) {
     if (settings_.axisAssumed) {
         const auto seen = axisFromRanges(scan.rangeMm, scan.state, sweep_->beams().beamDeg());
-        axisSeen_ = seen ? seen : axisBefore_;
+        axisFound_ = seen ? seen : axisBefore_;
     }
     const SweepProgress now = progress();
     const auto rows = static_cast<std::size_t>(now.lines);

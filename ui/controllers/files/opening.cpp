@@ -37,7 +37,7 @@ Opening::Opening(Engine& engine, Files& files, NoticeBar& notice)
       check_(
           Urgency::Later, checked,
           [this](const Question& question, const std::shared_ptr<const std::vector<files::OpeningPoint>>& points) {
-              take(question.scan, *points);
+              storePoints(question.scan, *points);
           },
           [](const QString&) {}) { // not known: nothing is said
     connect(&engine_, &Engine::streamChanged, this, &Opening::follow);
@@ -55,7 +55,7 @@ void Opening::follow() {
     check_.ask({picture->detection->scan, files_.options()});
 }
 
-void Opening::take(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points) {
+void Opening::storePoints(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points) {
     if (engine_.picture()->detection->scan != scan || before_) return;
     points_ = points;
     if (cardWanted_ || (card_ != nullptr && card_->isVisible())) fillCard();

@@ -40,7 +40,7 @@ private:
     };
     static std::vector<files::OpeningPoint> checked(const Question& question, const Asker& asker);
     void follow();
-    void take(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points);
+    void storePoints(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points);
     void fillCard();
     void preview(int point, int other);
     void adopt(int point, int other);

@@ -63,7 +63,7 @@ Placing::Placing(Engine& engine, Files& files, NoticeBar& notice, Preferences& p
     : QObject(parent), engine_(engine), files_(files), notice_(notice), preferences_(preferences), undo_(undo),
       preview_(
           Urgency::Soon, [](const Question& question) { return placed(question); },
-          [this](const Question&, const std::shared_ptr<const Answer>& answer) { take(*answer); },
+          [this](const Question&, const std::shared_ptr<const Answer>& answer) { showPreview(*answer); },
           [this](const QString& what) {
               if (scan_) dialog_->showState(tr("It failed (%1); close other programs or use a smaller scan.").arg(what), false);
           }) {
@@ -81,7 +81,7 @@ void Placing::make() {
         awaited_.reset();
         check();
     });
-    connect(dialog_, &PlaceDialog::surveyLineTyped, this, &Placing::takeLine);
+    connect(dialog_, &PlaceDialog::surveyLineTyped, this, &Placing::useSurveyLine);
     connect(dialog_, &PlaceDialog::keepRequested, this, [this] { store(typed_.file, stepName("Store Pose")); });
     connect(dialog_, &PlaceDialog::removeRequested, this, [this] { store(std::nullopt, stepName("Remove Pose")); });
     connect(dialog_, &PlaceDialog::scannerChosen, this, &Placing::useScanner);
@@ -193,7 +193,7 @@ Placing::Answer Placing::placed(const Question& question) {
     }
 }
 
-void Placing::take(const Answer& answer) {
+void Placing::showPreview(const Answer& answer) {
     if (!scan_) return;
     if (!answer.scan) return dialog_->showState("✕ " + shownText(answer.scan.error().what) + ".", false);
     previewed_ = true;
@@ -202,7 +202,7 @@ void Placing::take(const Answer& answer) {
     dialog_->showState(answer.words, true);
 }
 
-void Placing::takeLine(const QString& line, bool northingFirst) {
+void Placing::useSurveyLine(const QString& line, bool northingFirst) {
     const auto read = parseSurveyLine(exactBytes(line), northingFirst ? SurveyOrder::NorthingFirst : SurveyOrder::EastingFirst);
     if (!read) return dialog_->showState("✕ " + coreSentence(read.error().sentence()), false);
     PlaceTexts texts = dialog_->poseTexts();

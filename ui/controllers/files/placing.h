@@ -62,8 +62,8 @@ private:
     void follow();
     void check();
     void endPending();
-    void take(const Answer& answer);
-    void takeLine(const QString& line, bool northingFirst);
+    void showPreview(const Answer& answer);
+    void useSurveyLine(const QString& line, bool northingFirst);
     void useScanner(const QString& name);
     void forgetScanner(const QString& name);
     void askScannerName();

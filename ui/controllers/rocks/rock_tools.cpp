@@ -136,21 +136,21 @@ bool Rocks::completesCut(std::vector<QPoint>& cells) {
     return true;
 }
 
-void Rocks::takeStroke(std::vector<QPoint> cells) {
+void Rocks::applyStroke(std::vector<QPoint> cells) {
     if (!completesCut(cells)) return;
     const RockTool tool = tool_;
     useTool(RockTool::None);
     if (!picture_) return;
-    if (tool == RockTool::Region) return takeRegion(cells);
+    if (tool == RockTool::Region) return applyRegion(cells);
     rocks::CutLine stroke;
     for (const QPoint& cell : cells) stroke.push_back(static_cast<std::uint32_t>(picture_->labels.index(cell.y(), cell.x())));
     if (!cells.empty() && !picture_->labels.contains(cells.back().y(), cells.back().x())) stroke.clear(); // of a sweep that grew meanwhile
-    if (tool == RockTool::Join) takeJoin(stroke);
+    if (tool == RockTool::Join) applyJoin(stroke);
     if (tool == RockTool::Cut)
         cutter_.ask({picture_, std::move(stroke), stream_, chosen() ? std::optional(static_cast<std::uint32_t>(*chosen())) : std::nullopt});
 }
 
-void Rocks::takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) {
+void Rocks::applyCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) {
     if (asked.stream != stream_) return; // the cells are of another scan
     if (!cut.empty()) {
         const rocks::Edit& part = cut.back();
@@ -164,7 +164,7 @@ void Rocks::takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) 
     writeWaiting();
 }
 
-void Rocks::takeJoin(const rocks::CutLine& stroke) {
+void Rocks::applyJoin(const rocks::CutLine& stroke) {
     const rocks::Study& study = picture_->study;
     auto join = rocks::joinAlong(*study.segmentation, study.map, stroke);
     if (!join && !stroke.empty() && chosen()) {
@@ -175,7 +175,7 @@ void Rocks::takeJoin(const rocks::CutLine& stroke) {
     notice_.showHint(tr("Nothing was merged: draw the line from one rock over the crack into the next."));
 }
 
-void Rocks::takeRegion(const std::vector<QPoint>& cells) {
+void Rocks::applyRegion(const std::vector<QPoint>& cells) {
     std::vector<rocks::RegionCorner> drawn;
     for (const QPoint& cell : cells) drawn.push_back({cell.y(), cell.x()});
     OperatorEdits after = operatorEdits();

@@ -39,7 +39,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
           [](const CutAsked& asked) {
               return rocks::cutAlong(*asked.of->study.segmentation, asked.of->study.map, asked.line, asked.chosen);
           },
-          [this](const CutAsked& asked, const auto& cut) { takeCut(asked, *cut); },
+          [this](const CutAsked& asked, const auto& cut) { applyCut(asked, *cut); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Error, tr("the rock could not be cut (%1); close other programs.").arg(what));
               writeWaiting();
@@ -48,7 +48,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     nextOfSweep_.setInterval(kBetweenSweepsMs);
     connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::followPicture);
     connect(&engine_, &Engine::placePendingChanged, this, &Rocks::showCard);
-    connect(&finder_, &RockFinder::found, this, &Rocks::take);
+    connect(&finder_, &RockFinder::found, this, &Rocks::storePicture);
     connect(&finder_, &RockFinder::failed, this, [this](const QString& what) {
         notice_.showNotice(NoticeBar::Kind::Error,
                            tr("the rocks could not be computed (%1); close other programs or open a smaller scan.").arg(what));
@@ -79,7 +79,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
         card.split()->setChecked(tool == RockTool::Split);
         card.cut()->setChecked(tool == RockTool::Cut);
     });
-    connect(&sidecar_, &RockSidecar::found, this, &Rocks::takePreset);
+    connect(&sidecar_, &RockSidecar::found, this, &Rocks::applyPreset);
     connect(&sidecar_, &RockSidecar::readEnded, this, [this] {
         followPicture();
         setPart(std::exchange(restored_, std::nullopt));
@@ -88,7 +88,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&sidecar_, &RockSidecar::failed, this,
             [this](const QString& sentence) { notice_.showNotice(NoticeBar::Kind::Warning, sentence); });
     connect(&drag_, &CellDrag::drawn, this, [this](const std::vector<QPoint>& cells) { views_.setTrail({cells, cells}); });
-    connect(&drag_, &CellDrag::finished, this, &Rocks::takeStroke);
+    connect(&drag_, &CellDrag::finished, this, &Rocks::applyStroke);
     connect(&drag_, &CellDrag::stepped, this, &Rocks::stepPiece);
     connectViews();
 }
@@ -182,7 +182,7 @@ void Rocks::useSettings(const rocks::RockSettings& settings) {
     emit changed();
 }
 
-void Rocks::takePreset(const rocks::Preset& preset) {
+void Rocks::applyPreset(const rocks::Preset& preset) {
     if (preset.settings) settings_ = *preset.settings;
     edits_ = preset.edits;
     panel_.showSettings(settings_);
@@ -198,7 +198,7 @@ void Rocks::adopt(const rocks::Preset& mine, const rocks::Preset& theirs) {
     notice_.showHint(tr("Another window changed the rocks of this scan. The changes of both windows are kept."));
 }
 
-void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
+void Rocks::storePicture(const std::shared_ptr<const RockPicture>& picture) {
     // An answer about another scan, or after rocks were switched off, is dropped.
     if (!on_ || !engine_.picture() || (finder_.behind() && picture->detection->scan != engine_.picture()->detection->scan)) return;
     const bool wasOnRock = pinnedOnRock();
@@ -320,7 +320,7 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
     tip_.show(*cell, rockTip(*rock), from);
 }
 
-void Rocks::click(const inspect::MeantCell& click) {
+void Rocks::click(const inspect::ClickedCell& click) {
     if (!picture_ || views_.tool() != Tool::Pin) return;
     if (tool_ == RockTool::Split) return splitAt(click.clicked);
     if (!severalWanted() && views_.choosesOnly() && tool_ == RockTool::None) {
@@ -341,7 +341,7 @@ void Rocks::click(const inspect::MeantCell& click) {
     select(std::move(cells));
 }
 
-std::optional<std::size_t> Rocks::rockCellAt(const inspect::MeantCell& click) const {
+std::optional<std::size_t> Rocks::rockCellAt(const inspect::ClickedCell& click) const {
     if (!picture_) return std::nullopt;
     for (const std::size_t cell : {click.cell, click.clicked}) {
         if (cell < picture_->labels.size() && picture_->labelAt(cell) != 0) return cell;
@@ -350,7 +350,7 @@ std::optional<std::size_t> Rocks::rockCellAt(const inspect::MeantCell& click) co
 }
 
 /// Other controllers add what they do with a rock: they find the menu by its name.
-void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
+void Rocks::addToMenu(QMenu& menu, const inspect::ClickedCell& click) {
     if (!picture_ || behind()) return;
     const auto at = rockCellAt(click);
     const std::size_t cell = at.value_or(click.cell);

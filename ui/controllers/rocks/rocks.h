@@ -89,7 +89,7 @@ public:
     /// `targets`: by cell, with their numbers, for the card. Table and files have the names of `pinned`.
     void setTargets(const RockNames& targets, const std::vector<inspect::PinnedTarget>& pinned);
     /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
-    [[nodiscard]] std::optional<std::size_t> rockCellAt(const inspect::MeantCell& click) const;
+    [[nodiscard]] std::optional<std::size_t> rockCellAt(const inspect::ClickedCell& click) const;
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }
     /// The cell of the rock that a command is for: the last one that was selected, else the pinned one.
     [[nodiscard]] std::optional<std::size_t> chosen() const { return selected_.empty() ? pinned_ : std::optional(selected_.back()); }
@@ -142,7 +142,7 @@ signals:
 private:
     void connectViews();
     void ask();
-    void take(const std::shared_ptr<const RockPicture>& picture);
+    void storePicture(const std::shared_ptr<const RockPicture>& picture);
     void show();
     void showFaces();
     void showSelection();
@@ -153,10 +153,10 @@ private:
     void writeWaiting();
     void refuseWaiting();
     void point(std::optional<std::size_t> cell, const QObject* from);
-    void addToMenu(QMenu& menu, const inspect::MeantCell& click);
+    void addToMenu(QMenu& menu, const inspect::ClickedCell& click);
     void followPin(std::optional<std::size_t> cell);
     [[nodiscard]] bool pinnedOnRock() const;
-    void click(const inspect::MeantCell& click);
+    void click(const inspect::ClickedCell& click);
     void splitAt(std::size_t cell);
     /// The first edit is what the operator did, or `kind`. `merged`: selected rocks that become one; undo selects all of them again.
     void push(const QString& name, std::vector<rocks::Edit> added, const std::vector<std::size_t>& merged = {});
@@ -165,7 +165,7 @@ private:
     void pushOperatorEdits(const QString& name, OperatorEdits after, const std::vector<std::size_t>& merged = {});
     void judgeEdit();
     void adopt(const rocks::Preset& mine, const rocks::Preset& theirs); // of another window
-    void takePreset(const rocks::Preset& preset);
+    void applyPreset(const rocks::Preset& preset);
     struct CutAsked {
         std::shared_ptr<const RockPicture> of;
         rocks::CutLine line;
@@ -173,11 +173,11 @@ private:
         std::optional<std::uint32_t> chosen; ///< a cell of the rock on the card
     };
     [[nodiscard]] bool completesCut(std::vector<QPoint>& cells);
-    void takeStroke(std::vector<QPoint> cells);
-    void takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut);
+    void applyStroke(std::vector<QPoint> cells);
+    void applyCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut);
     [[nodiscard]] RockNames names() const;
-    void takeJoin(const rocks::CutLine& stroke);
-    void takeRegion(const std::vector<QPoint>& cells);
+    void applyJoin(const rocks::CutLine& stroke);
+    void applyRegion(const std::vector<QPoint>& cells);
     void choosePieceAt(std::size_t cell);
     void showPiece(const QObject* from);
     void stepPiece(int by);

@@ -100,8 +100,8 @@ void useChanges(Comparing& comparing, QStringList words) {
 
 /// `key`: in the session. Opening a scan puts some looks back: those are given back once more when it is open.
 template <class Of, class... Signals>
-StatePart lookPart(const char* key, Of& of, QString (*taken)(Of&), void (*use)(Of&, QStringList), GivenBack when, Signals... changes) {
-    return {[key, &of, taken](inspect::ViewerState& state) { state.looks[key] = taken(of).toStdString(); },
+StatePart lookPart(const char* key, Of& of, QString (*read)(Of&), void (*use)(Of&, QStringList), GivenBack when, Signals... changes) {
+    return {[key, &of, read](inspect::ViewerState& state) { state.looks[key] = read(of).toStdString(); },
             [key, &of, use](const inspect::ViewerState& state) {
                 if (const auto found = state.looks.find(key); found != state.looks.end()) use(of, exactText(found->second).split(' '));
             },

@@ -63,7 +63,7 @@ void endSwitchesOfScan(QWidget& window) {
 }
 
 StatePart switchesPart(QWidget& window) {
-    const auto take = [&window](inspect::ViewerState& state) {
+    const auto store = [&window](inspect::ViewerState& state) {
         forSwitches(window, [&](const QAction& action, const std::string& key) { state.switches[key] = action.isChecked(); });
     };
     const auto use = [&window](const inspect::ViewerState& state) {
@@ -72,7 +72,7 @@ StatePart switchesPart(QWidget& window) {
             if (found != state.switches.end() && found->second != action.isChecked()) action.trigger();
         });
     };
-    return {take, use, GivenBack::BeforeScan, [&window](const QObject& to, const std::function<void()>& changed) {
+    return {store, use, GivenBack::BeforeScan, [&window](const QObject& to, const std::function<void()>& changed) {
                 forSwitches(window, [&](QAction& action, const std::string&) { changesOf(action, &QAction::toggled)(to, changed); });
             }};
 }

@@ -24,7 +24,7 @@ enum class GivenBack : std::uint8_t { BeforeScan, OnScan, Both };
 
 /// All that it names outlives it.
 struct StatePart {
-    std::function<void(inspect::ViewerState& state)> take;
+    std::function<void(inspect::ViewerState& state)> store;
     std::function<void(const inspect::ViewerState& state)> use;
     GivenBack when = GivenBack::OnScan;
     std::function<void(const QObject& to, const std::function<void()>& changed)> follow{};

@@ -47,7 +47,7 @@ Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, 
       autosaves_(preferences.dataFolder().isEmpty() ? QString() : preferences.dataFolder() + "/sessions"),
       written_(
           Urgency::Soon, [this](const Job& job) { return write(job); }, // the hash of a closed recording may take seconds
-          [this](const Job&, const std::shared_ptr<const QString>& trouble) { take(*trouble); },
+          [this](const Job&, const std::shared_ptr<const QString>& trouble) { finishSaving(*trouble); },
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("The session is not saved (%1).").arg(what)); },
           Older::Delivered) {
     soon_.setSingleShot(true);
@@ -92,7 +92,7 @@ void Sessions::changed() {
     if (!soon_.isActive() && !wanted_ && !reading_) soon_.start();
 }
 
-std::optional<inspect::SessionScan> Sessions::scanTaken() const {
+std::optional<inspect::SessionScan> Sessions::currentScan() const {
     const Picture& picture = *engine_.picture();
     const Scan& scan = *picture.detection->scan;
     if (picture.source.growth.sweep < 0) return scan.sha256.empty() ? std::nullopt : files_.scanShown(scan);
@@ -107,12 +107,12 @@ std::optional<inspect::SessionScan> Sessions::scanTaken() const {
     return of;
 }
 
-std::optional<inspect::ViewerState> Sessions::taken() const {
-    auto scan = engine_.picture() ? scanTaken() : std::nullopt;
+std::optional<inspect::ViewerState> Sessions::currentState() const {
+    auto scan = engine_.picture() ? currentScan() : std::nullopt;
     if (!scan) return std::nullopt;
     inspect::ViewerState state;
     state.scan = std::move(*scan);
-    for (const StatePart& part : parts_) part.take(state);
+    for (const StatePart& part : parts_) part.store(state);
     if (state.rocks) state.rocks->sha256 = state.scan.identity.sha256;
     return state;
 }
@@ -132,7 +132,7 @@ bool Sessions::isShown(const inspect::SessionScan& scan) const {
 
 std::optional<Sessions::Job> Sessions::job() {
     if (wanted_ || reading_) return std::nullopt; // the session's scan is not on the screen yet
-    auto state = taken();
+    auto state = currentState();
     if (!state) return std::nullopt;
     state->keptIn = exactBytes(file_);
     if (autosaves_.own().isEmpty() && file_.isEmpty()) return std::nullopt;
@@ -170,7 +170,7 @@ QString Sessions::write(const Job& job) {
     return trouble;
 }
 
-void Sessions::take(const QString& trouble) {
+void Sessions::finishSaving(const QString& trouble) {
     if (!trouble.isEmpty() && !failing_) notice_.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(trouble));
     failing_ = !trouble.isEmpty();
     if (written_.behind() || !std::exchange(toTell_, false)) return;
@@ -178,7 +178,7 @@ void Sessions::take(const QString& trouble) {
 }
 
 void Sessions::saveAs(const QString& path) {
-    const auto state = taken();
+    const auto state = currentState();
     if (!state) {
         notice_.showHint(tr("There is nothing to save yet: open a scan first. To store a live sweep, record it."));
         return;
@@ -191,7 +191,7 @@ void Sessions::saveAs(const QString& path) {
 }
 
 void Sessions::askSaveAs() {
-    if (!taken()) return saveAs({});
+    if (!currentState()) return saveAs({});
     const QString scan = QFileInfo(files_.path().isEmpty() ? "demo" : files_.path()).completeBaseName();
     SaveQuestion question{tr("Save session"), QDir(preferences_.folder("sessions")).filePath(scan + inspect::kSessionEnding),
                           filtersOfSessions()};
@@ -374,7 +374,7 @@ void Sessions::offerToContinue() {
 }
 
 std::string Sessions::textFor(const QString& folder) const {
-    const auto state = taken();
+    const auto state = currentState();
     return state ? inspect::sessionText(*state, exactBytes(absolutePath(folder)), utcText(utcNow())) : std::string();
 }
 

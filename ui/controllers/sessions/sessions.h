@@ -75,8 +75,8 @@ private:
     void changed();
     /// The state now. Empty while there is nothing to come back to: no picture, or one of no file; of a sweep from a scanner, what is not
     /// being recorded.
-    [[nodiscard]] std::optional<inspect::ViewerState> taken() const;
-    [[nodiscard]] std::optional<inspect::SessionScan> scanTaken() const;
+    [[nodiscard]] std::optional<inspect::ViewerState> currentState() const;
+    [[nodiscard]] std::optional<inspect::SessionScan> currentScan() const;
     /// That the scan on the screen is that one.
     [[nodiscard]] bool isShown(const inspect::SessionScan& scan) const;
     /// The wanted sweep is another one of the recording on the screen: looks at them one after the other.
@@ -89,7 +89,7 @@ private:
     void give(const inspect::ViewerState& state, GivenBack when);
     [[nodiscard]] std::optional<Job> job();
     [[nodiscard]] QString write(const Job& job); // pool's thread; empty, or why not
-    void take(const QString& trouble);
+    void finishSaving(const QString& trouble);
     void save();
     void openScan(const QStringList& paths, const ReadingOptions& options);
     void restore(inspect::ReadSession read, const QString& file);

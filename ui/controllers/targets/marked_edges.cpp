@@ -21,13 +21,13 @@ MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, Q
       found_(
           Urgency::Later, [this](const Question& question, const Asker& asker) { return run(question, asker); },
           [this](const Question& question, const std::shared_ptr<const std::vector<edges::EdgeProposal>>& proposals) {
-              take(question, *proposals);
+              showProposals(question, *proposals);
           },
           [this](const QString& what) {
               card_->hide();
               notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
           }) {
-    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::ClickedCell& click) {
         const std::size_t cell = click.clicked; // what an edge is was asked of the very cell
         menu.addAction(tr("This &is an edge"), this, [this, cell] { mark(cell, true); });
         menu.addAction(tr("This is &not an edge"), this, [this, cell] { mark(cell, false); });
@@ -151,7 +151,7 @@ void MarkedEdges::makeCard() {
     });
 }
 
-void MarkedEdges::take(const Question& question, const std::vector<edges::EdgeProposal>& proposals) {
+void MarkedEdges::showProposals(const Question& question, const std::vector<edges::EdgeProposal>& proposals) {
     if (marks_.empty() || engine_.picture()->detection->scan != question.scan) return card_->hide();
     putBack();
     proposals_ = proposals;

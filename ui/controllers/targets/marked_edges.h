@@ -53,7 +53,7 @@ private:
     [[nodiscard]] std::vector<edges::EdgeProposal> run(const Question& question, const Asker& asker); // pool's thread
     void makeCard();
     void showStage(int method);
-    void take(const Question& question, const std::vector<edges::EdgeProposal>& proposals);
+    void showProposals(const Question& question, const std::vector<edges::EdgeProposal>& proposals);
     void show();
     void putBack();
 

@@ -42,11 +42,11 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
               const Scan& scan = *asked.of->detection->scan;
               return inspect::throatAt(scan, CartesianTables(scan), asked.clicked[0], asked.clicked[1]);
           },
-          [this](const ThroatAsked& asked, const auto& found) { takeThroat(asked, *found); },
+          [this](const ThroatAsked& asked, const auto& found) { finishThroat(asked, *found); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Error, tr("the throat could not be measured (%1); close other programs.").arg(what));
           }) {
-    connect(&views_, &LinkedViews::clicked, this, [this](const inspect::MeantCell& click) {
+    connect(&views_, &LinkedViews::clicked, this, [this](const inspect::ClickedCell& click) {
         if (kind_ && views_.tool() == Tool::Measure) pick(click);
     });
     connect(&views_, &LinkedViews::toolChanged, this, [this] {
@@ -91,7 +91,7 @@ bool Measures::removeLastPick() {
     return true;
 }
 
-void Measures::pick(const inspect::MeantCell& click) {
+void Measures::pick(const inspect::ClickedCell& click) {
     if (throats_.behind()) return; // the prompt says so
     if (kind_ == inspect::MeasureKind::Throat && askThrough(click)) return show();
     if (!views_.shown() || views_.shown()->detection->scan->state[click.cell] != CellState::Valid) {
@@ -105,7 +105,7 @@ void Measures::pick(const inspect::MeantCell& click) {
 }
 
 /// One click into an opening measures it. False: it is not into one.
-bool Measures::askThrough(const inspect::MeantCell& click) {
+bool Measures::askThrough(const inspect::ClickedCell& click) {
     if (!views_.shown()) return false;
     const Scan& scan = *views_.shown()->detection->scan;
     const auto cell = inspect::openingOfClick(scan, CartesianTables(scan), click);
@@ -116,9 +116,9 @@ bool Measures::askThrough(const inspect::MeantCell& click) {
 }
 
 void Measures::keepPicked() {
-    const std::vector<inspect::MeantCell> clicks = std::exchange(picked_, {});
+    const std::vector<inspect::ClickedCell> clicks = std::exchange(picked_, {});
     std::vector<std::uint32_t> cells, clicked;
-    for (const inspect::MeantCell& click : clicks) {
+    for (const inspect::ClickedCell& click : clicks) {
         cells.push_back(click.cell);
         clicked.push_back(click.clicked);
     }
@@ -126,7 +126,7 @@ void Measures::keepPicked() {
     throats_.ask({views_.shown(), std::move(clicked), false});
 }
 
-void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
+void Measures::finishThroat(const ThroatAsked& asked, const Throat& found) {
     show();
     if (!isOnScreen(*asked.of)) return;
     if (found && found->mostM > kMostSpread * found->leastM)
@@ -187,7 +187,7 @@ void Measures::show() {
     if (!kind_) return;
     MeasureMark draft;
     draft.active = true; // its ends have rings: a click near a target takes the cell of that
-    for (const inspect::MeantCell& click : picked_) {
+    for (const inspect::ClickedCell& click : picked_) {
         draft.cells.push_back(click.cell);
         draft.clicked.push_back(click.clicked);
     }

@@ -32,7 +32,7 @@ public:
     void stop();
     /// Empty while no measurement is active.
     [[nodiscard]] std::optional<inspect::MeasureKind> kind() const { return kind_; }
-    [[nodiscard]] const std::vector<inspect::MeantCell>& picked() const { return picked_; }
+    [[nodiscard]] const std::vector<inspect::ClickedCell>& picked() const { return picked_; }
     /// Removes the last picked cell; false: there was none.
     bool removeLastPick();
     /// What is picked, and which click comes next.
@@ -51,11 +51,11 @@ private:
         std::vector<std::uint32_t> clicked;
         bool afterAClick; ///< one click, and the click on rock before it does not count
     };
-    void pick(const inspect::MeantCell& click);
+    void pick(const inspect::ClickedCell& click);
     [[nodiscard]] QString lastClickWords() const;
-    [[nodiscard]] bool askThrough(const inspect::MeantCell& click);
+    [[nodiscard]] bool askThrough(const inspect::ClickedCell& click);
     void keepPicked();
-    void takeThroat(const ThroatAsked& asked, const Throat& found);
+    void finishThroat(const ThroatAsked& asked, const Throat& found);
     [[nodiscard]] bool isOnScreen(const Picture& of) const;
     void warnOfClick();
     void keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked);
@@ -64,7 +64,7 @@ private:
     Targets& targets_;
     NoticeBar& notice_;
     std::optional<inspect::MeasureKind> kind_;
-    std::vector<inspect::MeantCell> picked_;
+    std::vector<inspect::ClickedCell> picked_;
     std::optional<inspect::StoredMeasure> newThroat_; // until its card is known
     Derived<ThroatAsked, Throat> throats_;            // last
 };

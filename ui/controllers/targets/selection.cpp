@@ -83,7 +83,7 @@ Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar
         for (const QPointF& corner : corners) pixels << corner * cloud.devicePixelRatioF();
         inside_.ask({cloud.geometryOfCloud(), cloud.screenView(), pixels, modifiers});
     });
-    connect(&views_, &LinkedViews::clicked, this, [this](const inspect::MeantCell& click) {
+    connect(&views_, &LinkedViews::clicked, this, [this](const inspect::ClickedCell& click) {
         if (views_.tool() != Tool::Box && views_.tool() != Tool::Lasso) return;
         const std::size_t cell = click.clicked; // an edge may be on the far side
         const bool edge = (*views_.shown()->detection->mask)[cell] != 0;
@@ -223,7 +223,7 @@ QString Selection::words() const {
     return words;
 }
 
-void Selection::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
+void Selection::addToMenu(QMenu& menu, const inspect::ClickedCell& click) {
     if (!views_.shown()) return;
     const std::size_t cell = click.clicked;
     if (auto* rock = menu.findChild<QMenu*>(kRockMenu)) {

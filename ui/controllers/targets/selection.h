@@ -76,7 +76,7 @@ private:
     void change(const QString& what, State after);
     void use(const State& state);
     void show();
-    void addToMenu(QMenu& menu, const inspect::MeantCell& click);
+    void addToMenu(QMenu& menu, const inspect::ClickedCell& click);
     [[nodiscard]] bool needSelection();
     void reportGrowth();
     void hideToo(const QString& what, const inspect::CellSet& cells);

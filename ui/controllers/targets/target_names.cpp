@@ -33,7 +33,7 @@ const inspect::PinnedTarget* Targets::onRockAt(std::size_t cell) const {
 }
 
 /// The target of the cell, else the nearest one whose pin is under the pointer; null: there is none.
-const inspect::PinnedTarget* Targets::at(const inspect::MeantCell& click) const {
+const inspect::PinnedTarget* Targets::at(const inspect::ClickedCell& click) const {
     const inspect::PinnedTarget* found = nullptr;
     double nearestPx = kPinPx;
     for (const std::uint32_t cell : {click.clicked, click.cell}) {
@@ -49,7 +49,7 @@ const inspect::PinnedTarget* Targets::at(const inspect::MeantCell& click) const 
     return found;
 }
 
-void Targets::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
+void Targets::addToMenu(QMenu& menu, const inspect::ClickedCell& click) {
     if (auto* rock = menu.findChild<QMenu*>(kRockMenu); rock != nullptr) {
         rock->addAction(tr("Na&me…"), this, [this, click] { askName(click); });
         rock->addAction(tr("Meas&ure from Here"), this, [this, click] { emit measureRequested(click.cell); });
@@ -80,7 +80,7 @@ std::optional<QString> Targets::askText(const QString& title, const QString& lab
 }
 
 /// A rock without a target gets one with its name, not before.
-void Targets::askName(const inspect::MeantCell& click) {
+void Targets::askName(const inspect::ClickedCell& click) {
     const std::size_t cell = rocks_.rockCellAt(click).value_or(click.cell);
     const inspect::PinnedTarget* target = onRockAt(cell);
     const int number = target != nullptr ? target->number : inspect::nextNumber(notebook_);

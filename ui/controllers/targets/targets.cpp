@@ -29,7 +29,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
       store_(preferences.dataFolder().isEmpty() ? QString() : preferences.dataFolder() + "/targets"),
       worked_(
           Urgency::Now, [this](const Question& question) { return workOut(question); },
-          [this](const Question&, const std::shared_ptr<const KnownTargets>& known) { take(*known); },
+          [this](const Question&, const std::shared_ptr<const KnownTargets>& known) { storeKnown(*known); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be computed (%1).").arg(what));
           },
@@ -391,7 +391,7 @@ KnownTargets Targets::workOut(const Question& question) {
     return known;
 }
 
-void Targets::take(const KnownTargets& known) {
+void Targets::storeKnown(const KnownTargets& known) {
     if (!engine_.picture() || known.picture->detection->scan->beams() != engine_.picture()->detection->scan->beams()) return;
     known_ = known;
     // The first content of the card is stored with the target.

@@ -93,7 +93,7 @@ public:
     /// Locked targets stay.
     void removeAll();
     /// Asks for the name of the rock at the click and stores it with a target on it.
-    void askName(const inspect::MeantCell& click);
+    void askName(const inspect::ClickedCell& click);
     void rename(int number, const QString& name);
     void setNote(int number, const QString& note);
     /// In the field of the card, or in a dialog while the card is hidden.
@@ -134,7 +134,7 @@ public:
     /// Shows marks of another controller like targets; replaces earlier ones.
     void showExtraMarks(std::vector<TargetMark> marks);
     /// The target that a click means: at the clicked cell, at the one that is meant, or next to it. Null: none.
-    [[nodiscard]] const inspect::PinnedTarget* at(const inspect::MeantCell& click) const;
+    [[nodiscard]] const inspect::PinnedTarget* at(const inspect::ClickedCell& click) const;
 
 signals:
     /// The panel has new content to look at.
@@ -151,7 +151,7 @@ private:
     };
     [[nodiscard]] KnownTargets workOut(const Question& question); // pool's thread
     void connectPanel();
-    void addToMenu(QMenu& menu, const inspect::MeantCell& click);
+    void addToMenu(QMenu& menu, const inspect::ClickedCell& click);
     [[nodiscard]] std::optional<QString> askText(const QString& title, const QString& label, const QString& text, int mostLetters) const;
     void setText(int number, const QString& text, std::string inspect::PinnedTarget::*member, std::size_t mostBytes, const QString& step);
     void followPin(std::optional<std::size_t> cell);
@@ -161,7 +161,7 @@ private:
     void keep();
     void adopt(const QString& path, const inspect::Notebook& mine, const inspect::Notebook& theirs); // of another window
     void ask();
-    void take(const KnownTargets& known);
+    void storeKnown(const KnownTargets& known);
     void show();
     void showCard();
     void keepConfidence();

@@ -101,8 +101,8 @@ QString Targets::clickOf(const inspect::PinnedTarget& target) const {
     const edges::Detection& detection = *engine_.picture()->detection;
     const std::uint32_t clicked = target.clicked.value_or(target.cell);
     if (clicked >= detection.scan->cells()) return {};
-    for (const inspect::MeantCell& click :
-         {inspect::meantEdge(*detection.scan, *detection.mask, clicked), inspect::meantCell(*detection.scan, clicked)}) {
+    for (const inspect::ClickedCell& click :
+         {inspect::nearSideEdge(*detection.scan, *detection.mask, clicked), inspect::nearSideCell(*detection.scan, clicked)}) {
         if (click.cell == target.cell) return clickText(click, detection);
     }
     if (!target.clicked) return {};                                         // the operator chose this very cell

@@ -35,8 +35,8 @@ void CellDrag::want(Wanted what) {
 
 bool CellDrag::eventFilter(QObject* watched, QEvent* event) {
     if (wanted_ == Wanted::Nothing) return false;
-    if (wanted_ == Wanted::Wheel) return takeWheel(*event);
-    return takeMouse(*qobject_cast<QWidget*>(watched), *event);
+    if (wanted_ == Wanted::Wheel) return readWheel(*event);
+    return readMouse(*qobject_cast<QWidget*>(watched), *event);
 }
 
 std::optional<QPoint> CellDrag::cellUnder(const QWidget& view, QPointF at) const {
@@ -45,7 +45,7 @@ std::optional<QPoint> CellDrag::cellUnder(const QWidget& view, QPointF at) const
     return cell ? std::optional(views_.placeOf(*cell)) : std::nullopt;
 }
 
-bool CellDrag::takeMouse(QWidget& view, QEvent& event) {
+bool CellDrag::readMouse(QWidget& view, QEvent& event) {
     const QEvent::Type type = event.type();
     if (type != QEvent::MouseButtonPress && type != QEvent::MouseMove && type != QEvent::MouseButtonRelease) return false;
     const auto& mouse = static_cast<QMouseEvent&>(event);
@@ -70,7 +70,7 @@ bool CellDrag::takeMouse(QWidget& view, QEvent& event) {
     return true;
 }
 
-bool CellDrag::takeWheel(QEvent& event) {
+bool CellDrag::readWheel(QEvent& event) {
     if (event.type() != QEvent::Wheel) return false;
     turned_ += notches(static_cast<QWheelEvent&>(event));
     const double whole = std::trunc(turned_); // wheels without notches send small fractions

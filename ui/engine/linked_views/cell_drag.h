@@ -31,9 +31,9 @@ signals:
     void stepped(int by);
 
 private:
-    bool takeMouse(QWidget& view, QEvent& event);
+    bool readMouse(QWidget& view, QEvent& event);
     [[nodiscard]] std::optional<QPoint> cellUnder(const QWidget& view, QPointF at) const;
-    bool takeWheel(QEvent& event);
+    bool readWheel(QEvent& event);
 
     LinkedViews& views_;
     Wanted wanted_ = Wanted::Nothing;

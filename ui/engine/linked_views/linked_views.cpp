@@ -260,14 +260,15 @@ QVector<QPoint> LinkedViews::onScreen(std::size_t cell) const {
     return places;
 }
 
-inspect::MeantCell LinkedViews::meant(std::size_t clicked) const {
+inspect::ClickedCell LinkedViews::nearSideCell(std::size_t clicked) const {
     const edges::Detection& detection = *shown()->detection;
     const auto cell = static_cast<std::uint32_t>(clicked);
     // A target is on the edge that was clicked; lengths are between surfaces.
-    return tool_ == Tool::Pin ? inspect::meantEdge(*detection.scan, *detection.mask, cell) : inspect::meantCell(*detection.scan, cell);
+    return tool_ == Tool::Pin ? inspect::nearSideEdge(*detection.scan, *detection.mask, cell)
+                              : inspect::nearSideCell(*detection.scan, cell);
 }
 
-void LinkedViews::pinByClick(const inspect::MeantCell& click) {
+void LinkedViews::pinByClick(const inspect::ClickedCell& click) {
     byClick_ = click;
     pin(click.cell);
     byClick_.reset();

@@ -65,15 +65,15 @@ public:
     /// Sets the cell of the crosshair.
     void pin(std::optional<std::size_t> cell);
     /// The cell that a click means: on the near side of an edge, or the nearest measured one.
-    [[nodiscard]] inspect::MeantCell meant(std::size_t clicked) const;
+    [[nodiscard]] inspect::ClickedCell nearSideCell(std::size_t clicked) const;
     /// Pins like a click. If one target follows the clicks, it moves there.
-    void pinByClick(const inspect::MeantCell& click);
+    void pinByClick(const inspect::ClickedCell& click);
     /// With the tool in use.
-    void click(const inspect::MeantCell& click);
+    void click(const inspect::ClickedCell& click);
     /// The menu of a cell, the same in every view and in lists of cells; empty: only what concerns no cell.
-    void openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click);
+    void openMenu(const QPoint& position, const std::optional<inspect::ClickedCell>& click);
     /// While pinChanged() is emitted: the click that pins.
-    [[nodiscard]] const std::optional<inspect::MeantCell>& pinningClick() const { return byClick_; }
+    [[nodiscard]] const std::optional<inspect::ClickedCell>& pinningClick() const { return byClick_; }
     /// Clears the pinned cell and the box; its target stays.
     void clearPin();
     /// Off: a click with the tool Pin sets no target.
@@ -148,7 +148,7 @@ signals:
     /// Another cell is pinned, or the pin was cleared.
     void pinChanged(std::optional<std::size_t> cell);
     /// A click on a cell in any view, with any tool; Pin has pinned it.
-    void clicked(const edgescan::inspect::MeantCell& click);
+    void clicked(const edgescan::inspect::ClickedCell& click);
     /// A click that chooses a measurement: its index in marks().
     void measureClicked(std::size_t index);
     /// End of a selecting drag over an image: corners in cells (x = beam, y = line) ...
@@ -162,13 +162,13 @@ signals:
     /// An image has new content: other ranges or edges, or other colours.
     void picturesChanged();
     /// The menu of a cell is about to open: receivers may add actions.
-    void cellMenuOpens(QMenu& menu, const edgescan::inspect::MeantCell& click);
+    void cellMenuOpens(QMenu& menu, const edgescan::inspect::ClickedCell& click);
     /// Text about the content of the box that was dragged over an image.
     void boxed(const QString& words);
 
 private:
     void showNote();
-    [[nodiscard]] std::optional<std::size_t> seenAt(const ImageView& view, int line, int beam) const;
+    [[nodiscard]] std::optional<std::size_t> visibleCellAt(const ImageView& view, int line, int beam) const;
     void linkImages();
     void linkCloud();
     [[nodiscard]] bool refusesClicks(QWidget& view) const;
@@ -217,7 +217,7 @@ private:
     CellMarks marks_;
     std::vector<std::vector<std::size_t>> cut_;
     std::vector<TargetMark> explained_;
-    std::optional<inspect::MeantCell> byClick_;
+    std::optional<inspect::ClickedCell> byClick_;
 };
 
 } // namespace edgescan::ui

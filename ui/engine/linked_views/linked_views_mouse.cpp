@@ -35,28 +35,28 @@ void LinkedViews::setChoosesOnly(bool on) {
 void LinkedViews::linkImages() {
     for (ImageView* view : images_) {
         connect(view, &ImageView::hovered, this, [this, view](int line, int beam) {
-            if (const auto cell = seenAt(*view, line, beam)) hover(cell, view);
+            if (const auto cell = visibleCellAt(*view, line, beam)) hover(cell, view);
         });
         connect(view, &ImageView::hoverLeft, this, [this, view] { hover(std::nullopt, view); });
         connect(view, &ImageView::clicked, this, [this, view](int line, int beam) {
             if (refusesClicks(*view)) return;
-            if (const auto cell = seenAt(*view, line, beam)) clickAt(*cell);
+            if (const auto cell = visibleCellAt(*view, line, beam)) clickAt(*cell);
         });
         connect(view, &ImageView::markClicked, this, [this, view](const MarkName& mark, int line, int beam) {
-            if (!refusesClicks(*view)) clickMark(mark, line < 0 ? std::nullopt : seenAt(*view, line, beam));
+            if (!refusesClicks(*view)) clickMark(mark, line < 0 ? std::nullopt : visibleCellAt(*view, line, beam));
         });
         connect(view, &ImageView::outlined, this, [this, view](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
             if (!refusesClicks(*view)) emit imageOutlined(corners, modifiers);
         });
         connect(view, &ImageView::menuRequested, this,
-                [this, view](int line, int beam, const QPoint& position) { openMenuAt(position, seenAt(*view, line, beam)); });
+                [this, view](int line, int beam, const QPoint& position) { openMenuAt(position, visibleCellAt(*view, line, beam)); });
         connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);
         connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeRangeWindow);
     }
 }
 
 /// A pixel of a small edge map shows several cells: the nearest edge among them is what is seen there.
-std::optional<std::size_t> LinkedViews::seenAt(const ImageView& view, int line, int beam) const {
+std::optional<std::size_t> LinkedViews::visibleCellAt(const ImageView& view, int line, int beam) const {
     const auto cell = cellAt(line, beam);
     const QSizeF pixels = view.viewPort()->cellSize(view.size());
     const bool drawsEdges = &view == images_[1] || scene_.overGray != nullptr;
@@ -111,10 +111,10 @@ bool LinkedViews::isTarget(std::size_t cell) const {
 
 void LinkedViews::openMenuAt(const QPoint& position, std::optional<std::size_t> cell) {
     if (!cell || flipped()) return openMenu(position, std::nullopt);
-    openMenu(position, isTarget(*cell) ? inspect::exactly(*cell) : meant(*cell));
+    openMenu(position, isTarget(*cell) ? inspect::exactly(*cell) : nearSideCell(*cell));
 }
 
-void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click) {
+void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::ClickedCell>& click) {
     QMenu menu;
     menu.setObjectName("cell-menu");
     if (click) {
@@ -133,7 +133,7 @@ void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::
 
 /// Shift takes the clicked cell itself, whatever is near.
 void LinkedViews::clickAt(std::size_t cell) {
-    click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell));
+    click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : nearSideCell(cell));
 }
 
 /// A click on a target, or on its label, chooses it. Tools take the cell of a target where its ring is clicked, and otherwise what is
@@ -159,7 +159,7 @@ bool LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> beh
 }
 
 /// Ctrl selects several rocks and pins no cell.
-void LinkedViews::click(const inspect::MeantCell& click) {
+void LinkedViews::click(const inspect::ClickedCell& click) {
     if (refusesClicks(gray())) return;
     if (tool_ == Tool::Pin && pinsOnClick_ && !choosesOnly_ && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
         pinByClick(click);

@@ -149,10 +149,10 @@ private:
             std::swap(unread_, answer); // the one before, if it was not read, is freed below
         }
         QMetaObject::invokeMethod(
-            &quiet_, [this, number] { take(number); }, Qt::QueuedConnection);
+            &quiet_, [this, number] { deliverAnswer(number); }, Qt::QueuedConnection);
     }
 
-    void take(std::uint64_t number) {
+    void deliverAnswer(std::uint64_t number) {
         std::optional<Answer> answer;
         {
             const std::lock_guard lock(mutex_);

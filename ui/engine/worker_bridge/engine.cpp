@@ -48,7 +48,7 @@ Engine::Engine(QObject* parent)
       // in its own words.
       pictures_(
           Urgency::Now, [this](const Asked& asked, const Asker& asker) { return run(asked, asker); },
-          [this](const Asked&, const std::shared_ptr<const Picture>& newest) { takePicture(newest); },
+          [this](const Asked&, const std::shared_ptr<const Picture>& newest) { storePicture(newest); },
           [this](const QString& what) {
               const bool arriving = arriving_.has_value();
               dropArrival();
@@ -58,7 +58,7 @@ Engine::Engine(QObject* parent)
           Older::Delivered),
       opener_(
           Urgency::Soon, [this](const Opening& opening, const Asker& asker) { return read(opening, asker); },
-          [this](const Opening& opening, const std::shared_ptr<const Opened>& opened) { takeOpened(opening.path, *opened); },
+          [this](const Opening& opening, const std::shared_ptr<const Opened>& opened) { finishOpening(opening.path, *opened); },
           [](const QString&) {}) {
     constexpr int kReplacingAfterMs = 300;
     replacingTimer_.setSingleShot(true);
@@ -230,7 +230,7 @@ Engine::Opened Engine::read(const Opening& opening, const Asker& asker) {
     }
 }
 
-void Engine::takeOpened(const QString& path, const Opened& opened) {
+void Engine::finishOpening(const QString& path, const Opened& opened) {
     if (opened.scan) {
         const std::uint64_t stream = newStream();
         arriving_ = Arrival{path, stream, opened.inputs};
@@ -290,7 +290,7 @@ std::shared_ptr<const Picture> Engine::workOutBorders(const std::shared_ptr<cons
     return made;
 }
 
-void Engine::takePicture(const std::shared_ptr<const Picture>& newest) {
+void Engine::storePicture(const std::shared_ptr<const Picture>& newest) {
     const bool arrives = arriving_ && newest->source.stream == arriving_->stream;
     if (arrives) {
         inputs_ = arriving_->inputs;

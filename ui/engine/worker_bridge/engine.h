@@ -113,7 +113,7 @@ private:
     void endOpening();
     void startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read);
     [[nodiscard]] Opened read(const Opening& opening, const Asker& asker); // pool's thread
-    void takeOpened(const QString& path, const Opened& opened);
+    void finishOpening(const QString& path, const Opened& opened);
     void endWork();
     void post(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
     /// The inputs of a picture.
@@ -126,7 +126,7 @@ private:
     void setCoarse(const std::shared_ptr<const CoarsePicture>& coarse);
     [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked, const Asker& asker);                   // pool's thread
     [[nodiscard]] std::shared_ptr<const Picture> workOutBorders(const std::shared_ptr<const Picture>& picture); // pool's thread
-    void takePicture(const std::shared_ptr<const Picture>& newest);
+    void storePicture(const std::shared_ptr<const Picture>& newest);
 
     Works works_;
     Asked asked_; // no scan: nothing was posted yet

@@ -97,7 +97,7 @@ QSize CabHead::minimumSizeHint() const {
 }
 
 /// What is always there or may come: the way out, the warnings, Cancel, and the badge, which says what the picture is.
-int CabHead::taken() const {
+int CabHead::reservedWidth() const {
     int wide = kLeastName + badge_->maximumWidth() + kBetweenTools;
     for (const QWidget* each : std::initializer_list<const QWidget*>{menu_, leave_, cancel_, warnings_}) wide += wideOf(each);
     return wide;
@@ -109,8 +109,8 @@ void CabHead::fit() {
     const QMargins around = layout()->contentsMargins();
     const int wide = width();
     badge_->setFixedWidth(std::clamp(static_cast<int>(kBadgeShare * wide), kNarrowestBadge, kWidestBadge));
-    taken_ = taken();
-    int left = wide - around.left() - around.right() - taken_;
+    reservedWidth_ = reservedWidth();
+    int left = wide - around.left() - around.right() - reservedWidth_;
     for (QWidget* each : std::initializer_list<QWidget*>{open_, connect_, clock_}) {
         const bool fits = wideOf(each) <= left;
         each->setVisible(fits);
@@ -132,7 +132,7 @@ void CabHead::resizeEvent(QResizeEvent* event) {
 /// Another font or language.
 bool CabHead::event(QEvent* event) {
     const bool used = QWidget::event(event);
-    if (event->type() == QEvent::LayoutRequest && taken() != taken_) fit();
+    if (event->type() == QEvent::LayoutRequest && reservedWidth() != reservedWidth_) fit();
     return used;
 }
 

@@ -41,7 +41,7 @@ protected:
 
 private:
     void showClock();
-    [[nodiscard]] int taken() const;
+    [[nodiscard]] int reservedWidth() const;
     void fit();
 
     QToolButton* menu_;
@@ -55,7 +55,7 @@ private:
     HoldButton* leave_;
     QWidget* badge_;
     QString scan_, scanFacts_, work_;
-    int taken_ = 0; // px, when the rest was fitted
+    int reservedWidth_ = 0; // px, when the rest was fitted
 };
 
 /// GUI thread only.

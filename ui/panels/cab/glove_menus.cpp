@@ -72,7 +72,7 @@ void GloveMenus::setOn(bool on) {
         auto* menu = qobject_cast<QMenu*>(each);
         if (menu == nullptr) continue;
         menu->setAttribute(Qt::WA_NoMouseReplay, on);
-        if (on) take(*menu);
+        if (on) addMenu(*menu);
     }
 }
 
@@ -80,7 +80,7 @@ bool GloveMenus::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Polish) { // before it is laid out for the first time
         if (auto* menu = qobject_cast<QMenu*>(watched)) {
             menu->setAttribute(Qt::WA_NoMouseReplay);
-            take(*menu);
+            addMenu(*menu);
         }
     }
     const bool mouse = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick ||
@@ -117,7 +117,7 @@ void GloveMenus::swipe(int y) {
 }
 
 /// The entries are there only while the menu is open: menus are filled and compared without it.
-void GloveMenus::take(QMenu& menu) {
+void GloveMenus::addMenu(QMenu& menu) {
     if (menu.property(kTaken).toBool()) return;
     menu.setProperty(kTaken, true);
     connect(&menu, &QMenu::aboutToShow, this, [this, &menu] {

@@ -23,7 +23,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void take(QMenu& menu);
+    void addMenu(QMenu& menu);
     bool readMouse(QMenu& opened, const QMouseEvent& event);
     void swipe(int y);
 

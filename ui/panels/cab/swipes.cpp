@@ -16,13 +16,13 @@ void Swipes::setOn(bool on) {
     if (on) qApp->installEventFilter(this); // for those that are made later
     for (QWidget* each : QApplication::allWidgets()) {
         auto* area = qobject_cast<QAbstractScrollArea*>(each);
-        if (area != nullptr) on ? take(*area) : giveBack(*area);
+        if (area != nullptr) on ? grab(*area) : giveBack(*area);
     }
 }
 
 bool Swipes::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Polish) {
-        if (auto* area = qobject_cast<QAbstractScrollArea*>(watched)) take(*area);
+        if (auto* area = qobject_cast<QAbstractScrollArea*>(watched)) grab(*area);
     }
     return false;
 }
@@ -32,7 +32,7 @@ void Swipes::giveBack(QAbstractScrollArea& area) {
     if (auto* list = qobject_cast<QAbstractItemView*>(&area)) list->resetVerticalScrollMode();
 }
 
-void Swipes::take(QAbstractScrollArea& area) {
+void Swipes::grab(QAbstractScrollArea& area) {
     if (area.window()->windowType() == Qt::Popup || area.property(kPaged).toBool()) return;
     if (auto* list = qobject_cast<QAbstractItemView*>(&area)) list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     QScroller::grabGesture(area.viewport(), QScroller::LeftMouseButtonGesture);

@@ -22,7 +22,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    static void take(QAbstractScrollArea& area);
+    static void grab(QAbstractScrollArea& area);
     static void giveBack(QAbstractScrollArea& area);
 };
 

@@ -60,8 +60,8 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     resize(520, 420);
     connect(words_, &QLineEdit::textChanged, this, &CommandPalette::find);
-    connect(words_, &QLineEdit::returnPressed, this, &CommandPalette::take);
-    connect(list_, &QListWidget::itemClicked, this, &CommandPalette::take);
+    connect(words_, &QLineEdit::returnPressed, this, &CommandPalette::chooseCurrent);
+    connect(list_, &QListWidget::itemClicked, this, &CommandPalette::chooseCurrent);
     find();
 }
 
@@ -80,7 +80,7 @@ void CommandPalette::find() {
     none_->setVisible(list_->count() == 0);
 }
 
-void CommandPalette::take() {
+void CommandPalette::chooseCurrent() {
     if (list_->currentItem() == nullptr) return;
     chosen_ = actions_[list_->currentItem()->data(Qt::UserRole).toInt()];
     accept();

@@ -27,7 +27,7 @@ protected:
 
 private:
     void find();
-    void take();
+    void chooseCurrent();
 
     QList<QAction*> actions_;
     QLineEdit* words_;

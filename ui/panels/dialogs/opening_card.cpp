@@ -106,13 +106,13 @@ void OpeningCard::fitRows() {
 }
 
 void OpeningCard::showEvent(QShowEvent* event) {
-    placeBeside();
+    placeAtRight();
     QDialog::showEvent(event);
     QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // after the columns have their widths
 }
 
 /// Over the right half of the window: the operator judges the picture in the rest.
-void OpeningCard::placeBeside() {
+void OpeningCard::placeAtRight() {
     const QWidget& below = *parentWidget()->window();
     const int wide = std::clamp(below.width() / 2, minimumSizeHint().width(), kWidest);
     const int high = std::min(std::max(minimumSizeHint().height(), below.height() - kHead), kHighest);

@@ -36,7 +36,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    void placeBeside();
+    void placeAtRight();
     void fitRows();
     [[nodiscard]] bool chosen(int& point, int& other) const;
 

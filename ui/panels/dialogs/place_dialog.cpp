@@ -110,16 +110,16 @@ QWidget* PlaceDialog::posePage() {
     order_ = new QComboBox;
     order_->setObjectName("survey-order");
     order_->addItems({"E, N, RL", "N, E, RL"});
-    auto* take = new QPushButton(tr("&Fill In"));
-    take->setObjectName("survey-take");
-    take->setAutoDefault(false);
+    auto* useLine = new QPushButton(tr("&Fill In"));
+    useLine->setObjectName("survey-take");
+    useLine->setAutoDefault(false);
     auto* row = new QHBoxLayout;
     row->addWidget(order_);
-    row->addWidget(take);
+    row->addWidget(useLine);
     row->addStretch(1);
-    const auto taken = [this] { emit surveyLineTyped(line_->text(), order_->currentIndex() == 1); };
-    connect(take, &QPushButton::clicked, this, taken);
-    connect(line_, &QLineEdit::returnPressed, this, taken);
+    const auto emitLine = [this] { emit surveyLineTyped(line_->text(), order_->currentIndex() == 1); };
+    connect(useLine, &QPushButton::clicked, this, emitLine);
+    connect(line_, &QLineEdit::returnPressed, this, emitLine);
     auto* fields = new QGridLayout;
     for (const PlaceField& field : poseFields()) addField(*fields, kPoseColumns, field, pose_);
     column->addLayout(fields);
@@ -183,7 +183,7 @@ void PlaceDialog::addField(QGridLayout& grid, int columns, const PlaceField& fie
     fault->hide();
     Row row{{}, {}, fault, nullptr, {}};
     QWidget* cell = nullptr;
-    const auto told = [this] {
+    const auto noteTyped = [this] {
         if (showing_) return;
         typed_ = true;
         emit changed();
@@ -193,7 +193,7 @@ void PlaceDialog::addField(QGridLayout& grid, int columns, const PlaceField& fie
         auto* choice = new QComboBox;
         choice->setObjectName(name);
         for (const std::string& word : field.words) choice->addItem(shownWord(word), exactText(word));
-        connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, told);
+        connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, noteTyped);
         row.text = [choice] { return choice->currentData().toString(); };
         row.show = [choice, usual = QString(field.usual)](const QString& text) {
             if (const int at = choice->findData(text.isEmpty() ? usual : text); at >= 0) choice->setCurrentIndex(at);
@@ -207,7 +207,7 @@ void PlaceDialog::addField(QGridLayout& grid, int columns, const PlaceField& fie
         row.usual = field.usual != nullptr ? QString(field.usual) : QString();
         if (field.kind != PlaceField::Kind::Text) edit->setInputMethodHints(Qt::ImhPreferNumbers);
         edit->setPlaceholderText(row.usual);
-        connect(edit, &QLineEdit::textChanged, this, told);
+        connect(edit, &QLineEdit::textChanged, this, noteTyped);
         row.text = [edit] { return edit->text(); };
         row.show = [edit](const QString& text) { edit->setText(text); };
         cell = edit;

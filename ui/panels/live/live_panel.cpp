@@ -192,7 +192,7 @@ void LivePanel::splitAddress() {
 QString LivePanel::host() const { return host_->text().trimmed(); }
 int LivePanel::port() const { return port_->value(); }
 void LivePanel::setSweep(const scanner::SweepSettings& settings) { sweep_->showSettings(settings); }
-void LivePanel::showAxisSeen(std::optional<Axis> axis) { sweep_->showAxisSeen(axis); }
+void LivePanel::showAxisFromRanges(std::optional<Axis> axis) { sweep_->showAxisFromRanges(axis); }
 scanner::SweepSettings LivePanel::sweep() const { return sweep_->settings(); }
 QString LivePanel::scannerShown() const { return scanner_->text(); }
 

@@ -39,7 +39,7 @@ public:
     void setSweep(const scanner::SweepSettings& settings);
     [[nodiscard]] scanner::SweepSettings sweep() const;
     /// The axis that the ranges show, in the field of the mounting; empty: they show none.
-    void showAxisSeen(std::optional<Axis> axis);
+    void showAxisFromRanges(std::optional<Axis> axis);
     /// Puts the text cursor into the host field.
     void askAddress();
     /// The same; a second time it closes the panel.

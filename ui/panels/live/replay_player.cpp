@@ -90,7 +90,7 @@ RecordingContents ReplayPlayer::survey(files::Replay& replay) {
             number = now.number;
             contents.sweeps.push_back({replay.position() - std::max(now.lines, 1), 0});
             if (starts_.size() < kMostStarts) {
-                static_cast<void>(replay.feed().assembler().takeFinished());
+                static_cast<void>(replay.feed().assembler().popFinished());
                 static_cast<void>(replay.snapshot()); // frees the previous sweep
                 starts_.push_back(replay);
             }
@@ -109,7 +109,7 @@ ReplayedSweep ReplayPlayer::at(files::Replay& replay, int line) {
             replay.seek(0);
     }
     replay.seek(line);
-    static_cast<void>(replay.feed().assembler().takeFinished());
+    static_cast<void>(replay.feed().assembler().popFinished());
     ReplayedSweep there{replay.position(), {replay.snapshot(), replay.progress()}};
     if (there.sweep.scan) {
         auto scan = files::describedSweep(*there.sweep.scan, replay.recording(), std::string(), options_);

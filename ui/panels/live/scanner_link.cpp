@@ -109,13 +109,13 @@ void ScannerLink::disconnectScanner() {
     runInThread([this, feed, shows, newest, stream, recorded]() -> std::function<void()> {
         feed->stop();
         const Result<files::RecordingState> closed = feed->stopRecording();
-        std::vector<scanner::SweepState> sweeps = feed->takeFinished();
+        std::vector<scanner::SweepState> sweeps = feed->popFinished();
         if (newest) sweeps.insert(sweeps.begin(), *newest);
         sweeps.push_back(feed->sweep());
         return [this, closed, sweeps, shows, stream, recorded] {
             if (!recorded.isEmpty() || !closed) reportRecorded(closed, recorded);
             // a file that is being opened meanwhile is wanted more
-            if (stream == stream_ && !engine_.opening()) takeStopped(sweeps, shows);
+            if (stream == stream_ && !engine_.opening()) storeStopped(sweeps, shows);
         };
     });
     // A picture that was held while its sweep grew stays, but nothing grows any more.
@@ -133,7 +133,7 @@ void ScannerLink::disconnectScanner() {
 }
 
 /// `sweeps`: ascending, the newest last.
-void ScannerLink::takeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows) {
+void ScannerLink::storeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows) {
     const auto& picture = engine_.picture();
     const bool own = picture && picture->source.stream == stream_;
     if (!own && !shows) return;
@@ -216,7 +216,7 @@ void ScannerLink::tick() {
     files::LiveHealth now = files::healthOf(status, shown ? picture->detection->scan->placement.get() : nullptr, grows ? &shown_ : nullptr);
     const bool changed = !(now == health_);
     health_ = std::move(now);
-    for (const scanner::FinishedSweep& sweep : feed_->takeFinished()) {
+    for (const scanner::FinishedSweep& sweep : feed_->popFinished()) {
         if (sweep.progress.number > heldNumber_) finished_ = sweep;
         newest_ = sweep;
     }

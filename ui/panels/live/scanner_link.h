@@ -92,7 +92,7 @@ private:
     void tick();
     void setFollowing(bool on, bool throughEnds);
     void showStopped();
-    void takeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows);
+    void storeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows);
     void hold(const scanner::SweepState& sweep);
     [[nodiscard]] scanner::SweepState onScreen() const;
     void showSweep();

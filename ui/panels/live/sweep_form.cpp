@@ -63,7 +63,7 @@ SweepForm::SweepForm(QWidget* parent)
     axis_->addItem({});
     axis_->addItem(tr("spin: like a wheel, about its viewing direction"), static_cast<int>(Axis::Spin));
     axis_->addItem(tr("sweep: nodding, about the line from beam 0° to 180°"), static_cast<int>(Axis::Sweep));
-    showAxisSeen({});
+    showAxisFromRanges({});
     auto* source = new QLabel(tr("The numbers are in the stepper's program or data sheet. Leave out what you do not know."));
     source->setWordWrap(true);
     axis_->setMinimumWidth(kLeastAxis); // a cab has no room for all of its words
@@ -84,7 +84,7 @@ SweepForm::SweepForm(QWidget* parent)
     showSettings(scanner::assumedSweep());
 }
 
-void SweepForm::showAxisSeen(std::optional<Axis> axis) {
+void SweepForm::showAxisFromRanges(std::optional<Axis> axis) {
     if (axis == seen_ && !axis_->itemText(0).isEmpty()) return; // each picture says it, also while a number is typed
     const Axis taken = axis.value_or(scanner::assumedSweep().axis);
     axis_->setItemText(0, !axis                 ? tr("not known (spin assumed until the ranges show it)")

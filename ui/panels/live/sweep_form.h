@@ -19,7 +19,7 @@ public:
 
     void showSettings(const scanner::SweepSettings& settings);
     /// The axis that the ranges show is named where none was chosen; empty: they show none.
-    void showAxisSeen(std::optional<Axis> axis);
+    void showAxisFromRanges(std::optional<Axis> axis);
     /// Keys go to the first field, whose text is selected.
     void begin();
     /// The last shown settings with the operator's changes.

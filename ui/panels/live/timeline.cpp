@@ -121,7 +121,7 @@ Timeline::Timeline(QWidget* parent)
 void Timeline::load(const std::filesystem::path& path, const ReadingOptions& options) {
     clear();
     player_ = std::make_unique<ReplayPlayer>(path, options);
-    connect(player_.get(), &ReplayPlayer::loaded, this, &Timeline::take);
+    connect(player_.get(), &ReplayPlayer::loaded, this, &Timeline::showContents);
     connect(player_.get(), &ReplayPlayer::refused, this, &Timeline::refused);
     connect(player_.get(), &ReplayPlayer::arrived, this, [this](const ReplayedSweep& at) {
         seeking_ = false;
@@ -142,7 +142,7 @@ void Timeline::clear() {
 }
 
 /// The file was opened meanwhile: its longest sweep is on the screen, complete.
-void Timeline::take(const RecordingContents& contents) {
+void Timeline::showContents(const RecordingContents& contents) {
     if (contents.lineNs.size() < 2 || contents.sweeps.empty()) return emit loaded();
     contents_ = contents;
     const auto longest = std::max_element(contents_.sweeps.begin(), contents_.sweeps.end(),

@@ -64,7 +64,7 @@ private:
     void setClock();
     void showPlace();
     void seek();
-    void take(const RecordingContents& contents);
+    void showContents(const RecordingContents& contents);
     [[nodiscard]] int sweepAt(int position) const;
 
     std::unique_ptr<ReplayPlayer> player_;

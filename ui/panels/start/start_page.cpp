@@ -125,11 +125,11 @@ void StartPage::fit() {
     row_->itemAt(0)->widget()->layout()->setSpacing(low ? 4 : 8);
     const int wide = all_->parentWidget()->width();
     const int high = all_->hasHeightForWidth() ? all_->totalHeightForWidth(wide) : all_->totalMinimumSize().height();
-    setContentsMargins(0, std::max(low ? std::clamp(height() - high, kAbove, kTopForGloves) : kTop, taken_), 0, 0);
+    setContentsMargins(0, std::max(low ? std::clamp(height() - high, kAbove, kTopForGloves) : kTop, covered_), 0, 0);
 }
 
-void StartPage::setTopTaken(int pixels) {
-    if (std::exchange(taken_, pixels) != pixels) fit();
+void StartPage::setTopCovered(int pixels) {
+    if (std::exchange(covered_, pixels) != pixels) fit();
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {

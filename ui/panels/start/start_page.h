@@ -31,7 +31,7 @@ public:
     /// Names neither keys nor a mouse, and has no buttons for them.
     void setForTouch(bool on);
     /// Strips above it cover so much of its top.
-    void setTopTaken(int pixels);
+    void setTopCovered(int pixels);
     [[nodiscard]] QListWidget& list() { return *list_; }
     /// All pictures are made.
     [[nodiscard]] bool settled() const { return waiting_.isEmpty() && !looking_; }
@@ -70,7 +70,7 @@ private:
     QPushButton* clear_;
     QStringList waiting_; // to be previewed
     bool looking_ = false, forTouch_ = false;
-    int taken_ = 0; // px of its top
+    int covered_ = 0; // px of its top
     std::atomic<bool> ending_{false};
 };
 

@@ -120,7 +120,7 @@ TargetRow confidenceRow(const ShownConfidence& confidence) {
 
 namespace {
 
-QString moveText(const inspect::MeantCell& click, const edges::Detection& detection) {
+QString moveText(const inspect::ClickedCell& click, const edges::Detection& detection) {
     switch (click.reason) {
     case inspect::SnapReason::AsClicked:
         return {};
@@ -143,7 +143,7 @@ QString moveText(const inspect::MeantCell& click, const edges::Detection& detect
 
 } // namespace
 
-QString clickText(const inspect::MeantCell& click, const edges::Detection& detection) {
+QString clickText(const inspect::ClickedCell& click, const edges::Detection& detection) {
     QString text = moveText(click, detection);
     if (!click.alsoNear) return text;
     if (!text.isEmpty()) text += "; ";

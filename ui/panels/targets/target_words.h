@@ -44,7 +44,7 @@ struct TargetRow {
 /// "8.13 m behind an edge; measured on its near side, 2 cells away". Empty if the click was not moved and no
 /// other surface is in front of it. Says so if `detection` has no edge there: settings can hide one, and a slip of
 /// the stepper is not an edge.
-[[nodiscard]] QString clickText(const inspect::MeantCell& click, const edges::Detection& detection);
+[[nodiscard]] QString clickText(const inspect::ClickedCell& click, const edges::Detection& detection);
 /// "jump", "no edge"; "edge" if the method has no classes.
 [[nodiscard]] QString edgeText(const inspect::CellTarget& target);
 /// "4.911 m", "no return".

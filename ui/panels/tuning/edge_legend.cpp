@@ -34,7 +34,7 @@ constexpr std::array<std::size_t, kEdgeClasses> kTakes{0, 1, 2, 4, 5, 3};
 QString classLabel(std::size_t n) { return QObject::tr(edges::findParameter("classes")->choices[n].label); }
 
 /// Classes that are off and whose cells can count in another class.
-QString takenWords(int classes) {
+QString textOfMovedCells(int classes) {
     QStringList off;
     for (std::size_t place = 0; place < kTakes.size(); ++place) {
         const auto takers = std::span(kTakes).subspan(place < kOfRocks ? 0 : place);
@@ -65,12 +65,12 @@ EdgeLegend::EdgeLegend(QWidget* parent) : QWidget(parent) {
         bold.setBold(true);
         each->setFont(bold);
     }
-    showSeen();
+    showTick();
     connect(edges_, &QCheckBox::toggled, this, [this](bool on) {
         if (showing_) return;
         if (!isCovered_) emit edgesRequested(on);
         if (!on || !isCovered_) return;
-        showSeen(); // until they are drawn over the rocks
+        showTick(); // until they are drawn over the rocks
         emit overRocksRequested(true);
     });
     unfold_ = new QToolButton;
@@ -215,7 +215,7 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
     known_ = known;
     isFilled_ = detection.filled != nullptr;
     showMissing(*detection.scan);
-    taken_->setText(chosen && known ? takenWords(classes) : QString());
+    taken_->setText(chosen && known ? textOfMovedCells(classes) : QString());
     showRows();
     if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(countText(detection.filled->cells.size())));
     show();
@@ -261,7 +261,7 @@ void EdgeLegend::showRows() {
 
 void EdgeLegend::showCovered(bool on) {
     isCovered_ = on;
-    showSeen();
+    showTick();
     showRows();
 }
 
@@ -306,11 +306,11 @@ void EdgeLegend::showByClass(bool on) {
 
 void EdgeLegend::showEdges(bool on) {
     areOn_ = on;
-    showSeen();
+    showTick();
 }
 
 /// The tick follows what the cloud shows.
-void EdgeLegend::showSeen() {
+void EdgeLegend::showTick() {
     showing_ = true;
     edges_->setChecked(areOn_ && !isCovered_);
     edges_->setToolTip(isCovered_ ? tr("Draws the edge points over the rocks") : tr("Edge points on and off: E"));

@@ -61,7 +61,7 @@ private:
     [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
     void showRows();
     void breakNames();
-    void showSeen();
+    void showTick();
     void placeHead();
     void paintSwatches();
     [[nodiscard]] QLabel* addSign(QGridLayout& grid, const char* name);

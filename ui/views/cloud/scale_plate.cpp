@@ -64,9 +64,9 @@ void ScalePlate::follow() {
         names_ = mine ? std::array<QString, 3>{"E", "N", "RL"} : std::array<QString, 3>{"X", "Y", "Z"};
     }
     const CameraPose pose = cloud_->camera();
-    const Seen seen{cloud_->geometryOfCloud(), pose, cloud_->clip(), cloud_->size()};
-    if (seen != seen_) depth_ = medianDepth();
-    seen_ = seen;
+    const ViewInputs inputs{cloud_->geometryOfCloud(), pose, cloud_->clip(), cloud_->size()};
+    if (inputs != viewInputs_) depth_ = medianDepth();
+    viewInputs_ = inputs;
     const double depth = depth_;
     const double perMetre = cloud_->height() / (2.0 * pose.halfHeight()) * (pose.parallel ? 1.0 : pose.distance() / depth);
     const double metres = roundedDown(kMostBar * unit() / perMetre);

@@ -47,12 +47,12 @@ protected:
 
 private:
     /// The values that determine which points are in view.
-    struct Seen {
+    struct ViewInputs {
         std::shared_ptr<const CloudGeometry> cloud;
         CameraPose camera;
         CloudClip clip;
         QSize size;
-        bool operator==(const Seen&) const = default;
+        bool operator==(const ViewInputs&) const = default;
     };
     void follow();
     [[nodiscard]] double unit() const; // 1; larger with a larger font
@@ -72,7 +72,7 @@ private:
     std::array<Eigen::Vector2d, 3> axes_{};
     QString barText_, groundText_;
     double barPixels_ = 0.0;
-    Seen seen_;
+    ViewInputs viewInputs_;
     double depth_ = 1.0; // metres, median of the points in view
     CloudColours colours_;
     bool coloured_ = false; // the points have these colours at present

@@ -82,31 +82,31 @@ void ViewCube::follow() {
     turn.row(2) = inCloud(pose.forward());
     if (turn == turn_) return;
     turn_ = turn;
-    seen_.clear();
+    visibleFaces_.clear();
     for (const CubeFace& face : cubeFaces()) {
         const double towardsEye = -turn.row(2).dot(face.out);
         if (towardsEye < kLeastTowardsEye) continue;
         const Eigen::Vector3d across = face.out.cross(face.along);
-        Seen one{face.face, {}, towardsEye};
+        VisibleFace one{face.face, {}, towardsEye};
         for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
             const Eigen::Vector3d corner = turn * (face.out + a * face.along + b * across);
             one.corners << QPointF(kSide / 2.0 + kHalf * corner.x(), kSide / 2.0 - kHalf * corner.y());
         }
-        seen_.push_back(one);
+        visibleFaces_.push_back(one);
     }
     update();
 }
 
 std::optional<ViewCube::Face> ViewCube::at(QPointF pixel) const {
-    for (const Seen& each : seen_) {
+    for (const VisibleFace& each : visibleFaces_) {
         if (each.corners.containsPoint(pixel, Qt::OddEvenFill)) return each.face;
     }
     return std::nullopt;
 }
 
 std::optional<QPointF> ViewCube::middleOf(Face face) const {
-    const auto found = std::ranges::find(seen_, face, &Seen::face);
-    if (found == seen_.end()) return std::nullopt;
+    const auto found = std::ranges::find(visibleFaces_, face, &VisibleFace::face);
+    if (found == visibleFaces_.end()) return std::nullopt;
     return (found->corners[0] + found->corners[2]) / 2.0;
 }
 
@@ -116,7 +116,7 @@ void ViewCube::paintEvent(QPaintEvent* /*event*/) {
     QFont letters = painter.font();
     letters.setPixelSize(12);
     painter.setFont(letters);
-    for (const Seen& each : seen_) {
+    for (const VisibleFace& each : visibleFaces_) {
         const int light = static_cast<int>(56 + 60 * each.towardsEye);
         painter.setPen(QPen(QColor(0x63, 0x68, 0x6e), 1.0));
         painter.setBrush(under_ == each.face ? QColor(0x1f, 0x4f, 0x80) : QColor(light, light, light));

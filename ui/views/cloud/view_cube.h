@@ -36,7 +36,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    struct Seen {
+    struct VisibleFace {
         Face face = Face::Front;
         QPolygonF corners;
         double towardsEye = 0.0; ///< 0 .. 1
@@ -46,7 +46,7 @@ private:
 
     CloudView* cloud_;
     Eigen::Matrix3d turn_ = Eigen::Matrix3d::Zero(); // rows: right, up and forward of the camera in the axes of the cloud
-    std::vector<Seen> seen_;                         // the faces that point at the eye
+    std::vector<VisibleFace> visibleFaces_;          // the faces that point at the eye
     std::optional<Face> under_;                      // the mouse
     bool wanted_ = true, forGloves_ = false;
 };

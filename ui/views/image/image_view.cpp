@@ -155,8 +155,8 @@ void ImageView::setToCome(const QRect& area) {
     if (std::exchange(toCome_, area) != area) update();
 }
 
-void ImageView::setTaken(int pixels) {
-    if (std::exchange(taken_, pixels) != pixels) update();
+void ImageView::setCovered(int pixels) {
+    if (std::exchange(covered_, pixels) != pixels) update();
 }
 
 void ImageView::setNote(const QString& note) {
@@ -360,7 +360,7 @@ void ImageView::drawDragged(QPainter& painter) const {
 void ImageView::drawTexts(QPainter& painter) {
     const QRect inner = rect().adjusted(11, 8, -11, -8);
     const Qt::Alignment place = picture_.empty() ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignTop;
-    texts_ = {QRectF(drawLabel(painter, inner.adjusted(0, 0, -taken_, 0), place, note_))};
+    texts_ = {QRectF(drawLabel(painter, inner.adjusted(0, 0, -covered_, 0), place, note_))};
 }
 
 } // namespace edgescan::ui

@@ -87,7 +87,7 @@ public:
     /// Area of lines that a sweep does not have, or not yet, x = beam, y = line: hatched. Empty: it has all.
     void setToCome(const QRect& area);
     /// Pixels at the top right that another widget covers: the texts avoid them.
-    void setTaken(int pixels);
+    void setCovered(int pixels);
     /// Short text over the picture: "preview", "no scan open". Empty = no text.
     void setNote(const QString& note);
     [[nodiscard]] const QString& note() const { return note_; }
@@ -172,7 +172,7 @@ private:
     EdgeTrail trail_;
     QString note_;
     PictureFrame pictureFrame_;
-    int taken_ = 0;
+    int covered_ = 0;
     std::vector<QRect> lost_;
     QRect toCome_;
     QColor background_{48, 48, 48};

@@ -65,7 +65,7 @@ PclEdges rangeImageBorders(const PclScan& scan) {
     result.mask = object.mask;
     result.classes = {std::move(object), std::move(shadow), std::move(veil)};
     clock.ended("merge");
-    result.steps = clock.take();
+    result.steps = clock.popSteps();
     return result;
 }
 

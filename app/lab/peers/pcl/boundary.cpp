@@ -67,7 +67,7 @@ PclEdges boundaryEstimation(const PclScan& scan, const PclLimits& limits, bool r
         done += indices->size();
     }
     result.share = points.cells.empty() ? 1.0 : static_cast<double>(done) / static_cast<double>(points.cells.size());
-    result.steps = clock.take();
+    result.steps = clock.popSteps();
     result.steps.push_back({"normals", normalMs});
     result.steps.push_back({"edges", boundaryMs});
     result.classes.push_back({"boundary", result.mask, true});

@@ -55,7 +55,7 @@ PclEdges organizedEdges(const PclScan& scan, bool unrolled) {
     classOf("border of missing data", Detector::EDGELABEL_NAN_BOUNDARY, false);
     classOf("high curvature", Detector::EDGELABEL_HIGH_CURVATURE, true);
     clock.ended("merge");
-    result.steps = clock.take();
+    result.steps = clock.popSteps();
     return result;
 }
 

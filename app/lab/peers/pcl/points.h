@@ -31,7 +31,7 @@ public:
     /// Ends the step that began with the last call (or with the construction).
     void ended(const char* step);
     [[nodiscard]] double secondsSinceStart() const;
-    [[nodiscard]] std::vector<edges::StageTime> take() { return std::move(steps_); }
+    [[nodiscard]] std::vector<edges::StageTime> popSteps() { return std::move(steps_); }
 
 private:
     double start_, last_;

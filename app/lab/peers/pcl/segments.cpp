@@ -28,7 +28,7 @@ float radians(float degrees) { return degrees * std::numbers::pi_v<float> / 180.
 PclEdges segmentsOf(const PclScan& scan, StepClock& clock) {
     PclEdges result;
     result.segments = Grid<std::uint32_t>(scan.pointsM.lines, scan.pointsM.beams);
-    result.steps = clock.take();
+    result.steps = clock.popSteps();
     return result;
 }
 

@@ -59,7 +59,7 @@ public:
         std::vector<std::size_t> gone = removed(all, 0);
         for (int idle = gone.empty() ? 1 : 0, pass = 1; idle < 2; ++pass) {
             // A pass decides about a cell as it did two passes before, unless a neighbour was removed since.
-            std::vector<std::size_t> next = pass == 1 ? removed(all, pass) : removed(besides(before, gone, pass), pass);
+            std::vector<std::size_t> next = pass == 1 ? removed(all, pass) : removed(neighboursOf(before, gone, pass), pass);
             before = std::move(gone);
             gone = std::move(next);
             idle = gone.empty() ? idle + 1 : 0;
@@ -71,19 +71,20 @@ private:
         std::vector<std::size_t> gone;
         for (const std::size_t k : candidates) {
             unsigned neighbours = 0;
-            for (unsigned n = 0; n < kSteps.size(); ++n) neighbours |= static_cast<unsigned>(set_[beside(k, n)]) << n;
+            for (unsigned n = 0; n < kSteps.size(); ++n) neighbours |= static_cast<unsigned>(set_[neighbour(k, n)]) << n;
             if (isSet(k) && kRemovable[static_cast<std::size_t>(pass % 2)][neighbours]) gone.push_back(k);
         }
         for (const std::size_t k : gone) set_[k] = 0;
         return gone;
     }
 
-    [[nodiscard]] std::vector<std::size_t> besides(const std::vector<std::size_t>& one, const std::vector<std::size_t>& other, int pass) {
+    [[nodiscard]] std::vector<std::size_t> neighboursOf(const std::vector<std::size_t>& one, const std::vector<std::size_t>& other,
+                                                        int pass) {
         std::vector<std::size_t> cells;
         for (const auto* gone : {&one, &other}) {
             for (const std::size_t k : *gone) {
                 for (unsigned n = 0; n < kSteps.size(); ++n) {
-                    const std::size_t b = beside(k, n);
+                    const std::size_t b = neighbour(k, n);
                     if (!isSet(b) || asked_[b] == pass) continue;
                     asked_[b] = pass;
                     cells.push_back(b);
@@ -93,7 +94,7 @@ private:
         return cells;
     }
 
-    [[nodiscard]] std::size_t beside(std::size_t k, unsigned n) const { return k + static_cast<std::size_t>(offset_[n]); }
+    [[nodiscard]] std::size_t neighbour(std::size_t k, unsigned n) const { return k + static_cast<std::size_t>(offset_[n]); }
 
     int width_;
     std::vector<std::uint8_t> set_;

@@ -76,7 +76,7 @@ std::vector<float> foldsOf(const Row& row) {
     return folds;
 }
 
-void takeFolds(const Row& row, Grid<Seam>& seams) {
+void storeFolds(const Row& row, Grid<Seam>& seams) {
     const std::vector<float> folds = foldsOf(row);
     const auto at = [&folds](int n) { return n < 0 || n >= static_cast<int>(folds.size()) ? 0.0F : folds[static_cast<std::size_t>(n)]; };
     for (int n = 0; n < static_cast<int>(folds.size()); ++n) {
@@ -98,9 +98,9 @@ SimulationTruth withFacetFolds(const Simulation& simulation) {
     for (int i = 0; i < lines; ++i) {
         for (int j = 0; j < beams; ++j) points.push_back(tables.direction(i, j) * static_cast<double>(from.cleanMm.at(i, j)));
     }
-    for (int i = 0; i < lines; ++i) takeFolds({from, points, from.toNextBeam, from.object.index(i, 0), 1, beams}, truth.toNextBeam);
+    for (int i = 0; i < lines; ++i) storeFolds({from, points, from.toNextBeam, from.object.index(i, 0), 1, beams}, truth.toNextBeam);
     for (int j = 0; j < beams; ++j)
-        takeFolds({from, points, from.toNextLine, static_cast<std::size_t>(j), static_cast<std::size_t>(beams), lines}, truth.toNextLine);
+        storeFolds({from, points, from.toNextLine, static_cast<std::size_t>(j), static_cast<std::size_t>(beams), lines}, truth.toNextLine);
     return truth;
 }
 

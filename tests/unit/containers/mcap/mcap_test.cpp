@@ -47,7 +47,7 @@ Bytes sampleFile(int count, McapLimits limits = {}) {
     }
     encoder.metadata({"last", {}});
     encoder.finish();
-    return encoder.take();
+    return encoder.popBytes();
 }
 
 /// Exactly the messages of `sampleFile`, from the first one on.
@@ -68,7 +68,7 @@ Bytes packedFile(const std::string& compression, const Bytes& packed, std::uint6
     McapEncoder encoder("test");
     encoder.channel({1, 0, "/a", "x", {}});
     McapBytes file;
-    file.raw(encoder.take());
+    file.raw(encoder.popBytes());
     McapBytes chunk;
     chunk.number64(1);
     chunk.number64(2);
@@ -78,7 +78,7 @@ Bytes packedFile(const std::string& compression, const Bytes& packed, std::uint6
     chunk.number64(packed.size());
     chunk.raw(packed);
     file.record(McapOpcode::Chunk, chunk.bytes());
-    return file.take();
+    return file.popBytes();
 }
 
 Bytes fromHex(std::string_view hex) {
@@ -98,7 +98,7 @@ Bytes plainRecords() {
     message.raw(std::string(200, 'a'));
     McapBytes records;
     records.record(McapOpcode::Message, message.bytes());
-    return records.take();
+    return records.popBytes();
 }
 bool builtWith([[maybe_unused]] const std::string& compression) {
 #ifdef EDGESCAN_ZSTD
@@ -218,12 +218,12 @@ TEST(Mcap, UnknownRecordsAreSkipped) {
     McapBytes file;
     McapEncoder encoder("test");
     encoder.channel({1, 0, "/a", "x", {}});
-    file.raw(encoder.take());
+    file.raw(encoder.popBytes());
     file.record(static_cast<McapOpcode>(0x09), Bytes(100, 1)); // an attachment
     file.record(static_cast<McapOpcode>(0x90), Bytes(5, 2));   // a private record type
     encoder.message({1, 9, 1, 1, Bytes(10, 3)});
     encoder.endChunk();
-    file.raw(encoder.take());
+    file.raw(encoder.popBytes());
     const auto content = readMcap(file.bytes(), "test");
     ASSERT_TRUE(content);
     EXPECT_EQ(content->messages.size(), 1U);

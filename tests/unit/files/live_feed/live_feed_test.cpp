@@ -173,7 +173,7 @@ TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
     EXPECT_EQ(healthOf(status).remark, "2 remarks");
     const std::string axis = "the axis (spin)",
                       step = "the step from line to line (0.18 degrees, the motor turning on while a line is measured)";
-    const std::string seen = "the axis (sweep" + std::string(kAxisSeen), first = std::string(kFirstAssumed) + "-90 degrees)";
+    const std::string seen = "the axis (sweep" + std::string(kAxisFromRanges), first = std::string(kFirstAssumed) + "-90 degrees)";
     for (const auto& [what, badge, assumed] :
          {std::tuple(axis, "MOUNTING ASSUMED", Assumed::Mounting), std::tuple(axis + ", " + step, "MOUNTING ASSUMED", Assumed::Mounting),
           std::tuple(seen, "MOUNTING FROM RANGES", Assumed::SeenAxis), std::tuple(seen + ", " + step, "STEP ASSUMED 0.18°", Assumed::Step),

@@ -87,7 +87,7 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();
     for (std::int64_t before = -1, quiet = 0; quiet < 60 && std::chrono::steady_clock::now() - start < kPatience;) {
-        all.take(feed.takeFinished(), true);
+        all.take(feed.popFinished(), true);
         const std::int64_t lines = feed.status().lines;
         if (early == 0.0 && lines > kLines / 4) early = residentMb();
         const bool waits = !scanner->statistics().finished || lines != before ||
@@ -98,7 +98,7 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
     }
     const double late = residentMb();
     feed.stop();
-    all.take(feed.takeFinished(), true);
+    all.take(feed.popFinished(), true);
     const LiveStatus status = feed.status();
     const scanner::EmulatedScannerStatistics sent = scanner->statistics();
     ASSERT_TRUE(sent.finished) << status.lines << " lines";
@@ -157,13 +157,13 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();
     while (feed.status().lines < kLines && std::chrono::steady_clock::now() - start < kPatience) {
-        all.take(feed.takeFinished(), false);
+        all.take(feed.popFinished(), false);
         if (early == 0.0 && feed.status().lines > kLines / 4) early = residentMb();
         std::this_thread::sleep_for(5ms);
     }
     const double late = residentMb();
     feed.stop();
-    all.take(feed.takeFinished(), false);
+    all.take(feed.popFinished(), false);
     const LiveStatus status = feed.status();
     ASSERT_GE(status.lines, kLines) << status.connection.sentence;
     // The mock restarts its counters at every connection: losses between two connections are unknown, all others are reported.

@@ -113,7 +113,7 @@ TEST(OpeningCheck, WhatWasFoundFromABareListIsGuessed) {
 
 TEST(OpeningCheck, AStepThatWasAssumedIsNotFromTheFile) {
     Scan scan = room(Axis::Spin, 1.0);
-    EXPECT_EQ(pointOf(openingCheck(scan, {}), "Line angles").source, OpeningPoint::Source::Said);
+    EXPECT_EQ(pointOf(openingCheck(scan, {}), "Line angles").source, OpeningPoint::Source::Stated);
     scan.warnings.push_back(std::string(kMountingAssumed) + "the step from line to line (0.18 degrees).");
     EXPECT_EQ(pointOf(openingCheck(scan, {}), "Line angles").source, OpeningPoint::Source::Assumed);
 }

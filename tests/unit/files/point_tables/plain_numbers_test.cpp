@@ -81,7 +81,7 @@ struct ReadRows {
 ReadRows readAll(const std::string& text, const TextLayout& layout, std::size_t most) {
     const Source source{"numbers.xyz", std::as_bytes(std::span(text))};
     RowReader reader(source, layout);
-    reader.takeOnly(most);
+    reader.limitColumns(most);
     ReadRows read;
     std::vector<double> row;
     while (reader.next(row)) {

@@ -78,7 +78,7 @@ TEST(TextNumbers, OfTheFirstColumnsAlone) {
     TextLayout layout;
     layout.columns = 5;
     RowReader rows(source, layout);
-    rows.takeOnly(3);
+    rows.limitColumns(3);
     std::vector<double> row;
     ASSERT_TRUE(rows.next(row));
     EXPECT_EQ(row, (std::vector<double>{1.5, -2, 3}));

@@ -304,7 +304,7 @@ TEST(Replay, NoScanIsOneSentence) {
     other.channel({1, 0, "/camera", "json", {}});
     other.message({1, 0, 1, 1, Bytes(3, '1')});
     other.finish();
-    const Bytes foreign = other.take();
+    const Bytes foreign = other.popBytes();
     writeText(folder / "foreign.mcap", std::string(foreign.begin(), foreign.end()));
     writeText(folder / "magic.mcap", std::string(containers::kMcapMagic));
     for (const char* name : {"empty.mcap", "foreign.mcap", "magic.mcap"}) {

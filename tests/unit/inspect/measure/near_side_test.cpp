@@ -109,7 +109,7 @@ TEST(NearSide, AClickAtAPlateIsThatOfTheSlowSearch) {
         const Scan scan = plateScan(seed, 0.0);
         const Oracle oracle(scan, 0.3);
         for (std::uint32_t k = 0; k < scan.cells(); ++k) {
-            const MeantCell meant = meantCell(scan, k);
+            const ClickedCell meant = nearSideCell(scan, k);
             ASSERT_EQ(scan.rangeMm[meant.cell] < scan.rangeMm[k] - 300, scan.rangeMm[oracle.meant(k)] < scan.rangeMm[k] - 300)
                 << "seed " << seed << ", line " << k / 48 << ", beam " << k % 48;
             ASSERT_EQ(meant.moved(), oracle.meant(k) != k) << "seed " << seed << ", line " << k / 48 << ", beam " << k % 48;
@@ -133,7 +133,7 @@ TEST(NearSide, LostCellsDoNotChangeTheSurface) {
         const Scan scan = plateScan(seed, 0.03);
         const Oracle oracle(scan, 0.3);
         for (std::uint32_t k = 0; k < scan.cells(); ++k, ++clicks) {
-            const MeantCell meant = meantCell(scan, k);
+            const ClickedCell meant = nearSideCell(scan, k);
             if (meant.measured()) {
                 EXPECT_EQ(scan.state[meant.cell], CellState::Valid);
             }
@@ -146,15 +146,15 @@ TEST(NearSide, LostCellsDoNotChangeTheSurface) {
 TEST(NearSide, TheMiddleOfASurfaceAndOfAHoleStay) {
     const Scan scan = test::makeScan(40, 40, [](int i, int j) { return std::hypot(i - 20, j - 20) < 9 ? 0.0 : 5000.0; });
     const auto cell = [&](int i, int j) { return static_cast<std::uint32_t>(scan.rangeMm.index(i, j)); };
-    EXPECT_FALSE(meantCell(scan, cell(5, 5)).moved());
-    EXPECT_EQ(meantCell(scan, cell(5, 5)).reason, SnapReason::AsClicked);
-    EXPECT_EQ(meantCell(scan, cell(20, 20)).reason, SnapReason::NoRange);
-    EXPECT_FALSE(meantCell(scan, cell(20, 20)).measured());
-    EXPECT_EQ(meantCell(scan, cell(20, 13)).cell, cell(20, 11));
-    EXPECT_EQ(meantCell(scan, cell(20, 13)).reason, SnapReason::NoRange);
-    EXPECT_TRUE(meantCell(scan, cell(20, 13)).measured());
+    EXPECT_FALSE(nearSideCell(scan, cell(5, 5)).moved());
+    EXPECT_EQ(nearSideCell(scan, cell(5, 5)).reason, SnapReason::AsClicked);
+    EXPECT_EQ(nearSideCell(scan, cell(20, 20)).reason, SnapReason::NoRange);
+    EXPECT_FALSE(nearSideCell(scan, cell(20, 20)).measured());
+    EXPECT_EQ(nearSideCell(scan, cell(20, 13)).cell, cell(20, 11));
+    EXPECT_EQ(nearSideCell(scan, cell(20, 13)).reason, SnapReason::NoRange);
+    EXPECT_TRUE(nearSideCell(scan, cell(20, 13)).measured());
     // The corners of the grid.
-    for (const std::uint32_t k : {cell(0, 0), cell(0, 39), cell(39, 0), cell(39, 39)}) EXPECT_EQ(meantCell(scan, k).cell, k);
+    for (const std::uint32_t k : {cell(0, 0), cell(0, 39), cell(39, 0), cell(39, 39)}) EXPECT_EQ(nearSideCell(scan, k).cell, k);
 }
 
 // The fault that an operator saw: the wall 13 m behind the rim was measured.
@@ -164,7 +164,7 @@ TEST(NearSide, TheRimOfAVoidIsNotTheWallBehindIt) {
         const double radius = 10.5; // cells from the middle: a cell and a half inside the rim
         const int i = static_cast<int>(std::lround(30 + radius * std::sin(turn * 3.14159265 / 180)));
         const int j = static_cast<int>(std::lround(30 + radius * std::cos(turn * 3.14159265 / 180)));
-        const MeantCell meant = meantCell(scan, static_cast<std::uint32_t>(scan.rangeMm.index(i, j)));
+        const ClickedCell meant = nearSideCell(scan, static_cast<std::uint32_t>(scan.rangeMm.index(i, j)));
         EXPECT_EQ(scan.rangeMm[meant.cell], 5000.0F) << "line " << i << ", beam " << j;
         EXPECT_NEAR(meant.nearerM, 13.0, 1e-6);
     }
@@ -173,18 +173,18 @@ TEST(NearSide, TheRimOfAVoidIsNotTheWallBehindIt) {
 TEST(NearSide, BetweenTwoSurfacesTheNearerOneIsNamedToo) {
     const Scan scan = test::makeScan(30, 30, [](int, int j) { return j < 14 ? 5000.0 : j < 18 ? 18000.0 : 4000.0; });
     const auto at = [&](int j) { return static_cast<std::uint32_t>(scan.rangeMm.index(12, j)); };
-    EXPECT_EQ(meantCell(scan, at(15)).cell, at(13));
-    EXPECT_EQ(meantCell(scan, at(15)).alsoNear, at(18));
-    EXPECT_EQ(meantCell(scan, at(17)).cell, at(18));
-    for (const int j : {5, 17, 18, 20}) EXPECT_EQ(meantCell(scan, at(j)).alsoNear, std::nullopt) << "beam " << j;
+    EXPECT_EQ(nearSideCell(scan, at(15)).cell, at(13));
+    EXPECT_EQ(nearSideCell(scan, at(15)).alsoNear, at(18));
+    EXPECT_EQ(nearSideCell(scan, at(17)).cell, at(18));
+    for (const int j : {5, 17, 18, 20}) EXPECT_EQ(nearSideCell(scan, at(j)).alsoNear, std::nullopt) << "beam " << j;
     // A slope has no surface in front of itself, also at its near end.
     const Scan slope = test::makeScan(30, 30, [](int, int j) { return j < 15 ? 9000.0 : 6000.0 - 60.0 * (j - 15); });
-    for (int j = 15; j < 25; ++j) EXPECT_EQ(meantCell(slope, at(j)).alsoNear, std::nullopt) << "beam " << j;
+    for (int j = 15; j < 25; ++j) EXPECT_EQ(nearSideCell(slope, at(j)).alsoNear, std::nullopt) << "beam " << j;
 }
 
 TEST(NearSide, AMixedPixelMeansTheSurfaceInFront) {
     const Scan scan = test::makeScan(30, 30, [](int, int j) { return j < 15 ? 5000.0 : j == 15 ? 6400.0 : 8000.0; });
-    const MeantCell meant = meantCell(scan, static_cast<std::uint32_t>(scan.rangeMm.index(12, 15)));
+    const ClickedCell meant = nearSideCell(scan, static_cast<std::uint32_t>(scan.rangeMm.index(12, 15)));
     EXPECT_EQ(meant.cell, static_cast<std::uint32_t>(scan.rangeMm.index(12, 14)));
     EXPECT_EQ(meant.reason, SnapReason::MixedPixel);
 }
@@ -196,17 +196,17 @@ TEST(NearSide, AClickOnDustMeansWhatIsBehindIt) {
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(scan.rangeMm.index(i, j)); };
     for (const std::uint32_t dust : {at(12, 16), at(20, 24), at(6, 4)}) {
         scan.rangeMm[dust] = 2000.0F;
-        const MeantCell meant = meantCell(scan, dust);
+        const ClickedCell meant = nearSideCell(scan, dust);
         EXPECT_TRUE(meant.moved());
         EXPECT_EQ(meant.reason, SnapReason::Dust);
         EXPECT_GE(scan.rangeMm[meant.cell], 5000.0F);
         EXPECT_LT(meant.nearerM, 0.0);
-        for (const std::uint32_t next : {dust - 1, dust + 1}) EXPECT_GE(scan.rangeMm[meantCell(scan, next).cell], 5000.0F); // nor a rim
+        for (const std::uint32_t next : {dust - 1, dust + 1}) EXPECT_GE(scan.rangeMm[nearSideCell(scan, next).cell], 5000.0F); // nor a rim
     }
     // Nothing else was measured around it.
     Scan alone = test::makeScan(30, 30, [](int i, int j) { return i == 12 && j == 12 ? 3000.0 : 0.0; });
-    EXPECT_EQ(meantCell(alone, at(12, 12)).cell, at(12, 12));
-    EXPECT_EQ(meantCell(alone, at(12, 12)).reason, SnapReason::AsClicked);
+    EXPECT_EQ(nearSideCell(alone, at(12, 12)).cell, at(12, 12));
+    EXPECT_EQ(nearSideCell(alone, at(12, 12)).reason, SnapReason::AsClicked);
 }
 
 // Of several cells of one surface that are as near to the click none is chosen for its short range: the ends of lengths would be too near.
@@ -218,7 +218,7 @@ TEST(NearSide, NoiseDoesNotChooseTheCell) {
         std::normal_distribution<double> noise(0.0, 8.0);
         const Scan scan = test::makeScan(15, 15, [&](int i, int j) { return i == 7 && j == 7 ? 0.0 : 5000.0 + noise(random); });
         const auto hole = static_cast<std::uint32_t>(scan.rangeMm.index(7, 7));
-        const MeantCell meant = meantCell(scan, hole);
+        const ClickedCell meant = nearSideCell(scan, hole);
         EXPECT_EQ(meant.reason, SnapReason::NoRange);
         sumMm += scan.rangeMm[meant.cell] - 5000.0;
     }
@@ -232,15 +232,15 @@ TEST(NearSide, AClickOnAnEdgeMeansTheEdgeOfTheNearSurface) {
     Grid<std::uint8_t> mask(30, 30);
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(scan.rangeMm.index(i, j)); };
     for (int i = 0; i < 30; ++i) mask.cells[at(i, 13)] = mask.cells[at(i, 15)] = 255; // one of each side, not next to the other
-    EXPECT_EQ(meantCell(scan, at(12, 15)).cell, at(12, 14));
-    EXPECT_EQ(meantEdge(scan, mask, at(12, 15)).cell, at(12, 13));
-    EXPECT_EQ(meantEdge(scan, mask, at(12, 13)).cell, at(12, 13));
-    EXPECT_EQ(meantEdge(scan, mask, at(12, 16)).cell, meantCell(scan, at(12, 16)).cell) << "no edge was clicked";
+    EXPECT_EQ(nearSideCell(scan, at(12, 15)).cell, at(12, 14));
+    EXPECT_EQ(nearSideEdge(scan, mask, at(12, 15)).cell, at(12, 13));
+    EXPECT_EQ(nearSideEdge(scan, mask, at(12, 13)).cell, at(12, 13));
+    EXPECT_EQ(nearSideEdge(scan, mask, at(12, 16)).cell, nearSideCell(scan, at(12, 16)).cell) << "no edge was clicked";
     mask.cells[at(12, 13)] = 0;
-    EXPECT_EQ(meantEdge(scan, mask, at(12, 15)).cell, at(11, 13)) << "the nearest, also of another line";
+    EXPECT_EQ(nearSideEdge(scan, mask, at(12, 15)).cell, at(11, 13)) << "the nearest, also of another line";
     Grid<std::uint8_t> farther(30, 30);
     farther.cells[at(12, 15)] = 255;
-    EXPECT_EQ(meantEdge(scan, farther, at(12, 15)).cell, at(12, 14)) << "no edge of the near surface";
+    EXPECT_EQ(nearSideEdge(scan, farther, at(12, 15)).cell, at(12, 14)) << "no edge of the near surface";
 }
 
 } // namespace edgescan::inspect

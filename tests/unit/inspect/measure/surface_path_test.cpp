@@ -412,7 +412,7 @@ TEST(Throat, ClicksInOneOpeningFindAboutTheSame) {
     std::vector<double> lengthsM;
     for (int i = 44; i <= 76; i += 4) {
         for (int j = 44; j <= 76; j += 4) {
-            const auto into = openingOfClick(scan, tables, meantCell(scan, cellOf(scan, i, j)));
+            const auto into = openingOfClick(scan, tables, nearSideCell(scan, cellOf(scan, i, j)));
             const auto throat = into ? throatThrough(scan, tables, *into) : std::nullopt;
             if (throat) lengthsM.push_back((tables.point(throat->ends[0]) - tables.point(throat->ends[1])).norm());
         }

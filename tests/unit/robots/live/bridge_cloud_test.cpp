@@ -138,7 +138,7 @@ TEST(BridgeCloud, OfManyCloudsTheNewestIsShownWithItsRingsAndFirings) {
             }
         }
         last = cloudOf(points, 1, Wire::CdrLittle);
-        live.take(topic, messageOf(last, 1000 + message));
+        live.receive(topic, messageOf(last, 1000 + message));
     }
     live.finish();
     const scanner::SweepState newest = live.newest();

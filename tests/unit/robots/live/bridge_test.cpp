@@ -172,7 +172,7 @@ TEST(Bridge, ALineTwiceIsLeftOutAndASweepBackIsASweepOfItsOwn) {
     const auto bridge = bridgeOf(turnedScan(Axis::Sweep), settings);
     LiveFeed feed(settingsAt(bridge->port()), scanner::assumedSweep(), [] {});
     ASSERT_TRUE(waitUntil([&] { return feed.status().sweep.number >= 2; }));
-    const auto finished = feed.takeFinished();
+    const auto finished = feed.popFinished();
     ASSERT_GE(finished.size(), 2U);
     EXPECT_NEAR(finished.front().scan->lines(), kBridgeLines, 1);
     EXPECT_TRUE(finished.front().progress.lost.empty());

@@ -98,9 +98,9 @@ TEST(HostileFrames, LiveTheyHoldNothingUp) {
     const auto topicOf = [&](std::uint32_t n) {
         return RosTopic{messages.topics[n].name, messages.topics[n].type, messages.topics[n].definition, RosEncoding::Cdr, false};
     };
-    laser.take(topicOf(1), chainMessage(Wire::CdrLittle), to);
+    laser.receive(topicOf(1), chainMessage(Wire::CdrLittle), to);
     int lines = 0;
-    for (const RosMessages::Message& message : messages.messages) lines += laser.take(topicOf(message.topic), message.bytes, to);
+    for (const RosMessages::Message& message : messages.messages) lines += laser.receive(topicOf(message.topic), message.bytes, to);
     EXPECT_GT(lines, 0);
 }
 
@@ -118,7 +118,7 @@ TEST(LiveLasers, RangeMaxThatRepeatsWasNotMeasured) {
     scanner::SweepAssembler to{{}};
     for (const RosMessages::Message& message : messages.messages) {
         const auto& topic = messages.topics[message.topic];
-        laser.take({topic.name, topic.type, topic.definition, RosEncoding::Cdr, false}, message.bytes, to);
+        laser.receive({topic.name, topic.type, topic.definition, RosEncoding::Cdr, false}, message.bytes, to);
     }
     to.finish();
     EXPECT_EQ(laser.noReturns(), scan.lines() * kVoid);

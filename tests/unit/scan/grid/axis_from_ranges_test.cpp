@@ -102,7 +102,7 @@ TEST(AxisFromRanges, AGrowingSweepTakesItAndSaysSo) {
     EXPECT_EQ(assumedIn(*after(60, settings)), Assumed::Mounting);
     const auto whole = after(200, settings);
     EXPECT_EQ(polarOf(*whole).axis, Axis::Sweep);
-    EXPECT_TRUE(isAxisSeen(*whole));
+    EXPECT_TRUE(isAxisFromRanges(*whole));
     EXPECT_EQ(assumedIn(*whole), Assumed::Step);
     const auto next = after(scan.lines() + 20, settings);
     EXPECT_EQ(next->lines(), 20);

@@ -49,7 +49,7 @@ TEST(GrowingSweep, ScansOfOneSweepContinueEachOther) {
         }
         assembler.finish();
         EXPECT_FALSE(assembler.progress().growing);
-        for (const FinishedSweep& sweep : assembler.takeFinished()) EXPECT_FALSE(sweep.progress.growing);
+        for (const FinishedSweep& sweep : assembler.popFinished()) EXPECT_FALSE(sweep.progress.growing);
     }
     EXPECT_GT(grown, 2000);
 }
@@ -67,7 +67,7 @@ TEST(GrowingSweep, LostLinesDoNotOutnumberTheOthersByFar) {
         SweepAssembler assembler;
         std::size_t sweeps = 0, measured = 0;
         const auto collect = [&] {
-            for (const FinishedSweep& sweep : assembler.takeFinished()) {
+            for (const FinishedSweep& sweep : assembler.popFinished()) {
                 ++sweeps;
                 const std::size_t lost = sweep.progress.cells[static_cast<std::size_t>(CellState::Lost)];
                 measured += sweep.scan->cells() - lost;

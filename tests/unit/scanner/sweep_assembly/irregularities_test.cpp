@@ -41,7 +41,7 @@ Result_ played(const Stream& stream, const SweepSettings& settings = {}) {
     SweepAssembler assembler(settings);
     Result_ result;
     const auto collect = [&] {
-        for (const FinishedSweep& sweep : assembler.takeFinished()) {
+        for (const FinishedSweep& sweep : assembler.popFinished()) {
             ++result.sweeps;
             result.lines += sweep.progress.lines;
             result.lost += static_cast<int>(sweep.progress.lost.size());

@@ -90,7 +90,7 @@ TEST(Sweep, AnEncoderThatLeapsBackBeginsANewSweep) {
         telegram.encoders = {{static_cast<std::uint32_t>(4'294'967'000U + static_cast<unsigned>((n < 25 ? n + 35 : n - 25) * 77)), 0}};
         pushTelegram(assembler, telegram, hostNsOfLine(n));
     }
-    auto finished = assembler.takeFinished();
+    auto finished = assembler.popFinished();
     ASSERT_EQ(finished.size(), 1U);
     EXPECT_EQ(finished[0].progress.text(), "INCOMPLETE 25/60 lines");
     EXPECT_TRUE(warns(*finished[0].scan, kFirstLine));
@@ -219,7 +219,7 @@ TEST(Sweep, EncoderCountsBecomeAnglesAndAReversalStartsTheNextSweep) {
         pushTelegram(assembler, telegram, hostNsOfLine(n));
     }
     assembler.finish();
-    const auto sweeps = assembler.takeFinished();
+    const auto sweeps = assembler.popFinished();
     ASSERT_EQ(sweeps.size(), 2U);
     ASSERT_EQ(sweeps[0].scan->lines(), 100);
     ASSERT_EQ(sweeps[1].scan->lines(), 80);
@@ -307,7 +307,7 @@ TEST(Sweep, SplitBySizeWithLinesLostAcrossTheEnd) {
     settings.expectedLines = 25;
     SweepAssembler assembler = assembled(settings, 70, {22, 23, 24, 25, 26});
     assembler.finish();
-    const auto sweeps = assembler.takeFinished();
+    const auto sweeps = assembler.popFinished();
     ASSERT_EQ(sweeps.size(), 3U);
     EXPECT_EQ(sweeps[0].progress.text(), "INCOMPLETE 22/25 lines");
     EXPECT_EQ(sweeps[0].progress.lost, (std::vector<int>{22, 23, 24}));
@@ -352,7 +352,7 @@ TEST(Sweep, OneOddLineIsLostTwoAreAnotherScan) {
     EXPECT_EQ(assembler.snapshot()->beams(), 31);
     EXPECT_EQ(assembler.snapshot()->lines(), 10);
     EXPECT_TRUE(rowHolds(*assembler.snapshot(), 0, 40));
-    ASSERT_EQ(assembler.takeFinished().size(), 1U);
+    ASSERT_EQ(assembler.popFinished().size(), 1U);
 }
 
 TEST(Sweep, StatusCodesScaleAndDeviceFlags) {

@@ -1,5 +1,5 @@
 // Angles with errors.
-#include "core/files/grid_recovery/seen.h"
+#include "core/files/grid_recovery/return_angles.h"
 
 #include "core/base/order_statistic.h"
 
@@ -36,8 +36,8 @@ double usualVoid(const Ring& ring) { return median(ring.voids()); }
 
 } // namespace
 
-std::vector<Seen> returnsOf(std::span<const AxisPoint> points, const Precision& precision) {
-    std::vector<Seen> returns;
+std::vector<ReturnAngles> returnsOf(std::span<const AxisPoint> points, const Precision& precision) {
+    std::vector<ReturnAngles> returns;
     returns.reserve(points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
         const AxisPoint& p = points[k];

@@ -12,7 +12,7 @@
 namespace edgescan::files::recognition {
 
 /// One return. Radians; the errors are bounds, not deviations.
-struct Seen {
+struct ReturnAngles {
     std::uint32_t point = 0; ///< index into the list
     double plane = 0.0;      ///< atan2 about the axis, whole turn
     double tilt = 0.0;       ///< from the axis, 0 to pi: the side of the axis is unknown
@@ -20,7 +20,7 @@ struct Seen {
     double tiltError = 0.0;
 };
 
-[[nodiscard]] std::vector<Seen> returnsOf(std::span<const AxisPoint> points, const Precision& precision);
+[[nodiscard]] std::vector<ReturnAngles> returnsOf(std::span<const AxisPoint> points, const Precision& precision);
 
 /// An angle and the bound of its error.
 struct Angle {
