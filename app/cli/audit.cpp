@@ -54,7 +54,7 @@ void addAudit(CLI::App& app, int& code) {
     command.add_option("LOG", asked->file, "The log, audit.jsonl")->required();
     command.add_option("--last", asked->last, "A hash of it that was noted elsewhere: a log without that line lacks its end")
         ->type_name("HASH");
-    addJsonFlag(command, asked->json, "Every fault with its line").check(jsonName());
+    addJsonFlag(command, asked->json, "Every fault with its line");
     command.callback([asked, &code] { code = run(*asked); });
 }
 

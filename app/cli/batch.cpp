@@ -330,6 +330,7 @@ int run(Batch& batch) {
     if (const auto method = checkMethod(batch.method); !method) return refuse(method.error(), kWrongUsage);
     const auto wanted = wantedFiles(batch.wanted);
     if (!wanted) return refuse(wanted.error(), kWrongUsage);
+    if (const auto names = batch::outputNames({}, batch.names); !names) return refuse(names.error(), kWrongUsage);
     batch.withRocks = batch.withRocks || std::ranges::any_of(*wanted, &WantedFile::isOfRocks);
     if (const auto rocks = checkRocks(batch.rocks); !rocks) return refuse(rocks.error(), kWrongUsage);
     if (!batch.withRocks && anyTyped(batch.rocks))

@@ -81,7 +81,8 @@ void addCompare(CLI::App& app, int& code) {
     command
         .add_option("--picture", flags->picture,
                     "New PNG on the grid of the scan now: gained, lost and unchanged edges, nearer and farther surfaces")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(namedAs("a picture", ".png"));
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     command.callback([flags, &code] {

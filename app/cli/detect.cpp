@@ -116,6 +116,8 @@ bool onePathForSeveral(const Detect& detect) {
 Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
     if (auto known = checkExtensions(detect.out); !known) return known;
+    const auto wanted = wantedExports(detect.out, exports::ExportKind::Needs::Edges, "scan", CoordinateFrame::Mine);
+    if (auto used = checkWriting(detect.write, wanted); !used) return used;
     std::vector<std::string> typed{detect.json};
     typed.insert(typed.end(), detect.out.typed.begin(), detect.out.typed.end());
     if (auto distinct = checkDistinct(typed); !distinct) return distinct;

@@ -3,6 +3,7 @@
 
 #include "app/shared/exits.h"
 #include "core/base/foreign_text.h"
+#include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/files/formats/formats.h"
 
@@ -45,10 +46,36 @@ bool writesFiles(const std::vector<std::string>& paths) {
 }
 
 Result<Done> checkFolder(const std::string& folder) {
-    const bool isFile = files::writtenFormat(folder) != nullptr || (fs::exists(folder) && !isStreamOrDevice(folder));
-    if (folder.empty() || !isFile || fs::is_directory(folder)) return Done{};
+    if (folder.empty() || fs::is_directory(folder)) return Done{};
+    const std::string extension = asciiLower(fs::path(folder).extension().string());
+    bool isFile = files::writtenFormat(folder) != nullptr || (fs::exists(folder) && !isStreamOrDevice(folder));
+    for (const exports::ExportKind& kind : exports::exportKinds())
+        isFile = isFile || std::ranges::find(kind.files, extension, &exports::ExportFile::extension) != kind.files.end();
+    for (const files::Format& format : files::formats())
+        isFile = isFile || (!extension.empty() && std::ranges::find(format.reads, extension) != format.reads.end());
+    if (!isFile) return Done{};
     return Error{"this command writes several files into a folder, and this is the name of one file", "-o " + folder,
-                 "give a folder, or one of the flags of a single file such as --edges"};
+                 "give a folder, or a flag of a single file in place of -o"};
+}
+
+Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExport>& wanted) {
+    using Holds = exports::ExportKind::Holds;
+    const auto idle = [&](const char* flag, const auto& changes) -> Result<Done> {
+        const bool some = std::ranges::any_of(wanted, [&](const WantedExport& one) {
+            const Holds holds = one.kind->holds;
+            return (holds == Holds::Points || holds == Holds::Shapes) && changes(asciiLower(fs::path(one.path).extension().string()));
+        });
+        if (some) return Done{};
+        return Error{"this flag changes none of the files that are written", flag, "leave it out, or write a file that it changes"};
+    };
+    const auto isText = [](const std::string& extension) { return extension == ".pcd" || extension == ".ply"; };
+    if (const auto ascii = write.ascii ? idle("--ascii", isText) : Done{}; !ascii) return ascii;
+    for (const files::WritingChoice& choice : files::kWritingChoices) {
+        const auto changes = [&](const std::string& extension) { return choice.changes(extension); };
+        if (!(write.choices.*choice.member)) continue;
+        if (const auto used = idle((std::string("--") + choice.key).c_str(), changes); !used) return used;
+    }
+    return Done{};
 }
 
 Result<Done> checkExtensions(const ExportPaths& paths) {

@@ -1,6 +1,7 @@
 // One flag per kind of export, for the commands that write several: where each goes, and what it is called in a folder.
 #pragma once
 
+#include "app/shared/typed_settings.h"
 #include "core/base/result.h"
 #include "core/exports/export_kinds.h"
 
@@ -46,6 +47,9 @@ struct WantedExport {
 /// What is to be written of one scan.
 [[nodiscard]] std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::ExportKind::Needs needs,
                                                       const std::string& scanName, CoordinateFrame frame);
+
+/// Error: a writing flag that changes none of these files.
+Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExport>& wanted);
 
 /// Their names without folders.
 [[nodiscard]] std::string namesText(const std::vector<std::string>& paths);

@@ -5,6 +5,7 @@
 #include "app/shared/json_output.h"
 #include "app/shared/mounting.h"
 #include "app/shared/options.h"
+#include "core/base/number_text.h"
 #include "core/exports/report.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/scanner/cola/host_port.h"
@@ -15,6 +16,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -127,6 +129,15 @@ int run(const Record& record) {
         printError(address.error());
         return kWrongUsage;
     }
+    const char* ofBridge = !record.topic.empty() ? "--topic" : !record.joint.empty() ? "--joint" : nullptr;
+    if (!address->bridge && ofBridge != nullptr) {
+        printError(Error{"only a robot's bridge has topics and joints", ofBridge, "give ws://HOST, or leave it out"});
+        return kWrongUsage;
+    }
+    if (record.mounting.lineStepDeg && *record.mounting.lineStepDeg == 0.0) {
+        printError(Error{"all lines would have one angle", "--line-step", "give the angle from line to line, such as 0.3"});
+        return kWrongUsage;
+    }
     scanner::ConnectionSettings scanner;
     scanner.host = address->host;
     scanner.port = address->port;
@@ -194,7 +205,13 @@ void addRecord(CLI::App& app, int& code) {
     CLI::App& command = *app.add_subcommand("record", "Records a live scanner or a robot's bridge; it only reads and subscribes");
     command.add_option("HOST", record->address, "Scanner as HOST or HOST:PORT; a robot's Foxglove bridge as ws://HOST or ws://HOST:PORT")
         ->required();
-    command.add_option("-o,--output", record->out, "New recording (.mcap)")->type_name("FILE")->required();
+    command.add_option("-o,--output", record->out, "New recording (.mcap)")
+        ->type_name("FILE")
+        ->check([](const std::string& name) {
+            const bool named = asciiLower(std::filesystem::path(name).extension().string()) == ".mcap";
+            return named ? std::string() : "\"" + name + "\" is not a name for a recording; give a name that ends with .mcap";
+        })
+        ->required();
     addJsonFlag(command, record->json, "Account of the recording, when it has ended").capture_default_str();
     addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly this number of lines; 0 = until Ctrl+C");
     addNumber(command, "--seconds", record->seconds, kSeconds, "End after this time [s]; 0 = run on");

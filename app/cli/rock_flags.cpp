@@ -1,6 +1,8 @@
 // Flags of rocks.
 #include "app/cli/rock_flags.h"
 
+#include "app/shared/exits.h"
+#include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/base/shell_quoted.h"
 
@@ -61,7 +63,12 @@ Result<rocks::Preset> presetOf(const RockFlags& flags, const Scan& scan) {
     }
     rocks::RockSettings settings = preset.settings.value_or(rocks::RockSettings{});
     for (const auto& [parameter, value] : flags.typed) parameter->set(settings, value);
-    if (!flags.corners.empty()) settings.region = flags.corners;
+    if (!flags.corners.empty()) {
+        const auto inside = rocks::isRegionInside(flags.corners, scan.lines(), scan.beams());
+        if (!inside) return inside.error();
+        if (!*inside) printError(printable(scan.name) + ": a part of the --region is outside of the scan; the rest counts.");
+        settings.region = flags.corners;
+    }
     preset.settings = settings;
     return preset;
 }

@@ -12,6 +12,7 @@
 #include "core/base/whole_file.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
+#include "core/edges/settings/parameters.h"
 #include "core/exports/provenance.h"
 #include "core/exports/rock_report.h"
 #include "core/inspect/section/section.h"
@@ -20,6 +21,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -83,6 +85,9 @@ Result<std::shared_ptr<const inspect::SectionPlane>> planeFor(const RocksFlags& 
     std::shared_ptr<const inspect::SectionPlane> none;
     Result<inspect::SectionPlane> plane = inspect::SectionPlane{};
     if (flags.throughRock > 0) {
+        if (std::ranges::find(study.rocks, static_cast<std::uint32_t>(flags.throughRock), &rocks::Rock::label) == study.rocks.end())
+            return Error{"no rock has the number " + std::to_string(flags.throughRock), "--section-rock",
+                         "give a number of the table of rocks (--csv)"};
         const Grid<std::uint32_t> labels = rocks::rockLabels(*study.segmentation, study.map);
         std::vector<std::uint32_t> cells;
         for (std::uint32_t k = 0; k < labels.size(); ++k) {
@@ -160,6 +165,7 @@ Result<Done> findRocks(const RocksFlags& flags) {
 // Wrong usage is reported before any file is read.
 Result<Done> checkUsage(RocksFlags& flags) {
     if (auto known = checkExtensions(flags.out); !known) return known;
+    if (auto used = checkWriting(flags.write, wantedExports(flags.out, kRocks, "scan", CoordinateFrame::Mine)); !used) return used;
     std::vector<std::string> paths(flags.out.typed.begin(), flags.out.typed.end());
     paths.push_back(flags.writeEdits);
     if (auto distinct = checkDistinct(paths); !distinct) return distinct;
@@ -172,11 +178,22 @@ Result<Done> checkUsage(RocksFlags& flags) {
     return checkMethod(flags.method);
 }
 
+/// Rocks are found from the steps and folds of the surface, whatever of these is an edge.
+void warnOfIdleFlags(const RocksFlags& flags) {
+    for (const edges::Parameter& p : edges::parameters()) {
+        const edges::Stage stage = p.feeds;
+        const bool used = stage == edges::Stage::Surface || stage == edges::Stage::Responses || std::string_view(p.key) == "method";
+        if (!used && flags.method.typed.at(p.key) != kNotTyped)
+            printError(edges::flagOf(p) + " has no effect: rocks are found from the surface, not from its edges; leave it out.");
+    }
+}
+
 int run(RocksFlags& flags) {
     if (const Result<Done> usage = checkUsage(flags); !usage) {
         printError(usage.error());
         return kWrongUsage;
     }
+    warnOfIdleFlags(flags);
     if (!flags.out.folder.empty()) {
         std::error_code failed;
         fs::create_directories(flags.out.folder, failed);
@@ -206,11 +223,13 @@ void addRocks(CLI::App& app, int& code) {
     command.add_option("--why", flags->why, "Why two cells belong to two rocks or to one, as JSON on standard output")
         ->expected(2)
         ->type_name("LINE,BEAM")
+        ->check(cellText())
         ->group(results);
     CLI::Option* through =
         command.add_option("--section-through", flags->through, "The plane of the section is vertical and goes through these two cells")
             ->expected(2)
             ->type_name("LINE,BEAM")
+            ->check(cellText())
             ->group(results);
     command.add_option("--section-rock", flags->throughRock, "The plane of the section goes along the rock with this number")
         ->type_name("NUMBER")
@@ -222,6 +241,7 @@ void addRocks(CLI::App& app, int& code) {
     command.add_option("--split", flags->split, "Splits the rock at this cell, as a click in the viewer does")
         ->expected(1)
         ->type_name("LINE,BEAM")
+        ->check(cellText())
         ->group(group);
     command.add_option("--write-edits", flags->writeEdits, "New file for settings and edits, those of --split included")
         ->type_name("FILE")

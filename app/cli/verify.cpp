@@ -66,7 +66,7 @@ void addVerify(CLI::App& app, int& code) {
         *app.add_subcommand("verify", "Rebuilds exports from their records and says identical, or which byte differs first");
     command.add_option("EXPORT", verify->files, "Clouds and pictures that this program exported, or the records next to them")->required();
     command.add_option("--scans", verify->scans, "Folder to look for the scan in, in addition to that of the export")->type_name("DIR");
-    addJsonFlag(command, verify->json, "One JSON object per export and line").check(jsonName());
+    addJsonFlag(command, verify->json, "One JSON object per export and line");
     command.callback([verify, &code] { code = run(*verify); });
 }
 

@@ -53,7 +53,10 @@ void addWhy(CLI::App& app, int& code) {
     auto flags = std::make_shared<WhyFlags>();
     CLI::App& command = *app.add_subcommand("why", "Explains why a cell is an edge, or why it is not, as JSON");
     command.add_option("FILE", flags->file, "Scan")->required();
-    command.add_option("--cell", flags->cell, "The cell; lines and beams are counted from 0")->type_name("LINE,BEAM")->required();
+    command.add_option("--cell", flags->cell, "The cell; lines and beams are counted from 0")
+        ->type_name("LINE,BEAM")
+        ->check(cellText())
+        ->required();
     addJsonFlag(command, flags->json, "What was measured at the cell, and the sentence").capture_default_str();
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);

@@ -46,6 +46,8 @@ RocksObject rocksOf(rocks::Study made) {
 
 RocksObject rocks(const ResultObject& result, const std::map<std::string, double>& numbers, const std::string& region) {
     const rocks::RockSettings settings = settingsOf(numbers, region);
+    const Grid<std::uint8_t>& mask = *result.detection->mask;
+    if (!settings.region.empty()) static_cast<void>(valueOf(rocks::isRegionInside(settings.region, mask.lines, mask.beams)));
     return unlocked([&] { return rocksOf(rocks::studyRocks(rocks::rockInputs(*whole(result)), settings)); });
 }
 

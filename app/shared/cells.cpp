@@ -14,11 +14,20 @@ Result<TypedCell> typedCell(const std::string& text, const char* flag) {
     return TypedCell{static_cast<int>(line), static_cast<int>(beam)};
 }
 
+CLI::Validator cellText() {
+    const auto check = [](const std::string& text) {
+        const auto cell = typedCell(text, "");
+        return cell ? std::string() : cell.error().what + "; " + cell.error().hint;
+    };
+    return {check, ""};
+}
+
 Result<std::uint32_t> cellIn(const Scan& scan, const std::string& text, const char* flag) {
     const Result<TypedCell> cell = typedCell(text, flag);
     if (!cell) return cell.error();
-    if (!scan.rangeMm.contains(cell->line, cell->beam))
-        return Error{"the scan has no line " + std::to_string(cell->line) + ", beam " + std::to_string(cell->beam), flag,
+    const bool noLine = cell->line >= scan.lines();
+    if (noLine || cell->beam >= scan.beams())
+        return Error{"the scan has no " + (noLine ? "line " + std::to_string(cell->line) : "beam " + std::to_string(cell->beam)), flag,
                      "lines run from 0 to " + std::to_string(scan.lines() - 1) + ", beams from 0 to " + std::to_string(scan.beams() - 1)};
     return static_cast<std::uint32_t>(scan.rangeMm.index(cell->line, cell->beam));
 }

@@ -2,10 +2,9 @@
 #include "app/shared/json_output.h"
 
 #include "app/shared/exits.h"
+#include "app/shared/outputs.h"
 #include "core/base/whole_file.h"
 #include "core/exports/report.h"
-
-#include <filesystem>
 
 namespace edgescan::cli {
 
@@ -26,15 +25,7 @@ Result<Done> writeDocument(const std::string& path, const Json& document, bool i
 }
 
 CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what) {
-    return *command.add_option("--json", path, what + "; - is standard output")->type_name("FILE");
-}
-
-CLI::Validator jsonName() {
-    const auto isJson = [](const std::string& name) {
-        if (isStreamOrDevice(name) || std::filesystem::path(name).extension() == ".json") return std::string();
-        return "\"" + name + "\" is not a name for JSON; give a name that ends with .json, or - for standard output";
-    };
-    return {isJson, ""};
+    return *command.add_option("--json", path, what + "; - is standard output")->type_name("FILE")->check(namedAs("JSON", ".json"));
 }
 
 void JsonLines::add(const Json& document) {

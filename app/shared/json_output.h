@@ -22,9 +22,6 @@ namespace edgescan::cli {
 /// Adds --json FILE, which has one meaning in every command. `what`: what the JSON holds.
 CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what);
 
-/// Refuses names that do not end with .json. For commands whose --json had no value in version 0.1: the file named after it is an input.
-[[nodiscard]] CLI::Validator jsonName();
-
 /// The documents of several files in one output, a line each: on standard output at once, in a file when all are there.
 class JsonLines {
 public:

@@ -1,6 +1,8 @@
 // Checks the outputs: the second of two results in the same file would overwrite the first one without a warning.
 #include "app/shared/outputs.h"
 
+#include "app/shared/exits.h"
+#include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/files/open_save/sidecar_grid.h"
 
@@ -41,6 +43,14 @@ Result<Done> checkDistinct(std::span<const std::string> outputs) {
             return Error{"another result has the name of the record next to this file", path, "give it a name of its own"};
     }
     return Done{};
+}
+
+CLI::Validator namedAs(const char* kind, const char* extension) {
+    const auto check = [kind = std::string(kind), extension = std::string(extension)](const std::string& name) {
+        if (name.empty() || isStreamOrDevice(name) || asciiLower(fs::path(name).extension().string()) == extension) return std::string();
+        return "\"" + name + "\" is not a name for " + kind + "; give a name that ends with " + extension + ", or - for standard output";
+    };
+    return {check, ""};
 }
 
 void WrittenOutputs::add(const std::string& path, const Result<exports::Written>& written) {

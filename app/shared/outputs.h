@@ -4,6 +4,8 @@
 #include "core/base/result.h"
 #include "core/exports/provenance.h"
 
+#include <CLI/CLI.hpp>
+
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +16,9 @@ namespace edgescan::cli {
 /// Error if two of the paths are the same file, however they are spelled, or if one is the provenance record or sidecar of another
 /// (core/files/open_save/sidecar_grid.h). Empty paths and devices are ignored; standard output takes only one result.
 Result<Done> checkDistinct(std::span<const std::string> outputs);
+
+/// Refuses other names than of this kind ("PNG", ".png"); standard output and devices have any.
+[[nodiscard]] CLI::Validator namedAs(const char* kind, const char* extension);
 
 /// The results of one scan, written one after the other. If one cannot be written, the message names those that were.
 class WrittenOutputs {

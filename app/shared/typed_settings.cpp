@@ -51,6 +51,19 @@ Result<edges::Preset> presetOf(const MethodFlags& flags) {
 
 namespace {
 
+/// The flag of the same method with which it would use `parameter`: "--rock-borders on"; empty: there is none.
+std::string neededFor(const edges::Parameter& parameter, const edges::Settings& settings) {
+    for (const edges::Parameter& other : edges::parameters()) {
+        if (std::string_view(other.key) == "method" || &other == &parameter || !other.usedBy(settings)) continue;
+        for (const double value : {1.0, other.minimum, other.maximum}) {
+            edges::Settings tried = settings;
+            other.set(tried, std::clamp(value, other.minimum, other.maximum));
+            if (parameter.usedBy(tried)) return edges::flagOf(other) + " " + edges::formatValue(other, other.get(tried));
+        }
+    }
+    return {};
+}
+
 // All settings that need no scan. A lower threshold typed as a depth is not converted here.
 Result<edges::Settings> settingsBut(const MethodFlags& flags) {
     const Result<edges::Preset> preset = presetOf(flags);
@@ -73,12 +86,12 @@ Result<edges::Settings> settingsBut(const MethodFlags& flags) {
     for (const auto& [key, text] : flags.typed) {
         const edges::Parameter& parameter = *edges::findParameter(key);
         if (text == kNotTyped || parameter.usedBy(settings)) continue;
-        edges::Settings usual;
-        usual.method = settings.method;
         const edges::Parameter& method = *edges::findParameter("method");
+        const std::string needed = neededFor(parameter, settings);
         return Error{"the method " + edges::formatValue(method, method.get(settings)) + " does not use this flag" +
-                         (parameter.usedBy(usual) ? " with the other settings" : ""),
-                     edges::flagOf(parameter), "leave it out, or name a --method or --preset that uses it"};
+                         (needed.empty() ? "" : " with the other settings"),
+                     edges::flagOf(parameter),
+                     "leave it out, or " + (needed.empty() ? "name a --method or --preset that uses it" : "give " + needed + " too")};
     }
     return settings;
 }
@@ -95,6 +108,11 @@ Result<Done> checkMethod(const MethodFlags& flags) {
     claimInput(flags.preset); // if it is a file
     const Result<edges::Settings> settings = settingsBut(flags);
     if (!settings) return settings.error();
+    const auto step = edges::typedStep(flags.typed.at(kLower));
+    if (!step || !step->percent) return Done{};
+    const edges::GrayScale usual{1000.0, 20000.0, settings->scaling == edges::Scaling::Log}; // whether a share is possible at all
+    const Result<double> lower = edges::lowerOfStep(*step, *settings, usual);
+    if (!lower) return lower.error();
     return Done{};
 }
 

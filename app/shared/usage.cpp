@@ -17,8 +17,13 @@ namespace edgescan::cli {
 namespace {
 
 /// CLI11 takes many words and every number as a value of a switch. Here a switch of any command is on without a value, and takes true or
-/// false; the last one counts.
-void checkSwitches(CLI::App& app, const std::vector<std::string>& words) {
+/// false; the last one counts. Every other value has letters: an unset variable of a shell is not "no value".
+void checkValues(CLI::App& app, const std::vector<std::string>& words) {
+    const auto someValue = [](const std::string& value) {
+        return value.empty() ? std::string("the value is empty; give one, or leave this out") : std::string();
+    };
+    for (CLI::Option* option : app.get_options([](const CLI::Option* one) { return one->get_items_expected_max() > 0; }))
+        option->check(someValue);
     const auto trueOrFalse = [](const std::string& value) {
         return value == "true" || value == "false" ? std::string()
                                                    : "\"" + value + "\" is not true or false; write the flag alone, or with =false";
@@ -34,7 +39,7 @@ void checkSwitches(CLI::App& app, const std::vector<std::string>& words) {
         }
         if (!answers) option->check(trueOrFalse);
     }
-    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) checkSwitches(*command, words);
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) checkValues(*command, words);
 }
 
 /// A name of version 0.1 or of another program, and what to type.
@@ -108,7 +113,10 @@ std::string hintFor(std::string_view command, const std::string& typed, const st
     const auto renamed = std::ranges::find_if(kRenamed, [&](const Renamed& one) {
         return (one.command == command || (one.command == "*" && !command.empty())) && one.old == std::string_view(typed);
     });
-    if (renamed != kRenamed.end()) return "use " + std::string(renamed->now);
+    const bool isThere =
+        renamed != kRenamed.end() &&
+        (renamed->command != "*" || std::ranges::any_of(known, [&](const std::string& one) { return renamed->now.starts_with(one); }));
+    if (isThere) return "use " + std::string(renamed->now);
     const std::string meant = nearest(typed, known);
     return (meant.empty() ? "" : "did you mean " + meant + "? ") + list;
 }
@@ -251,7 +259,7 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
         return kWrongUsage;
     }
     try {
-        checkSwitches(app, words);
+        checkValues(app, words);
         app.parse(argc, typed.data());
         return std::nullopt;
     } catch (const CLI::ParseError& error) {

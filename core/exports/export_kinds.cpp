@@ -156,8 +156,8 @@ Result<Done> checkExtension(const ExportKind& kind, const std::filesystem::path&
         if (format != nullptr && format->write != nullptr) return Done{};
         return Error{"the extension names no format for points", where, "use " + files::writtenExtensions(false)};
     }
-    // A picture of another extension would be a PNG under a wrong name.
-    if (kind.files.size() < 2 && (kind.holds != Holds::Picture || path.extension().empty())) return Done{};
+    // A file under the name of another kind would be refused by the program that opens it.
+    if (kind.files.empty() || (kind.files.size() < 2 && path.extension().empty())) return Done{};
     std::string extensions;
     for (const ExportFile& file : kind.files) {
         if (asciiLower(path.extension().string()) == file.extension) return Done{};

@@ -161,12 +161,18 @@ void addCalibrate(CLI::App& app, int& code) {
     command
         .add_option("SCAN", asked->files, "Scans of one mounting: spin mounting, 200 to 360 degrees of turn; sweep mounting, 300 to 360")
         ->required();
-    command.add_option("-o,--output", asked->out, "New calibration file; - is standard output")->type_name("FILE");
+    command.add_option("-o,--output", asked->out, "New calibration file; - is standard output")
+        ->type_name("FILE")
+        ->check(namedAs("JSON", ".json"));
     command.add_flag("--backlash", asked->backlash,
                      "Of two passes over the same lines, there and back: report how far the stepper lags when it turns the other way");
     command.add_option("--base", asked->base, "The present calibration file of the robot: only its stepper is replaced")->type_name("FILE");
-    command.add_option("--picture", asked->picture, "New PNG: the distance of the two views, before and after")->type_name("FILE");
-    command.add_option("--seam", asked->seam, "New PNG: the edges of both views in one picture, before and after")->type_name("FILE");
+    command.add_option("--picture", asked->picture, "New PNG: the distance of the two views, before and after")
+        ->type_name("FILE")
+        ->check(namedAs("a picture", ".png"));
+    command.add_option("--seam", asked->seam, "New PNG: the edges of both views in one picture, before and after")
+        ->type_name("FILE")
+        ->check(namedAs("a picture", ".png"));
     addJsonFlag(command, asked->json, "All figures, instead of the table");
     addReadFlags(command, asked->read);
     command.callback([asked, &code] {

@@ -127,8 +127,10 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     int sweeps = 0;
     const auto collect = [&] {
         for (scanner::FinishedSweep& sweep : replay.feed().assembler().popFinished()) {
+            const bool asked = options.scanIndex ? *options.scanIndex == static_cast<std::size_t>(sweeps)
+                                                 : !best.scan || sweep.progress.received > best.progress.received;
             ++sweeps;
-            if (!best.scan || sweep.progress.received > best.progress.received) best = std::move(sweep);
+            if (asked) best = std::move(sweep);
         }
     };
     while (replay.step()) {
@@ -140,6 +142,10 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     collect();
     const std::int64_t undecodable = replay.feed().undecodable();
     const scanner::TelegramAccount account = replay.progress().account;
+    if (!best.scan && sweeps > 0)
+        return Error{sweeps == 1 ? "the recording holds one sweep" : "the recording holds " + std::to_string(sweeps) + " sweeps",
+                     "--scan " + std::to_string(*options.scanIndex),
+                     sweeps == 1 ? "use --scan 0" : "use --scan 0 to " + std::to_string(sweeps - 1)};
     if (!best.scan) {
         const std::string why = replay.feed().whyUndecodable();
         return Error{account.telegrams > 0
@@ -150,7 +156,7 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     }
     Scan scan = *best.scan;
     scan.warnings.insert(scan.warnings.begin(), replay.warnings().begin(), replay.warnings().end());
-    if (sweeps > 1) {
+    if (sweeps > 1 && !options.scanIndex) {
         scan.warnings.push_back("The recording holds " + std::to_string(sweeps) + " sweeps; sweep " +
                                 std::to_string(best.progress.number + 1) + " was opened; no other has more lines.");
     }

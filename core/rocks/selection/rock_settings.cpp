@@ -59,7 +59,21 @@ Result<std::vector<RegionCorner>> parseRegion(std::string_view text) {
         corners.push_back(corner);
     }
     if (corners.size() < 2) return error;
+    const auto same = [&](int RegionCorner::*side) {
+        return std::ranges::all_of(corners, [&](const RegionCorner& corner) { return corner.*side == corners.front().*side; });
+    };
+    if (same(&RegionCorner::line) || same(&RegionCorner::beam))
+        return Error{"the region \"" + std::string(text) + "\" has no area", "--region", "give corners on several lines and beams"};
     return corners;
+}
+
+Result<bool> isRegionInside(std::span<const RegionCorner> corners, int lines, int beams) {
+    const auto [firstLine, lastLine] = std::ranges::minmax(corners, {}, &RegionCorner::line);
+    const auto [firstBeam, lastBeam] = std::ranges::minmax(corners, {}, &RegionCorner::beam);
+    if (firstLine.line >= lines || firstBeam.beam >= beams)
+        return Error{"the region is outside of the scan", "--region",
+                     "lines run from 0 to " + std::to_string(lines - 1) + ", beams from 0 to " + std::to_string(beams - 1)};
+    return lastLine.line < lines && lastBeam.beam < beams;
 }
 
 std::string rockSettingsFlags(const RockSettings& settings) {

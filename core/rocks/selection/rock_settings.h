@@ -40,6 +40,8 @@ using RockParameter = TableRow<RockSettings>;
 
 /// "LINE,BEAM LINE,BEAM ...": two or more corners. Error: the text has another form.
 Result<std::vector<RegionCorner>> parseRegion(std::string_view text);
+/// False: a part of the region is outside of a scan of lines x beams. Error: all of it is.
+[[nodiscard]] Result<bool> isRegionInside(std::span<const RegionCorner> corners, int lines, int beams);
 
 /// "--level 1 --region '0,0 9,9'": the settings that differ from the defaults, for a POSIX shell.
 [[nodiscard]] std::string rockSettingsFlags(const RockSettings& settings);

@@ -233,6 +233,8 @@ Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::pa
     const auto placed = placeScan(scan, *robot, *poses, lineTimesS);
     if (!placed) return Error{placed.error().what, pose.string(), placed.error().hint};
     auto named = std::make_shared<Placement>(**placed);
+    if (!calibration.empty() && poses->calibration)
+        named->warnings.push_back("--calibration replaces the calibration in " + pose.filename().string() + ".");
     named->source = *poseSource + (robotSource->empty() ? "" : " with " + *robotSource);
     return std::shared_ptr<const Placement>(named);
 }

@@ -67,3 +67,24 @@ TEST(HostileFiles, EachIsRefusedOrTakenWithAWord) {
     }
     for (const auto& [name, words] : kSaid) EXPECT_TRUE(seen.contains(name)) << name << " is not there";
 }
+
+TEST(HostileFiles, ASweepOfARecordingIsChosen) {
+    EDGESCAN_NEEDS_SHARED("data/hostile");
+    const std::filesystem::path file = kHostile / "two_sweeps.mcap";
+    const auto usual = openAsAsked(file);
+    ASSERT_TRUE(usual) << usual.error().sentence();
+    int same = 0;
+    for (const std::size_t n : {0U, 1U}) {
+        ReadingOptions options;
+        options.scanIndex = n;
+        const auto chosen = openAsAsked(file, options);
+        ASSERT_TRUE(chosen) << chosen.error().sentence();
+        same += chosen->rangeMm.cells == usual->rangeMm.cells ? 1 : 0;
+    }
+    EXPECT_EQ(same, 1) << "the other one has other ranges";
+    ReadingOptions beyond;
+    beyond.scanIndex = 2;
+    const auto none = openAsAsked(file, beyond);
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().sentence().find("use --scan 0 to 1"), std::string::npos) << none.error().sentence();
+}
