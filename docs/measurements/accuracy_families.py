@@ -82,7 +82,8 @@ def section(shared):
     parts = [HEAD,
              "Made by `edgescan-lab families`, seeds drawn from `%s`: these scenes were unknown when the settings were chosen. Those that were" % run["draw"],
              "stored beforehand are few. Real stones are first. Cells are the mean over the scenes of the family (*the worst tenth* in brackets), each method",
-             "with its fixed settings, tolerance 2 cells. More: [families of scenes](../method/edges.md#families-of-scenes).\n"]
+             "with its fixed settings, tolerance 2 cells. More: [families of scenes](../method/edges.md#families-of-scenes).",
+             "The sections below add the counts of all scans instead. So the two Kinect clouds have another F there, with the same settings.\n"]
     for group, title in GROUPS:
         parts += ["%s:\n" % title, group_table(run, group, names)]
     parts += ["Jumps / folds / other edge cells per scene: in corridors all, on walls those away from the truth.\n", cells_table(run, names)]
