@@ -727,6 +727,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Beams as Recorded</source><translation>Haces tal como se grabaron</translation></message>
 <message><source>Keep Repeated Values</source><translation>Conservar los valores repetidos</translation></message>
 <message><source>Repeated Values as No Return</source><translation>Valores repetidos como sin retorno</translation></message>
+<message><source>Read it in another way…</source><translation>Leerlo de otra manera…</translation></message>
 <message><source>How the Scan Is Read</source><translation>Cómo se lee el escaneo</translation></message>
 <message><source>%1 was moved or removed. Its picture stays on the screen.</source><translation>%1 se movió o se eliminó. Su imagen queda en la pantalla.</translation></message>
 <message><source>%1 was written again. The picture shows what was in it before.</source><translation>%1 se escribió de nuevo. La imagen muestra lo que contenía antes.</translation></message>
@@ -1802,6 +1803,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
+<message><source>turned by %1°</source><translation>giradas %1°</translation></message>
+<message><source>mirrored</source><translation>reflejadas</translation></message>
 <message><source>gray %1 to %2 m</source><translation>gris %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>hasta la línea %1</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>

@@ -727,6 +727,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Beams as Recorded</source><translation>Faisceaux tels qu'enregistrés</translation></message>
 <message><source>Keep Repeated Values</source><translation>Garder les valeurs répétées</translation></message>
 <message><source>Repeated Values as No Return</source><translation>Valeurs répétées comme sans retour</translation></message>
+<message><source>Read it in another way…</source><translation>Lire autrement…</translation></message>
 <message><source>How the Scan Is Read</source><translation>Comment le scan est lu</translation></message>
 <message><source>%1 was moved or removed. Its picture stays on the screen.</source><translation>%1 a été déplacé ou supprimé. Son image reste à l'écran.</translation></message>
 <message><source>%1 was written again. The picture shows what was in it before.</source><translation>%1 a été réécrit. L'image montre ce qu'il contenait avant.</translation></message>
@@ -1802,6 +1803,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
+<message><source>turned by %1°</source><translation>tournées de %1°</translation></message>
+<message><source>mirrored</source><translation>en miroir</translation></message>
 <message><source>gray %1 to %2 m</source><translation>gris %1 à %2 m</translation></message>
 <message><source>up to line %1</source><translation>jusqu'à la ligne %1</translation></message>
 <message><source>by class</source><translation>par classe</translation></message>

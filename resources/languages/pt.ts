@@ -727,6 +727,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Beams as Recorded</source><translation>Feixes como gravados</translation></message>
 <message><source>Keep Repeated Values</source><translation>Manter os valores repetidos</translation></message>
 <message><source>Repeated Values as No Return</source><translation>Valores repetidos como sem retorno</translation></message>
+<message><source>Read it in another way…</source><translation>Ler de outra maneira…</translation></message>
 <message><source>How the Scan Is Read</source><translation>Como a varredura é lida</translation></message>
 <message><source>%1 was moved or removed. Its picture stays on the screen.</source><translation>%1 foi movido ou removido. Sua imagem fica na tela.</translation></message>
 <message><source>%1 was written again. The picture shows what was in it before.</source><translation>%1 foi gravado de novo. A imagem mostra o que havia nele antes.</translation></message>
@@ -1802,6 +1803,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
+<message><source>turned by %1°</source><translation>giradas %1°</translation></message>
+<message><source>mirrored</source><translation>espelhadas</translation></message>
 <message><source>gray %1 to %2 m</source><translation>cinza %1 a %2 m</translation></message>
 <message><source>up to line %1</source><translation>até a linha %1</translation></message>
 <message><source>by class</source><translation>por classe</translation></message>

@@ -128,7 +128,7 @@ private slots:
             const auto pixel = [&](double beam, double line) { return port_->toPixel({beam, line}, view_->size()); };
             const QPointF first = pixel(0, 0), alongLine = pixel(32, 0) - first;
             QCOMPARE(std::abs(alongLine.y()) > std::abs(alongLine.x()), turn.quarter);
-            QCOMPARE((turn.quarter ? alongLine.y() : alongLine.x()) < 0, turn.mirrored != turn.half);
+            QCOMPARE((turn.quarter ? alongLine.y() : alongLine.x()) < 0, turn.quarter ? turn.half : turn.mirrored != turn.half);
             const QRectF place = QRectF(first, pixel(32, 20)).normalized();
             QVERIFY(QRectF(view_->rect()).contains(place));
             QVERIFY2(std::abs(place.width() - 400) < 0.1 || std::abs(place.height() - 300) < 0.1, "as large as the view");

@@ -228,6 +228,12 @@ void NoticeBar::bringBack() {
     showEarlier();
 }
 
+bool NoticeBar::fold() {
+    const bool open = isVisible() && unfold_->isChecked();
+    if (open) unfold(false);
+    return open;
+}
+
 void NoticeBar::closeShown() {
     const QString read = text();
     setWords({}); // not stored for "earlier"
@@ -253,6 +259,7 @@ void NoticeBar::showEarlier() {
 /// A closed notice counts as read. Minimising the window does not close the notice.
 void NoticeBar::hideEvent(QHideEvent* event) {
     if (!event->spontaneous() && isHidden()) {
+        unfold(false); // the place that stays is that of one line
         earlier_.clear();
         more_->hide();
         leaves_.stop();

@@ -41,6 +41,8 @@ public:
     void endPassing();
     /// The shown note counts as read. The one before it is shown then; the last one closes the bar.
     void closeShown();
+    /// Shows the line only. False: nothing but the line was shown.
+    bool fold();
     /// Removes these notes from the bar and from its earlier ones: they are not about what is on the screen any more.
     void withdraw(const QStringList& texts);
     /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens it (a page) or its

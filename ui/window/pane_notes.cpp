@@ -4,12 +4,26 @@
 #include "ui/base/count_text.h"
 #include "ui/base/pane.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
 #include "ui/window/main_window.h"
+
+#include <QStringList>
 
 #include <cmath>
 
 namespace edgescan::ui {
 namespace {
+
+/// "turned 90°, mirrored": of the images; empty as they are.
+QString turnNote(const ViewPort& images) {
+    const ViewPort::Turn& turn = images.turn();
+    const int degrees = (turn.quarter ? 90 : 0) + (turn.half ? 180 : 0);
+    QStringList words;
+    if (degrees > 0) words << Pane::tr("turned by %1°").arg(degrees);
+    if (turn.mirrored) words << Pane::tr("mirrored");
+    return words.join(", ");
+}
 
 QString rangeNote(MainWindow& window) {
     const RangeSpan ranges = window.viewer().views.rangesShown();
@@ -65,6 +79,7 @@ void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
         if (!window.viewer().views.shown()) return;
         range.setNote(rangeNote(window));
         edges.setNote(edgeNote(window));
+        for (Pane* pane : {&range, &edges}) pane->setRemark(turnNote(*window.viewer().gray.viewPort()));
         cloud.setNote(cloudNote(window));
         cloud.setRemark(cloudRemark(window.viewer().views.cloud()));
     };
@@ -72,6 +87,7 @@ void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
     QObject::connect(&window, &MainWindow::pictureShown, &window, update);
     QObject::connect(&window.viewer().engine, &Engine::coarseChanged, &window, update);
     QObject::connect(&window.viewer().live, &Live::growthChanged, &window, update);
+    QObject::connect(window.viewer().gray.viewPort().get(), &ViewPort::turned, &window, update);
     CloudView& view = window.viewer().views.cloud();
     for (const auto changed : {&CloudView::parallelChanged, &CloudView::turntableChanged})
         QObject::connect(&view, changed, &window, update);

@@ -28,7 +28,7 @@ void MainWindow::escape() {
         viewer_.notice.showHint(tr("Cancelled; what was on the screen stays."));
         return;
     }
-    if (leaveTool() || viewer_.explanation.closeCard()) return;
+    if (leaveTool() || viewer_.explanation.closeCard() || viewer_.notice.fold()) return;
     if (viewer_.notice.isVisible())
         viewer_.notice.closeShown();
     else if (viewer_.livePanel.closeAddress())

@@ -201,11 +201,13 @@ std::string edgeLegend(const edges::Detection& detection) {
     if (!detection.borders) return html;
     const edges::BorderCounts borders = edges::countBorders(detection);
     const auto share = [&](std::size_t count) {
-        return fixedText(100.0 * static_cast<double>(count) / std::max<double>(1, static_cast<double>(detection.edges->size())), 0) + " %";
+        return std::lround(100.0 * static_cast<double>(count) / std::max<double>(1, static_cast<double>(detection.edges->size())));
     };
-    return html + "<p class=\"note\" id=\"borders\">" + share(borders.strong + borders.weak) +
-           " of the edge cells are likely the border of a rock (30 % likely and more), " + share(borders.folds) +
-           " are folds within a rock, " + share(borders.unknown) + " are unknown.</p>\n";
+    const long folds = share(borders.folds), unknown = share(borders.unknown),
+               likely = detection.edges->empty() ? 0 : 100 - folds - unknown;
+    return html + "<p class=\"note\" id=\"borders\">" + std::to_string(likely) +
+           " % of the edge cells are likely the border of a rock (30 % likely and more), " + std::to_string(folds) +
+           " % are folds within a rock, " + std::to_string(unknown) + " % are unknown.</p>\n";
 }
 
 std::string scaleOf(const Scan& scan) {

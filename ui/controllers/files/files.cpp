@@ -97,6 +97,7 @@ Files::Files(Engine& engine, NoticeBar& notice, Preferences& preferences, QUndoS
         if (!engine_.opening()) setOptions(shownOptions_);
     });
     connect(&engine_, &Engine::streamChanged, this, &Files::showWarnings);
+    connect(&engine_, &Engine::refused, this, &Files::offerReading);
     written_.setSingleShot(true);
     written_.setInterval(kWrittenMs);
     connect(&watcher_, &QFileSystemWatcher::fileChanged, &written_, qOverload<>(&QTimer::start));
@@ -233,7 +234,21 @@ bool Files::readAs(const QString& path, const ReadingOptions& options) {
     return true;
 }
 
+/// What a refusal asks for can be given at once.
+void Files::offerReading(const QString& path) {
+    if (std::error_code none; !std::filesystem::is_regular_file(exactBytes(path), none)) return;
+    refused_ = {path, options_};
+    notice_.offer(tr("Read it in another way…"), [this] { askRefused(); });
+}
+
+void Files::askRefused() {
+    const auto [path, options] = refused_;
+    ReadingDialog dialog(options, notice_.window());
+    if (dialog.exec() == QDialog::Accepted) open({path}, dialog.options());
+}
+
 void Files::askReading() {
+    if (path_.isEmpty() && !refused_.first.isEmpty()) return askRefused();
     if (path_.isEmpty()) return notice_.showHint(QObject::tr(kNoFile));
     ReadingDialog dialog(options_, notice_.window());
     if (dialog.exec() == QDialog::Accepted) readAgain(dialog.options(), stepName("How the Scan Is Read"));
@@ -251,6 +266,7 @@ void Files::leave() {
 
 void Files::noteOpened(const QString& path) {
     path_ = path;
+    refused_.first.clear();
     watch(path);
     demo_ = path.isEmpty() ? std::optional(wantedDemo_) : std::nullopt;
     shownOptions_ = options_;
@@ -264,7 +280,10 @@ void Files::watch(const QString& path) {
     if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
     written_.stop();
     stamp_ = path.isEmpty() ? std::string() : stampOf(path);
-    if (!stamp_.empty()) watcher_.addPath(path);
+    if (stamp_.empty()) return;
+    watcher_.addPath(path);
+    const QFileInfo numbers(path.left(path.lastIndexOf('.')) + ".u16"); // of a raw grid
+    if (path.endsWith(".json") && numbers.isFile()) watcher_.addPath(numbers.filePath());
 }
 
 void Files::lookOnDisk() {

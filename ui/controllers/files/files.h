@@ -79,14 +79,17 @@ private:
     void noteOpened(const QString& path);
     void showWarnings();
     void watch(const QString& path);
+    void offerReading(const QString& path);
+    void askRefused();
     void lookOnDisk();
 
     Engine& engine_;
     NoticeBar& notice_;
     Preferences& preferences_;
-    QString path_;                // on the screen; empty: the demo or a scanner
-    ReadingOptions options_;      // of the scan on the screen, or of the one that is being opened
-    ReadingOptions shownOptions_; // of the scan on the screen
+    std::pair<QString, ReadingOptions> refused_; // the last file that could not be read so; empty after a scan was opened
+    QString path_;                               // on the screen; empty: the demo or a scanner
+    ReadingOptions options_;                     // of the scan on the screen, or of the one that is being opened
+    ReadingOptions shownOptions_;                // of the scan on the screen
     std::optional<bool> demo_;
     bool wantedDemo_ = false;
     QUndoStack& undo_;

@@ -60,6 +60,9 @@ PictureOrigin scannersOwn(const Picture& picture, const ScannerLink& scanner) {
     if (!scanner.connected()) // the words of the strip
         return {signOf(files::Liveness::Stopped), QObject::tr("STOPPED") + at,
                 QObject::tr("The connection to the scanner has ended: the time is that of the newest line")};
+    if (scanner.health().liveness == files::Liveness::Lost)
+        return {signOf(files::Liveness::Lost), coreWords(scanner.health().badge) + " · " + heldWords(picture, scanner.health()) + at,
+                coreSentence(scanner.health().sentence)};
     return {StateBadge::Sign::Waiting, heldWords(picture, scanner.health()) + at,
             QObject::tr("The scanner goes on, this picture does not: the time is that of its newest line")};
 }

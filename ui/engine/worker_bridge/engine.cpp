@@ -237,6 +237,7 @@ void Engine::finishOpening(const QString& path, const Opened& opened) {
         return post(*opened.scan, {stream, {}});
     }
     emit failed(shownText(opened.scan.error().sentence()));
+    emit refused(path);
     endOpening();
 }
 

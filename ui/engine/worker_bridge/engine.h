@@ -87,6 +87,8 @@ signals:
     /// `count`: points or cells in the file. `coordinates`: their frame and extent; empty for pictures.
     void saved(edgescan::exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates);
     void failed(const QString& sentence);
+    /// After failed(): a file that could not be read so.
+    void refused(const QString& path);
     void settingsChanged();
     void pictureReady();
     void borderedReady();

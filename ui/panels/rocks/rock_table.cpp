@@ -207,13 +207,19 @@ void RockTable::setNames(const RockNames& names) {
     fitColumns();
 }
 
+void RockTable::showAll() {
+    smallest_->setValue(0.0);
+    sureOnly_->setChecked(false);
+}
+
 void RockTable::showCount() {
     const int all = model_->rowCount();
     const int shown = shown_->rowCount();
     QString text = shown == all ? rockCount(static_cast<std::size_t>(all)) : tr("%1 of %2 rocks").arg(shown).arg(all);
     if (model_->picture()) {
-        const std::vector<rocks::Rock>& rocks = model_->picture()->study.rocks;
-        text += tr(", %1 of them uncertain (hatched)").arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful)) + " · " + rockCaveat();
+        int uncertain = 0;
+        for (int row = 0; row < shown; ++row) uncertain += isDoubtful(*model_->picture()->rock(labelOf(shown_->index(row, 0)))) ? 1 : 0;
+        text += tr(", %1 of them uncertain (hatched)").arg(uncertain) + " · " + rockCaveat();
     }
     count_->setText((remark_.isEmpty() ? QString() : remark_ + " · ") + text);
     export_->setEnabled(all > 0);

@@ -36,6 +36,8 @@ public:
     /// Labels of the shown rows in their order; nothing: all rocks in the order of their numbers.
     [[nodiscard]] std::optional<std::vector<std::uint32_t>> listed() const;
 
+    /// Ends the filter: another scan begins without one.
+    void showAll();
     [[nodiscard]] const RockFilter& filter() const { return shown_->filter(); }
 
     [[nodiscard]] QTableView* table() const { return table_; }

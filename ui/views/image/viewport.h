@@ -43,7 +43,8 @@ public:
     /// "True angle" aspect: beam step and line step in degrees.
     void setTrueAngle(double beamStepDeg, double lineStepDeg);
     void setSquarePixels() { setAspect(1.0); }
-    /// How the image is turned on the screen: first mirrored left to right, then turned clockwise by a quarter, by a half, or by both.
+    /// How the image is turned on the screen: first turned clockwise by a quarter, by a half, or by both, then mirrored
+    /// left to right.
     struct Turn {
         bool mirrored = false, quarter = false, half = false;
         bool operator==(const Turn&) const = default;
@@ -73,6 +74,7 @@ public:
 
 signals:
     void changed();
+    void turned();
 
 private:
     [[nodiscard]] QSize smallestView() const;
