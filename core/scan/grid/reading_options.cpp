@@ -169,6 +169,13 @@ Result<Done> checked(const ReadingOption& option, const std::string& text) {
     return Error{text + " is out of reason for a " + option.limit->what, flag, hint};
 }
 
+Error noSuchScan(std::size_t asked, std::size_t held, const std::string& holder, const std::string& one) {
+    return {holder + " holds " + (held == 1 ? "one " + one : counted(held, one)), "--scan " + std::to_string(asked),
+            held == 0   ? "choose another file"
+            : held == 1 ? "use --scan 0"
+                        : "use --scan 0 to " + std::to_string(held - 1)};
+}
+
 std::string readingFlags(const ReadingOptions& options) {
     std::string flags;
     for (const ReadingOption& option : table()) {
