@@ -164,7 +164,10 @@ Result<Done> checked(const ReadingOption& option, const std::string& text) {
     const std::string hint = option.kind == Kind::ThreeNumbers ? "give three numbers " + within + ": X,Y,Z"
                                                                : (whole ? "give a whole number " : "give a number ") + within +
                                                                      (option.limit->zero ? "" : " that is not 0");
-    if (numbers.size() != (option.kind == Kind::ThreeNumbers ? 3 : 1)) return Error{"\"" + text + "\" is not a number", flag, hint};
+    if (numbers.size() != (option.kind == Kind::ThreeNumbers ? 3 : 1)) {
+        const std::string wanted = option.kind == Kind::ThreeNumbers ? "\" is not three numbers" : "\" is not a number";
+        return Error{"\"" + text + wanted, flag, hint};
+    }
     if (std::ranges::all_of(numbers, [&](double n) { return option.limit->hold(n) && (!whole || n == std::floor(n)); })) return Done{};
     return Error{text + " is out of reason for a " + option.limit->what, flag, hint};
 }
