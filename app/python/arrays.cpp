@@ -3,6 +3,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
 #include "core/base/physical_limits.h"
 #include "core/base/utc_time.h"
 #include "core/files/open_save/check_measured.h"
@@ -112,6 +113,27 @@ void setTimes(Scan& scan, const std::vector<double>& times) {
     scan.acquisition = std::move(acquisition);
 }
 
+/// Numbers that are no error, and are seldom meant: metres taken as millimetres, radians as degrees.
+void warnOfUnits(Scan& scan, const Arrays& arrays) {
+    constexpr float kNoScannersMm = 100;
+    std::vector<float> ranges;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] == CellState::Valid) ranges.push_back(scan.rangeMm[k]);
+    }
+    const bool near = std::ranges::all_of(ranges, [](float mm) { return mm < kNoScannersMm; });
+    if (arrays.unitMm == 1.0 && near && NumberLimits{1, 60}.hold(static_cast<double>(median(ranges))))
+        scan.warnings.emplace_back("All ranges are below 100 mm, so they may be metres: give unit=\"m\" where they are.");
+    constexpr double kTurn = 6.2832, kWideFan = 1.5;
+    constexpr std::size_t kFewestBeams = 16;
+    const auto withinTurn = [](const std::vector<double>& angles) {
+        return std::ranges::all_of(angles, [](double angle) { return std::abs(angle) <= kTurn; });
+    };
+    if (arrays.beamDeg.size() >= kFewestBeams && std::abs(arrays.beamDeg.back() - arrays.beamDeg.front()) >= kWideFan &&
+        withinTurn(arrays.beamDeg) && withinTurn(arrays.lineDeg))
+        scan.warnings.emplace_back(
+            "All angles are below 6.29 degrees, so they may be radians: give numpy.degrees() of them where they are.");
+}
+
 ScanObject scanOfArrays(const Arrays& arrays) {
     const auto lines = static_cast<std::uint64_t>(arrays.range.shape(0)), beams = static_cast<std::uint64_t>(arrays.range.shape(1));
     const char* where = "the arrays of Scan()";
@@ -133,6 +155,7 @@ ScanObject scanOfArrays(const Arrays& arrays) {
     setCells(scan, arrays);
     setTimes(scan, arrays.lineTimesS);
     valueOf(files::checkMeasured(scan, where));
+    warnOfUnits(scan, arrays);
     if (!arrays.pose.empty()) scan.placement = valueOf(openPlacement(arrays.pose, arrays.calibration, scan, arrays.lineTimesS));
     if (scan.placement) valueOf(files::checkMeasured(scan, where));
     return {std::make_shared<const Scan>(std::move(scan))};

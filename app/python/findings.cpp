@@ -11,6 +11,7 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/edges/settings/command_text.h"
+#include "core/edges/settings/parameters.h"
 #include "core/exports/html/scan_page.h"
 #include "core/exports/why_report.h"
 #include "core/inspect/change_detection/change_report.h"
@@ -58,6 +59,13 @@ py::object compare(const ResultObject& before, const ResultObject& now, const st
         if (!picture.empty()) valueOf(containers::savePngRgb(inspect::changePicture(later, change), picture));
         nlohmann::ordered_json report{{"before", before.detection->scan->path}, {"now", later.path}};
         report.update(inspect::changeReport(later, change));
+        const auto methodOf = [](const ResultObject& of) {
+            const edges::Parameter& method = *edges::findParameter("method");
+            return edges::formatValue(method, method.get(of.detection->settings));
+        };
+        if (methodOf(before) != methodOf(now))
+            report["warnings"].push_back("The edges were found by two methods, before by " + methodOf(before) + " and now by " +
+                                         methodOf(now) + ": edges gained and lost may be those of the method.");
         return report;
     }));
 }

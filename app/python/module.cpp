@@ -3,11 +3,16 @@
 
 #include "core/base/instruction_set.h"
 #include "core/base/version.h"
+#include "core/edges/settings/parameters.h"
 #include "core/exports/report.h"
+#include "core/scan/grid/reading_options.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
+#include <regex>
+#include <set>
 
 namespace edgescan::python {
 
@@ -44,6 +49,30 @@ py::object objectOf(const nlohmann::ordered_json& json) {
 
 namespace {
 
+/// Flags as keywords: "--min-length" becomes "min_length". Words that are no keywords of the package stay.
+std::string withKeywords(const std::string& text) {
+    static const std::set<std::string, std::less<>> known = [] {
+        std::set<std::string, std::less<>> keys{"preset", "tolerance", "repeats", "only", "truth", "pictures", "peer-seconds"};
+        for (const edges::Parameter& p : edgescan::edges::parameters()) {
+            keys.insert(p.key);
+            if (p.name != nullptr) keys.insert(p.name);
+        }
+        for (const ReadingOption& option : readingOptionTable()) keys.insert(option.key);
+        return keys;
+    }();
+    static const std::regex flag("--([a-z][a-z0-9-]{0,30})");
+    std::string out;
+    auto from = text.begin();
+    for (std::sregex_iterator found(text.begin(), text.end(), flag), end; found != end; ++found) {
+        std::string key = (*found)[1];
+        if (!known.contains(key)) continue;
+        std::ranges::replace(key, '-', '_');
+        out.append(from, text.begin() + found->position()).append(key);
+        from = text.begin() + found->position() + found->length();
+    }
+    return out.append(from, text.end());
+}
+
 // edgescan.Error with its three parts; the message is the same sentence as on the command line.
 void bindError(py::module_& module) {
     static py::handle type = py::exception<Refused>(module, "Error", PyExc_ValueError).release();
@@ -53,10 +82,11 @@ void bindError(py::module_& module) {
         try {
             if (thrown) std::rethrow_exception(thrown);
         } catch (const Refused& refused) {
-            const py::object error = type(refused.error.sentence());
-            error.attr("what") = nameOf(refused.error.what);
-            error.attr("where") = nameOf(refused.error.where);
-            error.attr("hint") = nameOf(refused.error.hint);
+            const Error said{withKeywords(refused.error.what), withKeywords(refused.error.where), withKeywords(refused.error.hint)};
+            const py::object error = type(said.sentence());
+            error.attr("what") = nameOf(said.what);
+            error.attr("where") = nameOf(said.where);
+            error.attr("hint") = nameOf(said.hint);
             PyErr_SetObject(type.ptr(), error.ptr());
         }
     });

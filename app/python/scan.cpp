@@ -43,7 +43,12 @@ ScanObject scanOfContent(const std::string& content, const std::string& extensio
     const ReadingOptions options = optionsOf(typed);
     Result<Scan> scan = unlocked([&] { return files::readScanBytes(std::as_bytes(std::span(content)), extension, options); });
     raiseSignal();
-    Scan read = valueOf(std::move(scan));
+    if (!scan) {
+        Error problem = scan.error();
+        if (problem.where.starts_with("memory")) problem.where = "xyz"; // the argument
+        throw Refused{problem};
+    }
+    Scan read = std::move(*scan);
     read.name = name;
     return {std::make_shared<const Scan>(std::move(read))};
 }

@@ -135,7 +135,7 @@ public:
 
     /// Error: no line came; a recording without a byte of the scanner is removed.
     void waitForFirstLine() {
-        const auto end = endOf(timeout_);
+        const auto end = ownEnd();
         while (feed_->status().lines == 0) {
             if (Clock::now() >= end && feed_->status().statistics.stream.bytes == 0) {
                 unlocked([&] {
@@ -148,7 +148,7 @@ public:
     }
 
     SweepObject next(std::optional<double> timeout = {}) {
-        const auto end = endOf(timeout.value_or(timeout_));
+        const auto end = timeout ? endOf(*timeout) : ownEnd();
         while (true) {
             if (std::optional<SweepObject> sweep = unlocked([&] { return newest(); })) return std::move(*sweep);
             if (stopped_) throw py::stop_iteration();
@@ -189,6 +189,7 @@ private:
     static Clock::time_point endOf(double seconds) {
         return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     }
+    [[nodiscard]] Clock::time_point ownEnd() const { return timeout_ == 0 ? Clock::time_point::max() : endOf(timeout_); }
     /// Waits for a change, and logs each new problem of the connection. Error: `end` has passed.
     void waitUntil(Clock::time_point end) {
         const scanner::ConnectionState session = feed_->status().connection;

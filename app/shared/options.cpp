@@ -63,7 +63,7 @@ void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptio
         added = command.add_option_function<std::string>(name, parse, option.help);
     if (!option.words.empty() && option.limit == nullptr) added->check(CLI::IsMember(option.words));
     if (!option.words.empty() && option.limit != nullptr)
-        added->type_name("mm|cm|m|NUMBER of mm");
+        added->type_name(CLI::detail::join(option.words, "|") + "|NUMBER of mm");
     else if (option.limit != nullptr)
         added->type_name(rangeName(option.limit->limits));
     if (option.kind == ReadingOption::Kind::Path) added->type_name("FILE");

@@ -90,6 +90,8 @@ Result<Json> parsedWithin(std::string_view text, const std::string& where, const
     if (text.size() > bounds.bytes)
         return Error{"this JSON is too large: " + sizeText(text.size()) + ", and " + sizeText(bounds.bytes) + " are read", where,
                      "choose another file"};
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        return Error{"the file is empty", where, "copy it again or choose another"};
     if (text.size() >= kAskFrom) {
         if (auto enough = checkMemory(productOf({text.size(), kBytesPerByte}), where); !enough) return enough.error();
     }

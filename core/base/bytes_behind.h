@@ -1,6 +1,8 @@
 // What a reader says of bytes that follow everything it reads.
 #pragma once
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -18,7 +20,7 @@ namespace edgescan {
 /// "12 bytes behind the points were not read."; empty where there are none, or padding. `what`: "the points".
 [[nodiscard]] inline std::optional<std::string> bytesBehind(std::span<const std::byte> rest, const std::string& what) {
     if (isPadding(rest)) return std::nullopt;
-    return std::to_string(rest.size()) + " bytes behind " + what + " were not read.";
+    return counted(rest.size(), "byte") + " behind " + what + (rest.size() == 1 ? " was" : " were") + " not read.";
 }
 
 } // namespace edgescan

@@ -24,6 +24,13 @@ std::string withoutUnit(const std::string& key) {
     return key;
 }
 
+/// What a value is, in the words of a person.
+std::string plainType(const PlainJson& value) {
+    if (value.is_string()) return "text";
+    if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+    return value.is_null() ? "nothing (null)" : value.is_array() ? "a list [...]" : "an object {...}";
+}
+
 } // namespace
 
 JsonFields::JsonFields(const PlainJson& object, std::string where, std::string hint)
@@ -42,7 +49,7 @@ bool JsonFields::has(const char* key) {
 }
 
 double JsonFields::checked(const PlainJson& value, const std::string& key, NumberLimits limits) {
-    if (!value.is_number()) return refuse(key, "must hold numbers, not " + std::string(value.type_name())), 0.0;
+    if (!value.is_number()) return refuse(key, "holds " + plainType(value) + " where a number is needed"), 0.0;
     const auto number = value.get<double>();
     if (!physical::kCoordinate.hold(number)) return refuse(key, "holds a number out of all reason"), 0.0;
     if (number < limits.least || number > limits.most) {

@@ -112,7 +112,7 @@ std::uint64_t availableMemoryBytes() {
 }
 
 std::string sizeText(std::uint64_t bytes) {
-    if (bytes < 1000) return std::to_string(bytes) + " bytes";
+    if (bytes < 1000) return counted(bytes, "byte");
     static constexpr std::array<const char*, 6> kUnits{"kB", "MB", "GB", "TB", "PB", "EB"};
     double value = static_cast<double>(bytes) / 1000.0;
     std::size_t unit = 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,9 @@ void appendShortest(std::string& text, Number value) {
 
 /// Changes capital letters A to Z to small ones, independent of the locale: in Turkish an I would become another letter.
 [[nodiscard]] std::string asciiLower(std::string_view text);
+
+/// "1 point", "0 points", "3 points". `many`: where the word for several, or a verb behind it, takes more than an s.
+[[nodiscard]] std::string counted(std::uint64_t count, const std::string& one, const std::string& many = {});
 
 /// The text with blanks before it, so that it has at least this width.
 [[nodiscard]] std::string rightAligned(const std::string& text, std::size_t width);

@@ -192,7 +192,8 @@
 <message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la página %1 de %2 de este archivo E57 está dañada: su suma de control no coincide</translation></message>
 <message><source>this E57 file ends before something that it names</source><translation>este archivo E57 termina antes de algo que nombra</translation></message>
 <message><source>this E57 file holds no scan</source><translation>este archivo E57 no contiene ningún escaneo</translation></message>
-<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>el archivo contiene %1 escaneos y se pidió el número %2</translation></message>
+<message><source>the file holds one scan</source><translation>el archivo contiene un escaneo</translation></message>
+<message><source>the file holds %1 scans</source><translation>el archivo contiene %1 escaneos</translation></message>
 <message><source>scan %1 of this E57 file holds no points</source><translation>el escaneo %1 de este archivo E57 no contiene puntos</translation></message>
 <message><source>choose another scan or file</source><translation>elija otro escaneo o archivo</translation></message>
 <message><source>choose another scan</source><translation>elija otro escaneo</translation></message>

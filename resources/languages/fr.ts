@@ -192,7 +192,8 @@
 <message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la page %1 sur %2 de ce fichier E57 est endommagée : sa somme de contrôle est fausse</translation></message>
 <message><source>this E57 file ends before something that it names</source><translation>ce fichier E57 finit avant ce qu'il annonce</translation></message>
 <message><source>this E57 file holds no scan</source><translation>ce fichier E57 ne contient aucun scan</translation></message>
-<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>le fichier contient %1 scans, et le numéro %2 était demandé</translation></message>
+<message><source>the file holds one scan</source><translation>le fichier contient un scan</translation></message>
+<message><source>the file holds %1 scans</source><translation>le fichier contient %1 scans</translation></message>
 <message><source>scan %1 of this E57 file holds no points</source><translation>le scan %1 de ce fichier E57 ne contient aucun point</translation></message>
 <message><source>choose another scan or file</source><translation>choisissez un autre scan ou fichier</translation></message>
 <message><source>choose another scan</source><translation>choisissez un autre scan</translation></message>

@@ -192,7 +192,8 @@
 <message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>a página %1 de %2 deste arquivo E57 está danificada: a soma de verificação não confere</translation></message>
 <message><source>this E57 file ends before something that it names</source><translation>este arquivo E57 termina antes de algo que nomeia</translation></message>
 <message><source>this E57 file holds no scan</source><translation>este arquivo E57 não contém nenhuma varredura</translation></message>
-<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>o arquivo contém %1 varreduras e foi pedido o número %2</translation></message>
+<message><source>the file holds one scan</source><translation>o arquivo contém uma varredura</translation></message>
+<message><source>the file holds %1 scans</source><translation>o arquivo contém %1 varreduras</translation></message>
 <message><source>scan %1 of this E57 file holds no points</source><translation>a varredura %1 deste arquivo E57 não contém pontos</translation></message>
 <message><source>choose another scan or file</source><translation>escolha outra varredura ou arquivo</translation></message>
 <message><source>choose another scan</source><translation>escolha outra varredura</translation></message>

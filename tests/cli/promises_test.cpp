@@ -149,16 +149,21 @@ TEST_F(Promises, S19TheRecordNamesTheDefaultSettingsAndWhatWasChanged) {
 
 TEST_F(Promises, S20ScansWithoutAPoseAreOutOfSpecAndOneOfTwoIsRefused) {
     const std::string bare = simulated("bare.json", "--seed 9 --lines 90 --beams 121"), inMine = placed(bare, "placed.json");
-    const auto without = runCli("compare " + bare + " " + bare + " --json -");
+    const std::string again = simulated("again.json", "--seed 9 --lines 90 --beams 121 --sweep-number 1");
+    const auto without = runCli("compare " + bare + " " + again + " --json -");
     ASSERT_EQ(without.code, 0) << without.err;
     EXPECT_EQ(json::parse(without.out)["out_of_spec"], true);
     EXPECT_NE(without.out.find("OUT OF SPEC: without a pose of both"), std::string::npos);
     const auto one = runCli("compare " + bare + " " + inMine + " --json -");
     EXPECT_EQ(one.code, 1);
     EXPECT_NE(one.err.find("give it a pose"), std::string::npos) << one.err;
-    const auto both = runCli("compare " + inMine + " " + inMine + " --json -");
+    const auto both = runCli("compare " + inMine + " " + placed(again, "again-placed.json") + " --json -");
     ASSERT_EQ(both.code, 0) << both.err;
     EXPECT_EQ(json::parse(both.out)["lined_up_by"], "poses");
+    const auto itself = json::parse(runCli("compare " + bare + " " + bare + " --json -").out);
+    EXPECT_EQ(itself["lined_up_by"], "one scan");
+    EXPECT_EQ(itself["out_of_spec"], false);
+    EXPECT_EQ(itself["warnings"], json::array({"Both are one scan: the files are the same."}));
 }
 
 // ---- docs/measurements/make-reliability

@@ -95,6 +95,38 @@ class Types(unittest.TestCase):
         self.assertEqual(edgescan.detect(scan, jump=None).mask_sha256, edgescan.detect(scan).mask_sha256)
 
 
+    def test_numbers_that_are_texts_too(self):
+        path = bell_file()
+        for value in (25.4, 304.8, 10):
+            self.assertEqual(edgescan.open(path, unit=value).warnings, edgescan.open(path, unit=repr(value)).warnings)
+        with self.assertRaisesRegex(edgescan.Error, "^unit: .*use mm, "):
+            edgescan.open(path, unit=0)
+        with self.assertRaisesRegex(edgescan.Error, "^sensor: \"1,2\" is not three numbers; give three numbers"):
+            edgescan.open(path, sensor=(1, 2))
+        with self.assertRaisesRegex(TypeError, "jump must be a number, not the bool True"):
+            edgescan.detect(self.objects()[edgescan.Scan], jump=True)
+
+    def test_empty_paths(self):
+        scan = self.objects()[edgescan.Scan]
+        for call in (lambda: edgescan.open(""), lambda: edgescan.save(scan, ""), lambda: edgescan.detect(scan, preset=""),
+                     lambda: edgescan.open(bell_file(), pose=""), lambda: edgescan.replay("")):
+            with self.assertRaisesRegex(edgescan.Error, r"\(\): (path|preset|pose): the path is empty; give"):
+                call()
+
+    def test_units_that_are_seldom_meant(self):
+        metres, beams, lines = np.full((20, 90), 4.2), np.linspace(10, 170, 90), np.linspace(0, 20, 20)
+        self.assertIn("may be metres", edgescan.Scan(metres, beams, lines, axis="sweep").warnings[0])
+        self.assertIn("may be radians", edgescan.Scan(metres * 1000, np.radians(beams), np.radians(lines), axis="sweep").warnings[0])
+        self.assertEqual(edgescan.Scan(metres, beams, lines, axis="sweep", unit="m").warnings, [])
+
+    def test_points_in_memory_are_an_argument(self):
+        with self.assertRaises(edgescan.Error) as raised:
+            edgescan.Scan.from_points(np.random.default_rng(1).normal(size=(5, 3)))
+        self.assertIn("xyz: ", str(raised.exception))
+        for other in ("memory", "--"):
+            self.assertNotIn(other, str(raised.exception))
+
+
 class Sentences(unittest.TestCase):
     """A TypeError is one sentence without the text of the binding."""
 

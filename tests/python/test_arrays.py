@@ -137,7 +137,7 @@ class FromArrays(unittest.TestCase):
                 self.make(unit=wrong)
         with self.assertRaisesRegex(TypeError, "missing a required (keyword-only )?argument: 'axis'"):
             edgescan.Scan(np.ones((5, 7)), self.BEAMS, self.LINES)
-        for wrong, part in ((dict(axis="turn"), "spin or sweep"), (dict(unit="inch"), "mm, cm or m"), (dict(unit=0), "unit"), (dict(unit=float("nan")), "unit"),
+        for wrong, part in ((dict(axis="turn"), "spin or sweep"), (dict(unit="inch"), "mm, cm, m, in, ft or usft"), (dict(unit=0), "unit"), (dict(unit=float("nan")), "unit"),
                             (dict(line_direction=0.5), "1 or -1"), (dict(pose="p.json"), "both"), (dict(calibration="c.json"), "both"),
                             (dict(beam_deg=self.BEAMS * np.nan), "beam 0"), (dict(beam_deg=self.BEAMS * 0), "same way"),
                             (dict(line_deg=self.LINES + 1e9), "line 0"), (dict(beam_deg=self.BEAMS + 400), "beam 0")):

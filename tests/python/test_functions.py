@@ -51,14 +51,28 @@ class SameAsThePrograms(unittest.TestCase):
             edgescan.compare(one, other, poses=(still, HERE / "none.pose"))
 
     def test_a_picture_never_replaces_an_input(self):
-        path = HERE / "input.pcd"
-        cli("convert", bell_file(), path)
-        before = path.read_bytes()
-        result = edgescan.detect(edgescan.open(path))
-        for call in (lambda: edgescan.compare(result, result, picture=path), lambda: edgescan.report(result, path)):
+        cli("convert", bell_file(), HERE / "input.pcd")
+        before = (HERE / "input.pcd").read_bytes()
+        for name, call in (("input.png", lambda r, p: edgescan.compare(r, r, picture=p)), ("input.html", edgescan.report)):
+            path = HERE / name  # what a file is, its content says
+            path.write_bytes(before)
+            result = edgescan.detect(edgescan.open(path))
             with self.assertRaisesRegex(edgescan.Error, "read as an input"):
+                call(result, path)
+            self.assertEqual(path.read_bytes(), before)
+
+    def test_names_of_other_formats(self):
+        result = edgescan.detect(edgescan.simulate(lines=60, beams=80).scan)
+        for call, part in ((lambda: edgescan.compare(result, result, picture=HERE / "c.jpg"), "ends with .png"),
+                           (lambda: edgescan.report(result, HERE / "r.pdf"), "ends with .html; a browser prints")):
+            with self.assertRaisesRegex(edgescan.Error, part):
                 call()
-        self.assertEqual(path.read_bytes(), before)
+        self.assertFalse((HERE / "c.jpg").exists() or (HERE / "r.pdf").exists())
+
+    def test_two_methods(self):
+        scan = edgescan.simulate(lines=60, beams=80).scan
+        told = edgescan.compare(edgescan.detect(scan, method="canny"), edgescan.detect(scan))["warnings"]
+        self.assertTrue(any("two methods, before by canny and now by edgescan+" in warning for warning in told), told)
 
     def page(self, path):
         """Without what differs from run to run: the time and the milliseconds."""

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -79,6 +80,11 @@ Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
         auto mask = containers::readPng8(evaluate.files[n]);
         if (!mask) return mask.error();
         if (auto fits = checkShape(evaluate.files[n], mask->lines, mask->beams, wanted); !fits) return fits.error();
+        std::array<bool, 256> occurs{};
+        for (const std::uint8_t value : mask->cells) occurs[value] = true;
+        if (std::ranges::count(occurs, true) > 2)
+            printError(evaluate.files[n] +
+                       ": this picture has more than two gray values, so it may not be an edge mask; every value but 0 counts as an edge.");
         one.mask = std::move(*mask);
         if (evaluate.ranges.empty()) return one;
     }
@@ -167,7 +173,11 @@ Result<Done> checkUsage(Evaluate& evaluate, const edges::Settings& settings) {
         if (fits && (n == 0 || *value > evaluate.thresholds.back()))
             evaluate.thresholds.push_back(*value);
         else
-            return Error{"value " + std::to_string(n + 1) + " is out of place", "--thresholds",
+            return Error{"\"" + evaluate.typedThresholds[n] + "\" " +
+                             (!value ? "is not a number"
+                              : fits ? "does not exceed the value before it"
+                                     : "is outside the limits of --" + std::string(swept.key)),
+                         "--thresholds",
                          "give rising values of --" + std::string(swept.key) + ", from " + edges::formatValue(swept, swept.minimum) +
                              " to " + edges::formatValue(swept, swept.maximum)};
     }

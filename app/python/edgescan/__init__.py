@@ -12,7 +12,7 @@ True
 
 Arrays are lines x beams: cell (line, beam) is one pixel, one measurement, one point. They look into the scan without a copy and cannot be
 written to. Ranges are millimetres, points metres, angles degrees. What is refused raises edgescan.Error with the sentence that the command
-line prints. Names of flags have _ where the command line has -.
+line prints, with keywords for flags: names of flags have _ where the command line has -.
 """
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from ._edgescan import Connection, Error, Replay, Result, Rocks, Scan, Simulatio
 from . import _arrays, _edgescan, _methods
 from ._lab import benchmark
 from .reports import Compared, Parameter, Why
-from ._values import Path, each as _each, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole, word as _word
+from ._values import Path, each as _each, ending as _ending, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole, word as _word
 
 __all__ = ["Connection", "Error", "FileError", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "benchmark", "compare", "connect", "detect",
            "open", "parameters", "presets", "replay", "report", "rocks", "save", "simulate", "why"]
@@ -127,6 +127,8 @@ def compare(before: Result, now: Result, *, poses: Optional[Tuple[Path, Path]] =
     files = [] if poses is None else [_path("compare(): poses", file) for file in _each("compare(): poses", "two paths", poses)]
     if len(files) not in (0, 2):
         raise TypeError(f"compare(): poses must be two paths, not {len(files)}")
+    if picture is not None:
+        _ending(picture, b".png", "the picture is a PNG")
     return _edgescan.compare(before, now, files, by_surfaces, picture or b"")
 
 
@@ -141,6 +143,8 @@ def report(result: Result, path: Path, *, rocks: Optional[Rocks] = None, targets
     >>> edgescan.report(result, folder / "report.html") > 10000
     True
     """
+    if not path.lower().endswith(b".htm"):
+        _ending(path, b".html", "the report is HTML", "; a browser prints it as PDF")
     return _edgescan.report(result, path, _json.dumps(rocks.settings) if rocks is not None else "", targets or b"", before, operator, role)
 
 
@@ -215,7 +219,7 @@ def connect(address: str, *, record: Path = "", expected_lines: int = 0, axis: O
     open(). ticks_per_degree: encoder counts, where there is an encoder. calibration: the robot's file, which says axis and step. What
     neither says is assumed; the scan's warnings and the recording report it. stop_and_go: the stepper stops while a line is measured.
 
-    timeout: seconds. connect() waits for the first scan line of the scanner, and raises edgescan.Error if it does not come in this time. So
+    timeout: seconds, 0 = for ever. connect() waits for the first scan line of the scanner, and raises edgescan.Error if it does not come in this time. So
     does the iterator if the sweep does not change for this time. The error says what the session waits for; while it waits, the logger
     "edgescan" warns about each new problem of the connection.
 

@@ -13,7 +13,7 @@ from . import _edgescan
 from ._edgescan import Scan
 from ._values import Path, given, public, refuse, wrong
 
-UNITS_MM = {"mm": 1.0, "cm": 10.0, "m": 1000.0}
+UNITS_MM = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8, "usft": 1200.0 / 3937.0 * 1000.0}
 
 
 def numbers(name, value, shape, kinds="iuf", of="Scan()"):
@@ -36,7 +36,7 @@ def millimetres(unit):
     """Millimetres per number."""
     if isinstance(unit, str):
         if unit not in UNITS_MM:
-            refuse(f'"{unit}" is not a unit', "unit", "use mm, cm or m, or the millimetres per number")
+            refuse(f'"{unit}" is not a unit', "unit", "use mm, cm, m, in, ft or usft, or the millimetres per number")
         return UNITS_MM[unit]
     if isinstance(unit, bool) or not isinstance(unit, Real):
         raise wrong("Scan(): unit", "'mm', 'cm', 'm' or the millimetres per number", unit)
@@ -51,7 +51,7 @@ def angles(name, value, count):
 
 
 def scan(range_mm: ArrayLike, beam_deg: ArrayLike, line_deg: ArrayLike, *, axis: Literal["spin", "sweep"],
-         unit: Union[float, Literal["mm", "cm", "m"]] = "mm", state: Optional[ArrayLike] = None, intensity: Optional[ArrayLike] = None,
+         unit: Union[float, Literal["mm", "cm", "m", "in", "ft", "usft"]] = "mm", state: Optional[ArrayLike] = None, intensity: Optional[ArrayLike] = None,
          line_skew_deg: Optional[ArrayLike] = None, line_direction: float = 1.0, line_times_s: Optional[ArrayLike] = None,
          pose: Optional[Path] = None, calibration: Optional[Path] = None, name: str = "array"):
     """A sweep as measured: lines x beams cells, each with a range and a state. edgescan.open() reads one from a file, Scan(...) makes one
@@ -61,7 +61,7 @@ def scan(range_mm: ArrayLike, beam_deg: ArrayLike, line_deg: ArrayLike, *, axis:
     stored as float32 in millimetres: whole millimetres up to 16,777 m stay exact.
     beam_deg: beams, the angle of each beam in the fan, degrees. line_deg: lines, the angle of the stepper at each line.
     axis: what the stepper turns about, 'spin' (the viewing direction) or 'sweep' (the 0/180 degree line).
-    unit: of range_mm, 'mm', 'cm', 'm', or the millimetres per number (0.25 for counts of a quarter).
+    unit: of range_mm, 'mm', 'cm', 'm', 'in', 'ft', 'usft', or the millimetres per number (0.25 for counts of a quarter).
     state: lines x beams, 0 to 5 as in Scan.state; where it is not 0, range_mm is NaN or 0, or the code of a device status (2).
     intensity: lines x beams, NaN where a cell has none.
     line_skew_deg: beams, degrees that the stepper turned until each beam of a line. line_direction: -1 where line angles turn left-handed.

@@ -30,7 +30,7 @@ def run(program, file, flags):
     done = subprocess.run([found, "benchmark", file, "--json", "-", *flags], capture_output=True, check=False)
     if done.returncode:
         said = os.fsdecode(done.stderr).strip().splitlines()
-        refuse(said[-1].split(": ", 1)[-1] if said else f"it ended with {done.returncode}", "edgescan-lab benchmark", "")
+        refuse(said[-1].split(": ", 1)[-1].rstrip(".") if said else f"it ended with {done.returncode}", "edgescan-lab benchmark", "")
     return json.loads(done.stdout)
 
 

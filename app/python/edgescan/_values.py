@@ -80,6 +80,8 @@ def path(name, value):
         raise TypeError(f"{name} must be a path as os.fsdecode() gives it, and {ascii(value)} is not") from None
     if b"\0" in encoded:
         raise TypeError(f"{name} must be a path, and {ascii(value)} has a NUL character")
+    if not encoded:
+        refuse("the path is empty", name, "give the name of a file, or leave it out")
     return _edgescan.path_of_address(encoded)
 
 
@@ -94,7 +96,14 @@ def each(name, wanted, values):
 
 
 def number_text(name, value):
-    return str(whole(name, value)) if isinstance(value, numbers.Integral) else repr(number(name, value))
+    return str(int(value)) if isinstance(value, numbers.Integral) and not is_bool(value) else repr(number(name, value))
+
+
+def ending(path, extension, what, hint=""):
+    """The path of a file that is written in this format. Error if its name ends otherwise."""
+    if not path.lower().endswith(extension) and not path.startswith(b"/dev/"):
+        refuse(what, os.fsdecode(path), f"give a name that ends with {os.fsdecode(extension)}{hint}")
+    return path
 
 
 def typed(name, value, row):
@@ -114,6 +123,8 @@ def typed(name, value, row):
         return word(name, value)
     if kind == "three numbers":
         return ",".join(number_text(name, one) for one in each(name, "a str or three numbers", value))
+    if kind == "word" and "minimum" in row and isinstance(value, numbers.Real) and not is_bool(value):
+        return number_text(name, value)
     if row.get("several"):
         return ",".join(word(name, one) for one in each(name, "a str or a list of them", value))
     if choices and not choices[0].isdigit():

@@ -107,6 +107,7 @@ Result<AuditCheck> checkAudit(const std::filesystem::path& path, const std::stri
     const auto bytes = readWholeFile(path);
     if (!bytes) return bytes.error();
     const std::vector<Placed> lines = placedLines(textOf(*bytes));
+    if (lines.empty()) return Error{"the log holds no line", path.string(), "give the audit.jsonl that was written, or a copy of it"};
     // Every line of a log has this key, and an altered log still has some of them.
     if (!lines.empty() && textOf(*bytes).find("\"before\":\"") == std::string_view::npos)
         return Error{"this is not an audit log", path.string(), "give audit.jsonl"};

@@ -8,6 +8,7 @@
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "core/files/formats/formats.h"
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/files/open_save/sidecar_grid.h"
 
 #include <glob.h>
@@ -73,6 +74,7 @@ Kind kindOf(const fs::path& path) {
     const std::string extension = scanExtension(path);
     if (!aFormatReads(extension)) return Kind::Other;
     if (extension == ".u16" && isThere(fs::path(path).replace_extension(".json"))) return Kind::Other; // it is read together with that file
+    if (files::isPoseSidecar(path) && isThere(path.parent_path() / path.stem().stem())) return Kind::Other; // it is read with its scan
     if (extension == ".json" && isThere(path) && !describesGrid(path)) return Kind::LeftOut;
     return isExport(path) ? Kind::LeftOut : Kind::Scan;
 }
@@ -130,6 +132,8 @@ private:
             found_.push_back(path.string());
         } else if (fs::is_directory(status)) {
             if (sameFolder(path, results_)) return;
+            if (isThere(path / ".batch"))
+                return notRead(path, "this folder holds the results of a run and is not read; name it as an input to have it read");
             if (fs::is_symlink(path, gone)) return links_.push_back(path);
             std::error_code problem;
             visit(path, problem);

@@ -2,6 +2,7 @@
 #include "core/batch/archive/worker_processes.h"
 
 #include "core/base/bands.h"
+#include "core/base/memory.h"
 
 #include <csignal>
 #include <fcntl.h>
@@ -254,7 +255,9 @@ private:
         if (ranOut) return "it took longer than the time limit";
         if (WIFSIGNALED(status))
             return "it ended with signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
-        if (WEXITSTATUS(status) == kOutOfMemoryExit) return "it ran out of memory";
+        if (WEXITSTATUS(status) == kOutOfMemoryExit)
+            return "it ran out of memory" +
+                   (limits_.memoryBytes == 0 ? std::string() : ", and --memory gives it " + sizeText(limits_.memoryBytes));
         return "it ended with code " + std::to_string(WEXITSTATUS(status));
     }
 

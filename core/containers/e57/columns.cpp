@@ -1,5 +1,6 @@
 // Unpacking the points of an E57 scan. Only the byte streams of the columns that are wanted are put together.
 #include "core/containers/e57/columns.h"
+#include "core/base/number_text.h"
 
 #include "core/base/memory.h"
 
@@ -63,7 +64,7 @@ Result<Done> appendPacket(const std::vector<std::byte>& packet, std::vector<Stre
     if (packet.size() < kHead) return damaged("is too short");
     const std::size_t count = valueAt<std::uint16_t>(packet, 4);
     if (count != fields) {
-        return damaged("holds " + std::to_string(count) + " columns and the file describes " + std::to_string(fields));
+        return damaged("holds " + counted(count, "column") + " and the file describes " + std::to_string(fields));
     }
     if (packet.size() < kHead + 2 * count) return damaged("ends within its header");
     std::vector<std::size_t> starts(count + 1, kHead + 2 * count);
@@ -144,7 +145,7 @@ Result<std::vector<std::vector<double>>> readE57Columns(E57File& file, const E57
                                                         const std::function<bool(double)>& goOn) {
     // Points may take hardly a bit each, and then a file could promise any number of them: all that were ever measured take a byte.
     if (scan.points > file.pages.size()) {
-        return Error{"the file promises " + std::to_string(scan.points) + " points and has " + std::to_string(file.pages.size()) +
+        return Error{"the file promises " + counted(scan.points, "point") + " and has " + std::to_string(file.pages.size()) +
                          " bytes for them",
                      file.pages.where(), kCopy};
     }
@@ -159,8 +160,8 @@ Result<std::vector<std::vector<double>>> readE57Columns(E57File& file, const E57
     std::vector<std::vector<double>> numbers;
     for (Stream& stream : streams) {
         if (!stream.whole()) {
-            return Error{"the file promises " + std::to_string(scan.points) + " points and the column " + stream.field->name +
-                             " ends after " + std::to_string(stream.bytes.size() * 8 / stream.field->bits()),
+            return Error{"the file promises " + counted(scan.points, "point") + " and the column " + stream.field->name + " ends after " +
+                             std::to_string(stream.bytes.size() * 8 / stream.field->bits()),
                          file.pages.where(), kCopy};
         }
         numbers.push_back(numbersIn(stream, scan.points));

@@ -1,5 +1,6 @@
 // Reading MCAP record by record.
 #include "core/containers/mcap/reader.h"
+#include "core/base/number_text.h"
 
 #include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
@@ -353,7 +354,7 @@ private:
             if (record->opcode != static_cast<std::uint8_t>(McapOpcode::Statistics)) continue;
             const std::uint64_t count = McapCursor(record->content).number64();
             if (count == content_.messages.size()) return true;
-            warn("the file says that it holds " + std::to_string(count) + " messages and " + std::to_string(content_.messages.size()) +
+            warn("the file says that it holds " + counted(count, "message") + " and " + std::to_string(content_.messages.size()) +
                  " could be read");
             return false;
         }

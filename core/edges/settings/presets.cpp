@@ -117,9 +117,11 @@ Result<Preset> findPreset(const std::string& nameOrPath) {
     if (!bytes) return bytes.error();
     const auto json = parseJson(textOf(*bytes), nameOrPath, kSettingsJson);
     if (!json) return json.error();
-    if (!json->is_object() || json->value("format", nlohmann::json()) != kFormat || !json->contains("settings")) {
-        return Error{std::string("this is not a preset of the format ") + kFormat, nameOrPath, "save one from the viewer"};
-    }
+    if (!json->is_object() || json->value("format", nlohmann::json()) != kFormat)
+        return Error{std::string("this is not a preset: it has no \"format\": \"") + kFormat + "\"", nameOrPath,
+                     "save one from the viewer"};
+    if (!json->contains("settings"))
+        return Error{"the preset has no \"settings\"", nameOrPath, "add this key, or save one from the viewer"};
     Result<Settings> settings = settingsFromJson((*json)["settings"], cannySettings(), nameOrPath);
     if (!settings) return settings.error();
     // Files of version 1.0 hold every setting of that time: they keep its masks.

@@ -1,6 +1,7 @@
 // E57: scans as lists of points or as grids by row and column, with the pose of each.
 #include "core/base/bytes_behind.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/containers/e57/columns.h"
 #include "core/files/formats/format.h"
 #include "core/scan/grid/acquisition.h"
@@ -193,8 +194,8 @@ void spread(PointTable& table, const E57Grid& grid, const E57Numbers& numbers, b
     table.height = grid.lines;
     table.gridIsGiven = true;
     if (behind > 0) {
-        table.remarks.push_back(std::to_string(behind) +
-                                " points share their row and column with a nearer one, which was taken (several returns of one beam).");
+        table.remarks.push_back(counted(behind, "point shares its row and column", "points share their row and column") +
+                                " with a nearer one, which was taken (several returns of one beam).");
     }
 }
 
@@ -211,17 +212,14 @@ Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
     const std::size_t wanted = source.options->scanIndex.value_or(first);
     if (file.scans.empty()) {
         return source.refused("this E57 file holds no scan" +
-                                  (file.pictures > 0 ? ", only " + std::to_string(file.pictures) + " pictures" : std::string()),
+                                  (file.pictures > 0 ? ", only " + counted(file.pictures, "picture") : std::string()),
                               "choose another file");
     }
-    if (wanted >= file.scans.size()) {
-        return source.refused("the file holds " + std::to_string(file.scans.size()) + " scans, and number " + std::to_string(wanted + 1) +
-                                  " was asked for",
-                              "choose a smaller --scan");
-    }
+    if (wanted >= file.scans.size()) return noSuchScan(wanted, file.scans.size());
     E57Choice choice{file.scans[wanted], {}, wanted};
     if (!source.options->scanIndex && wanted > 0)
-        choice.table.remarks.push_back("The first " + std::to_string(wanted) + " scans of the file hold no points.");
+        choice.table.remarks.push_back(wanted == 1 ? "The first scan of the file holds no points."
+                                                   : "The first " + std::to_string(wanted) + " scans of the file hold no points.");
     if (file.scans.size() > 1) {
         choice.table.remarks.push_back("The file holds " + std::to_string(file.scans.size()) + " scans; this is number " +
                                        std::to_string(wanted + 1) + ", --scan chooses another.");
@@ -276,7 +274,10 @@ Result<E57Choice> readChoice(const Source& source) {
         for (const double index : *numbers->returnIndex) // from 0
             table.returnNumber.push_back(index >= 0 && index < 255 ? static_cast<std::uint8_t>(index + 1) : std::uint8_t{1});
     }
-    if (invalid > 0) table.remarks.push_back(std::to_string(invalid) + " points are marked as invalid in the file and count as no return.");
+    if (invalid > 0)
+        table.remarks.push_back(
+            counted(invalid, "point is marked as invalid in the file and counts", "points are marked as invalid in the file and count") +
+            " as no return.");
     if (const std::string unread = fieldNames(scan, &*columns); !unread.empty())
         table.remarks.push_back("What else a point of this file has is not read: " + unread + ".");
     if (file->pictures > 0) table.remarks.push_back("The pictures of this file (" + std::to_string(file->pictures) + ") are not read.");

@@ -1,5 +1,6 @@
 // From a picture's numbers to a scan; PNG of 16 bits through libpng. Its errors leave by longjmp: see png.cpp.
 #include "core/files/formats/gray_pictures.h"
+#include "core/base/number_text.h"
 
 #include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
@@ -198,8 +199,9 @@ Result<Scan> scanFromPicture(const Grid<float>& values, bool counts, const char*
     scan->format = format;
     scan->unitMm = source.options->unitMm.value_or(1.0);
     if (odd > 0)
-        scan->warnings.push_back(std::to_string(odd) +
-                                 " pixels hold no range (negative, not a number, or too far) and were taken as no return.");
+        scan->warnings.push_back(counted(odd, "pixel holds no range (negative, not a number, or too far) and was",
+                                         "pixels hold no range (negative, not a number, or too far) and were") +
+                                 " taken as no return.");
     if (counts && !source.options->unitMm) scan->warnings.emplace_back("Unit taken as millimetres, as range pictures have it.");
     return scan;
 }

@@ -92,7 +92,7 @@ Result<Done> checkPoints(const LasHeader& header, const Source& source) {
         return source.refused("the points begin at byte " + std::to_string(header.pointsAt) + ", which is not in the file", kCopyAgain);
     const std::uint64_t held = source.bytes.size() - header.pointsAt;
     if (held / header.pointBytes < header.points) {
-        return source.refused("the header promises " + std::to_string(header.points) + " points of " + std::to_string(header.pointBytes) +
+        return source.refused("the header promises " + counted(header.points, "point") + " of " + std::to_string(header.pointBytes) +
                                   " bytes and the file holds " + std::to_string(held) + " bytes of them",
                               kCopyAgain);
     }
@@ -176,7 +176,7 @@ void sayRest(PointTable& table, const LasHeader& header, std::uint64_t end, cons
         if (auto behind = from < to ? bytesBehind(source.bytes.subspan(from, to - from), what) : std::nullopt)
             table.remarks.push_back(std::move(*behind));
     };
-    say(end, next, "the " + std::to_string(header.points) + " points that the header promises");
+    say(end, next, "the " + counted(header.points, "point") + " that the header promises");
     if (header.extended > 0 && own.missing == 0 && header.waveformAt == 0) say(std::max(own.end, end), size, "the last record");
     if (header.waveformAt > 0) table.remarks.emplace_back("The waveforms of this file were not read.");
 }
@@ -231,7 +231,7 @@ Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Sou
     }
     if (next != table.points.size()) {
         return source.refused("describes a scan of " + std::to_string(next) + " valid cells and holds " +
-                                  std::to_string(table.points.size()) + " points",
+                                  counted(table.points.size(), "point"),
                               "save the scan again");
     }
     table.points = std::move(points);
@@ -297,7 +297,9 @@ Result<PointTable> readLasPoints(const Source& source) {
     if (!read) return read.error();
     table.points = std::move(read->points);
     if (read->withheld > 0)
-        table.remarks.push_back(std::to_string(read->withheld) + " points are marked as withheld in the file and count as no return.");
+        table.remarks.push_back(counted(read->withheld, "point is marked as withheld in the file and counts",
+                                        "points are marked as withheld in the file and count") +
+                                " as no return.");
     // Who has no intensities leaves the field 0.
     if (std::ranges::any_of(read->intensity, [](float value) { return value != 0; })) table.intensity = std::move(read->intensity);
     if (std::ranges::any_of(read->returnNumber, [](std::uint8_t number) { return number > 1; }))

@@ -1,5 +1,6 @@
 // LAZ points, read from memory through LASzip's own interface.
 #include "core/files/formats/laz.h"
+#include "core/base/number_text.h"
 
 #ifdef EDGESCAN_WITH_LASZIP
 #include "core/base/checked_size.h"
@@ -122,8 +123,8 @@ Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source&
         header->number_of_point_records != 0 ? header->number_of_point_records : header->extended_number_of_point_records;
     if (count == 0) return source.refused("the file holds no points", "choose another file");
     if (productOf({count, header->point_data_record_length}) > mostUnpackedBytes(source.bytes.size()))
-        return source.refused("the header promises " + std::to_string(count) + " points, more than a file of " +
-                                  sizeText(source.bytes.size()) + " holds of a scan",
+        return source.refused("the header promises " + counted(count, "point") + ", more than a file of " + sizeText(source.bytes.size()) +
+                                  " holds of a scan",
                               "copy it again, or save it as .las");
     if (auto enough = checkMemory(productOf({count, sizeof(Eigen::Vector3d) + header->point_data_record_length}), source.path.string());
         !enough)
@@ -134,7 +135,7 @@ Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source&
     for (std::uint64_t n = 0; n < count; ++n) {
         Eigen::Vector3d p;
         if (laszip_read_point(unpacker.laszip) != 0 || laszip_get_coordinates(unpacker.laszip, p.data()) != 0) {
-            return source.refused("the header promises " + std::to_string(count) + " points and the file ends after " + std::to_string(n) +
+            return source.refused("the header promises " + counted(count, "point") + " and the file ends after " + std::to_string(n) +
                                       " (" + unpacker.problem() + ")",
                                   "copy it again");
         }

@@ -1,5 +1,6 @@
 // Reads the little of Python's syntax that numpy writes into headers.
 #include "core/files/formats/numpy_header.h"
+#include "core/base/number_text.h"
 
 #include "core/files/point_tables/point_columns.h"
 
@@ -255,8 +256,8 @@ Result<NumpyArray> readNumpy(const Source& source) {
         return source.refused("this numpy array of shape " + array.shapeText() + " is empty", "choose another file");
     const std::uint64_t held = text.size() - from - length;
     if (held / array.itemBytes < array.items()) {
-        return source.refused("the numpy header promises an array of shape " + array.shapeText() + ", " + std::to_string(array.items()) +
-                                  " items of " + std::to_string(array.itemBytes) + " bytes, and the file holds " + std::to_string(held) +
+        return source.refused("the numpy header promises an array of shape " + array.shapeText() + ", " + counted(array.items(), "item") +
+                                  " of " + std::to_string(array.itemBytes) + " bytes, and the file holds " + std::to_string(held) +
                                   " bytes of them",
                               kCopyAgain);
     }

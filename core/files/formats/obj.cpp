@@ -97,8 +97,8 @@ Result<PointTable> readObjPoints(const Source& source) {
     }
     if (table.points.empty()) return source.refused("this OBJ file has no vertices", "choose another file");
     if (unknown > 0)
-        table.remarks.push_back(std::to_string(unknown) + " lines hold no words of OBJ and were not read, the first is line " +
-                                std::to_string(firstUnknown) + ".");
+        table.remarks.push_back(counted(unknown, "line holds no words of OBJ and was", "lines hold no words of OBJ and were") +
+                                " not read, the first is line " + std::to_string(firstUnknown) + ".");
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
     table.width = table.points.size();
     table.precision = precisionOf(digits);

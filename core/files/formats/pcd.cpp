@@ -2,6 +2,7 @@
 // with the bytes that are there before anything is allocated.
 
 #include "core/files/formats/pcd.h"
+#include "core/base/number_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/bytes_behind.h"
@@ -144,9 +145,8 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
     const std::size_t count = header.names.size();
     if (header.counts.empty()) header.counts.assign(count, 1);
     if (count == 0 || header.sizes.size() != count || header.types.size() != count || header.counts.size() != count) {
-        return source.refused("the PCD header names " + std::to_string(count) + " fields and gives " + std::to_string(header.sizes.size()) +
-                                  " sizes, " + std::to_string(header.types.size()) + " types and " + std::to_string(header.counts.size()) +
-                                  " counts",
+        return source.refused("the PCD header names " + counted(count, "field") + " and gives " + counted(header.sizes.size(), "size") +
+                                  ", " + counted(header.types.size(), "type") + " and " + counted(header.counts.size(), "count"),
                               "export the file again");
     }
     PcdLayout layout;
@@ -155,8 +155,8 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
     }
     layout.points = header.width * header.height;
     if (header.points && *header.points != layout.points) {
-        return source.refused("the header promises " + std::to_string(*header.points) + " points and " + std::to_string(header.width) +
-                                  " x " + std::to_string(header.height) + " of them",
+        return source.refused("the header promises " + counted(*header.points, "point") + " and " + std::to_string(header.width) + " x " +
+                                  std::to_string(header.height) + " of them",
                               "check POINTS, WIDTH and HEIGHT");
     }
     if (layout.points == 0) return source.refused("the file holds no points", "choose another file");
@@ -188,7 +188,7 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
 }
 
 Error tooShort(const Source& source, const PcdLayout& layout, std::uint64_t held) {
-    return source.refused("the header promises " + std::to_string(layout.points) + " points of " + std::to_string(layout.recordBytes) +
+    return source.refused("the header promises " + counted(layout.points, "point") + " of " + std::to_string(layout.recordBytes) +
                               " bytes and the file holds " + std::to_string(held) + " bytes of them",
                           kCopyAgain);
 }

@@ -1,6 +1,7 @@
 // Polygon files (PLY 1.0): the scalar properties of the vertices; ascii, little and big endian. Lists of a vertex and elements before the
 // vertices are stepped over.
 
+#include "core/base/number_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/checked_size.h"
@@ -192,7 +193,7 @@ Result<const Element*> vertexElement(PlyHeader& header, const Source& source) {
     for (Element& element : header.elements) {
         if (element.name == "vertex") {
             if (element.count == 0 || element.count > kMostPoints)
-                return source.refused("the header promises " + std::to_string(element.count) + " points", "check the file");
+                return source.refused("the header promises " + counted(element.count, "point"), "check the file");
             header.unnamedByte = !element.hasList && hasUnnamedColourByte(element, header, source.bytes.size() - header.firstByte);
             for (RecordField& field : element.fields) field.stride = element.recordBytes;
             return static_cast<const Element*>(&element);
@@ -243,7 +244,7 @@ Result<Done> readVerticesWithLists(PointTable& table, const PlyHeader& header, c
     for (std::uint64_t n = 0; n < vertex.count; ++n) {
         const auto end = endOfRecord(vertex, held, at, bigEndian, &numbers);
         if (!end)
-            return source.refused("the header promises " + std::to_string(vertex.count) + " vertices and the file ends after " +
+            return source.refused("the header promises " + counted(vertex.count, "vertex", "vertices") + " and the file ends after " +
                                       std::to_string(n),
                                   kCopyAgain);
         at = *end;
@@ -261,7 +262,7 @@ Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Elem
         return source.refused("the format \"" + header.encoding.substr(0, 40) + "\" is none that PLY knows", "export the file again");
     const std::uint64_t least = header.encoding == "ascii" ? vertex.fields.size() * 2 : vertex.recordBytes;
     if ((held + 2) / least < vertex.count) {
-        return source.refused("the header promises " + std::to_string(vertex.count) + " vertices and the file holds " +
+        return source.refused("the header promises " + counted(vertex.count, "vertex", "vertices") + " and the file holds " +
                                   std::to_string(held) + " bytes of them",
                               kCopyAgain);
     }

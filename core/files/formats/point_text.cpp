@@ -96,14 +96,14 @@ Result<std::array<std::size_t, 3>> columnsAsked(const TextLayout& layout, const 
         if (!more && axis == 2 && xyz[0] != xyz[1] && xyz[1] != xyz[2] && xyz[0] != xyz[2]) return xyz;
     }
     return source.refused("--columns " + source.options->columns + " does not name three different ones of its " +
-                              std::to_string(layout.columns) + " columns" +
+                              counted(layout.columns, "column") +
                               (layout.names.empty() ? std::string() : " (" + joined(layout.names) + ")"),
                           "give three numbers from 1, or three names, such as --columns 2,1,3");
 }
 
 Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     if (layout.columns < 3) {
-        return source.refusedAtLine(layout.firstLine, "holds " + std::to_string(layout.columns) + " numbers where a point needs three",
+        return source.refusedAtLine(layout.firstLine, "holds " + counted(layout.columns, "number") + " where a point needs three",
                                     "choose a point list or a table of ranges");
     }
     Columns columns;
@@ -249,12 +249,10 @@ void addRow(PointTable& table, std::span<const double> row, const RowUse& use) {
 Error tooFewNumbers(const RowReader& rows, std::size_t numbers, std::size_t needed, std::size_t rowsRead, const TextLayout& layout,
                     const Source& source) {
     if (layout.promisedRows && numbers == 1 && rowsRead == *layout.promisedRows) {
-        return source.refusedAtLine(rows.lineNumber(),
-                                    "begins a further list, behind the " + std::to_string(rowsRead) + " points of the first",
+        return source.refusedAtLine(rows.lineNumber(), "begins a further list, behind the " + counted(rowsRead, "point") + " of the first",
                                     "save each scan in a file of its own");
     }
-    return source.refusedAtLine(rows.lineNumber(),
-                                "holds " + std::to_string(numbers) + " numbers where a point needs " + std::to_string(needed),
+    return source.refusedAtLine(rows.lineNumber(), "holds " + counted(numbers, "number") + " where a point needs " + std::to_string(needed),
                                 "the file may be cut off here, copy it again");
 }
 
@@ -279,7 +277,7 @@ Result<Done> addRows(PointTable& table, RowReader& rows, const RowUse& use, cons
     }
     if (rows.problem()) return *rows.problem();
     if (layout.promisedRows && *layout.promisedRows != rowsRead) {
-        return source.refused("promises " + std::to_string(*layout.promisedRows) + " points and holds " + std::to_string(rowsRead),
+        return source.refused("promises " + counted(*layout.promisedRows, "point") + " and holds " + std::to_string(rowsRead),
                               "copy the file again");
     }
     if (use.givenAway) giveAway();

@@ -143,8 +143,8 @@ struct PtxScan {
 };
 
 Error cutOff(const PtxHeader& header, std::size_t index, const Source& source) {
-    return source.refused("scan " + std::to_string(index + 1) + " of this PTX file promises " + std::to_string(header.columns) +
-                              " columns of " + std::to_string(header.rows) + " points, and the file ends before them",
+    return source.refused("scan " + std::to_string(index + 1) + " of this PTX file promises " + counted(header.columns, "column") + " of " +
+                              counted(header.rows, "point") + ", and the file ends before them",
                           "copy the file again");
 }
 
@@ -166,8 +166,8 @@ Result<PtxScan> findScan(const Source& source) {
             }
             if (found.inFile == wanted + 1) {
                 return source.refusedAtLine(lineNumber,
-                                            "behind the " + std::to_string(found.header.columns) + " columns of " +
-                                                std::to_string(found.header.rows) + " points that the header promises there are more",
+                                            "behind the " + counted(found.header.columns, "column") + " of " +
+                                                counted(found.header.rows, "point") + " that the header promises there are more",
                                             "export the file again");
             }
             return source.refusedAtLine(lineNumber, "scan " + std::to_string(found.inFile + 1) + " has no PTX header here",
@@ -205,10 +205,10 @@ Result<PtxScan> findScan(const Source& source) {
         return found;
     }
     if (!source.options->scanIndex && found.inFile > 0)
-        return source.refused("the " + std::to_string(found.inFile) + " scans of this PTX file hold 0 points", "export the file again");
-    return source.refused("the file holds " + std::to_string(found.inFile) + " scans, and number " + std::to_string(wanted + 1) +
-                              " was asked for",
-                          "choose a smaller --scan");
+        return source.refused(found.inFile == 1 ? "the scan of this PTX file holds 0 points"
+                                                : "the " + std::to_string(found.inFile) + " scans of this PTX file hold 0 points",
+                              "export the file again");
+    return noSuchScan(wanted, found.inFile);
 }
 
 Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source& source) {
@@ -220,7 +220,7 @@ Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source
     table.points.reserve(header.points());
     while (rows.next(row)) {
         if (row.size() < 3)
-            return source.refusedAtLine(rows.lineNumber(), "holds " + std::to_string(row.size()) + " numbers where a point needs three",
+            return source.refusedAtLine(rows.lineNumber(), "holds " + counted(row.size(), "number") + " where a point needs three",
                                         "copy the file again");
         table.points.emplace_back(row[0], row[1], row[2]);
         table.intensity.push_back(row.size() > 3 ? static_cast<float>(row[3]) : kNoIntensity);
@@ -228,7 +228,7 @@ Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source
     }
     if (rows.problem()) return *rows.problem();
     if (table.points.size() != header.points()) {
-        return source.refused("the header promises " + std::to_string(header.points()) + " points and the file holds " +
+        return source.refused("the header promises " + counted(header.points(), "point") + " and the file holds " +
                                   std::to_string(table.points.size()),
                               "copy the file again");
     }

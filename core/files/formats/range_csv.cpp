@@ -134,7 +134,7 @@ Result<Table> readTable(const Source& source, const TextLayout& layout, const Ra
     while (rows.next(row)) {
         if (row.size() != layout.columns) {
             return source.refusedAtLine(rows.lineNumber(),
-                                        "holds " + std::to_string(row.size()) + " ranges where the first line holds " +
+                                        "holds " + counted(row.size(), "range") + " where the first line holds " +
                                             std::to_string(layout.columns),
                                         "copy or export the file again");
         }

@@ -120,7 +120,7 @@ Result<Done> checkAnglesKnown(std::size_t beams, const char* what, const Source&
     if (missing.empty()) return Done{};
     std::string sentence = "a ";
     sentence += what;
-    sentence += " of " + std::to_string(beams) + " ranges per line does not say its angles";
+    sentence += " of " + counted(beams, "range") + " per line does not say its angles";
     return source.refused(sentence, "give " + missing);
 }
 

@@ -2,6 +2,7 @@
 #include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/files/formats/gray_pictures.h"
 #include "core/files/formats/range_geometry.h"
 
@@ -86,7 +87,7 @@ std::uint64_t endOfPicture(TIFF* tiff, std::span<const std::byte> file) {
 
 Result<Done> checkShape(const TiffShape& shape, TIFF* tiff, const Source& source) {
     if (shape.samples != 1 || !(shape.floats() || (shape.bits == 16 && shape.format != SAMPLEFORMAT_IEEEFP))) {
-        return source.refused("this TIFF picture has " + std::to_string(shape.samples) + " channels of " + std::to_string(shape.bits) +
+        return source.refused("this TIFF picture has " + counted(shape.samples, "channel") + " of " + std::to_string(shape.bits) +
                                   " bits, and ranges need one of 16 bits or of 4-byte floats",
                               "choose a scan, or a range picture of 16 bits per pixel");
     }
@@ -138,7 +139,7 @@ Result<Scan> readRangeTiff(const Source& source) {
     std::size_t more = 0;
     constexpr std::size_t kMostPictures = 1000;
     for (; more < kMostPictures && TIFFReadDirectory(tiff.get()) != 0; ++more) end = std::max(end, endOfPicture(tiff.get(), source.bytes));
-    if (more > 0) scan->warnings.push_back("The file holds " + std::to_string(more + 1) + " pictures (pages); the first was read.");
+    if (more > 0) scan->warnings.push_back("The file holds " + counted(more + 1, "picture") + " (pages); the first was read.");
     if (auto behind = bytesBehind(source.bytes.subspan(std::min<std::uint64_t>(end, source.bytes.size())), "the picture"))
         scan->warnings.push_back(std::move(*behind));
     return scan;

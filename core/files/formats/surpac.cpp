@@ -1,6 +1,7 @@
 // Surpac string files (.str): lines between commas, "string number, northing, easting, elevation, descriptions". The first line names the
 // file, the second holds an axis, string number 0 ends a string, and a last one with END ends the file (Surpac string file specification).
 
+#include "core/base/number_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/memory.h"
@@ -111,7 +112,7 @@ Result<PointTable> readSurpacPoints(const Source& source) {
     if (described) table.remarks.emplace_back("Descriptions of points (D1 and further) are not read.");
     std::size_t behind = 0;
     while (lines.next()) behind += trimmed(lines.line()).empty() ? 0 : 1;
-    if (behind > 0) table.remarks.push_back(std::to_string(behind) + " lines behind END were not read.");
+    if (behind > 0) table.remarks.push_back(counted(behind, "line behind END was", "lines behind END were") + " not read.");
     table.width = table.points.size();
     table.precision = precisionOf(digits);
     return table;

@@ -290,7 +290,7 @@ bool isReturn(const Eigen::Vector3d& point) {
 Result<RecoveredGrid> recoverGrid(const PointList& list) {
     const auto returns = static_cast<std::size_t>(std::count_if(list.points.begin(), list.points.end(), isReturn));
     if (returns < kFewestPoints) {
-        return Error{"holds " + std::to_string(returns) + " points with a return, too few to find a scanner's grid", "",
+        return Error{"holds " + counted(returns, "point") + " with a return, too few to find a scanner's grid", "",
                      "check that the file is complete"};
     }
     if (list.points.size() >= kNone) return Error{"holds more points than can be put on a grid", "", "split the file"};

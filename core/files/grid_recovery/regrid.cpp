@@ -207,12 +207,12 @@ Result<Regridded> onSphere(const LooseCloud& cloud, const Directions& seen) {
 
 std::string accountOf(const Regridded& grid) {
     const auto cells = std::to_string(grid.pointOf.lines) + " x " + std::to_string(grid.pointOf.beams);
-    std::string text = std::to_string(grid.returns) + " points in, seen over " + number(grid.beamStepDeg * grid.pointOf.beams) + " x " +
+    std::string text = counted(grid.returns, "point") + " in, seen over " + number(grid.beamStepDeg * grid.pointOf.beams) + " x " +
                        number(grid.lineStepDeg * grid.pointOf.lines) + " degrees; " + std::to_string(grid.filled) + " of " + cells +
                        " cells filled (fill ratio " + fixedText(100 * grid.fillRatio(), 1) + " %; of the cells around a filled one " +
-                       fixedText(100 * grid.closed, 0) + " %), " + std::to_string(grid.hidden.size()) +
-                       " points attached to a cell with a nearer one";
-    if (grid.outside > 0) text += ", " + std::to_string(grid.outside) + " points far from all others left out";
+                       fixedText(100 * grid.closed, 0) + " %), " + counted(grid.hidden.size(), "point") +
+                       " attached to a cell with a nearer one";
+    if (grid.outside > 0) text += ", " + counted(grid.outside, "point") + " far from all others left out";
     return text;
 }
 
@@ -223,7 +223,7 @@ Result<Regridded> regrid(const LooseCloud& cloud) {
                      "give --grid-step between 0 and 45 degrees"};
     const Directions seen = directionsOf(cloud);
     if (seen.unit.size() < kFewestReturns) {
-        return Error{"only " + std::to_string(seen.unit.size()) + " points have a return, too few to make a grid of them", "",
+        return Error{"only " + counted(seen.unit.size(), "point has", "points have") + " a return, too few to make a grid of them", "",
                      "check that the file is complete"};
     }
     if (cloud.progress && !cloud.progress("projecting the points", 0.3)) return Error{"cancelled", "", ""};

@@ -1,6 +1,8 @@
 // Angles, place and straightening.
 #include "core/files/open_save/apply_options.h"
 
+#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
 #include "core/files/formats/formats.h"
 #include "core/scan/angle_correction/straighten_scan.h"
 #include "core/scan/georef/place_scan.h"
@@ -11,9 +13,29 @@
 
 namespace edgescan::files {
 
+namespace {
+
+/// Angles that the operator gave and that no scan has: the flag is at fault, not the file.
+std::optional<Error> beyondLimits(const std::vector<double>& degrees, const char* of, const std::optional<double>& start,
+                                  const std::optional<double>& step, const PhysicalLimit& limit) {
+    const auto off = std::ranges::find_if(degrees, [&](double angle) { return !limit.hold(angle); });
+    if (off == degrees.end() || (!start && !step)) return std::nullopt;
+    return Error{std::string(of) + " " + std::to_string(off - degrees.begin()) + " of " + std::to_string(degrees.size()) + " would be at " +
+                     significantText(*off, 6) + " degrees",
+                 std::string("--") + of + (step ? "-step " : "-start ") + shortestText(step ? *step : *start),
+                 "give angles from " + significantText(limit.limits.least, 6) + " to " + significantText(limit.limits.most, 6) +
+                     " degrees"};
+}
+
+} // namespace
+
 Result<Done> applyOptions(Scan& scan, const Source& source, bool placesItself) {
     const ReadingOptions& options = *source.options;
     applyGivenAngles(scan, options);
+    if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
+        if (auto bad = beyondLimits(polar->beamDeg, "beam", options.beamStartDeg, options.beamStepDeg, physical::kBeamDeg)) return *bad;
+        if (auto bad = beyondLimits(polar->lineDeg, "line", options.lineStartDeg, options.lineStepDeg, physical::kLineDeg)) return *bad;
+    }
     if (placesItself || (options.pose.empty() && options.calibration.empty())) return Done{};
     if (options.pose.empty()) return source.refused("a calibration alone gives no place", "give --pose POSE.json too");
     auto placement = openPlacement(options.pose, options.calibration, scan);
@@ -30,7 +52,7 @@ Result<Done> checkOptions(Scan& scan, const ReadingOptions& options, const Forma
     std::ranges::copy(idleOptions(options, others, "the format " + scan.format + " does not have it"), std::back_inserter(scan.warnings));
     const bool hasOne = std::ranges::find(format.options, "scan") == format.options.end();
     if (!hasOne || options.scanIndex.value_or(0) == 0) return Done{};
-    return Error{"the file holds one scan", "--scan " + std::to_string(*options.scanIndex), "use --scan 0"};
+    return noSuchScan(*options.scanIndex, 1);
 }
 
 Scan straightenedAsAsked(Scan scan, const ReadingOptions& options) {

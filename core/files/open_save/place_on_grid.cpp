@@ -1,5 +1,6 @@
 // The grids that points can have, in the order in which they are tried.
 #include "core/files/open_save/place_on_grid.h"
+#include "core/base/number_text.h"
 
 #include "core/base/checked_size.h"
 #include "core/base/physical_limits.h"
@@ -36,7 +37,7 @@ Result<Scan> ownScan(PointTable table, const Source& source) {
     const std::size_t cells = std::max(table.points.size(), table.rangeMm.size());
     const std::string shape = std::to_string(grid->lines) + " lines x " + std::to_string(grid->beams) + " beams";
     if (productOf({grid->lines, grid->beams}) != cells)
-        return source.refused("describes " + shape + " and holds " + std::to_string(cells) + " points", "copy the file again");
+        return source.refused("describes " + shape + " and holds " + counted(cells, "point"), "copy the file again");
     if (table.rangeMm.size() != cells || table.state.size() != cells) {
         return source.refused("describes " + shape + " but has no columns range_mm and state",
                               "save the scan again, or remove the comment lines");
@@ -83,8 +84,9 @@ void removeFilledCells(PointTable& table) {
             table.state[n] = static_cast<std::uint8_t>(CellState::NoReturn);
     }
     if (filled > 0)
-        table.remarks.push_back(std::to_string(filled) +
-                                " points were filled and not measured, as filled_sd_mm says: they were taken as no return.");
+        table.remarks.push_back(counted(filled, "point was filled and not measured, as filled_sd_mm says: it was",
+                                        "points were filled and not measured, as filled_sd_mm says: they were") +
+                                " taken as no return.");
     table.filledSdMm.clear();
 }
 

@@ -14,6 +14,7 @@
 #include "core/files/open_save/table_numbers.h"
 #include "core/files/open_save/written_place.h"
 #include "core/files/point_tables/repeated_values.h"
+#include "core/files/point_tables/text_layout.h"
 #include "core/scan/georef/rotations.h"
 #include "core/scan/grid/cartesian.h"
 
@@ -306,9 +307,12 @@ private:
 };
 
 std::string laterReturnsSentence(std::size_t later, std::size_t attached) {
-    std::string text = std::to_string(later) + " points are later returns of a pulse, as the file says: the first returns make the grid";
-    if (attached > 0) text += ", and " + std::to_string(attached) + " others were attached to their cells";
-    if (attached < later) text += "; " + std::to_string(later - attached) + " others have no cell of their own and were left out";
+    std::string text = counted(later, "point is a later return of a pulse", "points are later returns of a pulse") +
+                       ", as the file says: the first returns make the grid";
+    if (attached > 0) text += ", and " + counted(attached, "other was attached to its cell", "others were attached to their cells");
+    if (attached < later)
+        text += "; " + counted(later - attached, "other has no cell of its own and was", "others have no cell of their own and were") +
+                " left out";
     return text + ".";
 }
 
@@ -426,12 +430,23 @@ Result<Done> checkDigits(const PointTable& table, const Source& source) {
                           "write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06");
 }
 
+/// Of a list of points that makes no scan: whether it may be a table of ranges, which only its angles make one.
+std::optional<Error> rangesWithoutAngles(const Error& problem, const PointTable& table, const Source& source) {
+    constexpr std::size_t kFewestColumns = 7; // points with colours have six
+    if (table.format != "point list" || source.extension() != ".csv" || problem.what == "cancelled") return std::nullopt;
+    const auto layout = textLayoutOf(source);
+    if (!layout || !layout->names.empty() || layout->columns < kFewestColumns) return std::nullopt;
+    return Error{std::to_string(layout->columns) +
+                     " numbers per line without names are a table of ranges only with its angles; as points, " +
+                     problem.what.substr(0, problem.what.find(':')),
+                 problem.where, "give --beam-start --beam-step --line-start --line-step --axis, or name the columns x, y and z"};
+}
+
 } // namespace
 
 std::optional<std::string> leftOutSentence(const Scan& scan) {
     if (scan.pointsLeftOut == 0) return std::nullopt;
-    return std::to_string(scan.pointsLeftOut) + " of the " + std::to_string(scan.pointsRead) +
-           " points of the file have no cell of their own.";
+    return std::to_string(scan.pointsLeftOut) + " of the " + counted(scan.pointsRead, "point") + " of the file have no cell of their own.";
 }
 
 Result<Scan> scanOfPoints(PointTable table, const Source& source) {
@@ -453,6 +468,9 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
     applyGivenSensor(table, source);
     const auto returns = static_cast<std::size_t>(std::count_if(table.points.begin(), table.points.end(), isReturn));
     auto scan = scanOf(table, source);
+    if (!scan) {
+        if (auto ranges = rangesWithoutAngles(scan.error(), table, source)) return *ranges;
+    }
     // What was wrong with the file may be why its points make no scan.
     if (!scan && !table.remarks.empty() && scan.error().what != "cancelled")
         return Error{scan.error().what + "; " + table.remarks.front().substr(0, table.remarks.front().rfind('.')), scan.error().where,
@@ -467,7 +485,9 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
     }
     std::move(table.remarks.begin(), table.remarks.end(), std::back_inserter(scan->warnings));
     if (infinite > 0)
-        scan->warnings.push_back(std::to_string(infinite) + " points with infinite or absurdly large coordinates were taken as no return.");
+        scan->warnings.push_back(counted(infinite, "point with infinite or absurdly large coordinates was",
+                                         "points with infinite or absurdly large coordinates were") +
+                                 " taken as no return.");
     return scan;
 }
 

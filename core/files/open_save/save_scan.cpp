@@ -100,8 +100,9 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
     const std::size_t without = scan.cells() - valid;
     const bool attached = !scan.attached.empty();
     if (attached && !options.includeAttached)
-        lost.push_back(std::to_string(scan.attached.size()) +
-                       " points behind the nearest of their cell are not in this file: --include-attached saves all points.");
+        lost.push_back(
+            counted(scan.attached.size(), "point behind the nearest of its cell is", "points behind the nearest of their cell are") +
+            " not in this file: --include-attached saves all points.");
     const bool bySidecar = format->keeps == Keeps::Sidecar;
     const bool needsSidecar = bySidecar && !options.choices.comments;
     const bool list = format->keeps == Keeps::Points || (attached && options.includeAttached);

@@ -1,5 +1,6 @@
 // From streams of bytes to a recording in memory, and from there like any recording.
 #include "core/files/packet_capture/read_capture.h"
+#include "core/base/number_text.h"
 
 #include "core/base/memory.h"
 #include "core/files/addons/addon.h"
@@ -88,10 +89,6 @@ private:
     std::int64_t us_ = 0;
 };
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /// The streams of one scanner, one after the other: a program may have connected to it again.
 struct Speaker {
     Endpoint from;
@@ -152,11 +149,12 @@ void tellLosses(std::vector<std::string>& warnings, const PacketFile& file, cons
         warnings.push_back(counted(file.outOfTime, "packet has", "packets have") +
                            " a time before 1970 or after 2262 and count as of 1970.");
     if (missing > 0) {
-        warnings.push_back(std::to_string(missing) + " bytes that the scanner sent are missing in the capture, in " +
-                           counted(gaps, "place", "places") + ": the telegrams there are lost.");
+        warnings.push_back(counted(missing, "byte that the scanner sent is missing", "bytes that the scanner sent are missing") +
+                           " in the capture, in " + counted(gaps, "place", "places") + ": the telegrams there are lost.");
     }
     if (missing == 0 && speaker.heard.skipped > 0)
-        warnings.push_back(std::to_string(speaker.heard.skipped) + " bytes that the scanner sent belong to no whole telegram.");
+        warnings.push_back(counted(speaker.heard.skipped, "byte that the scanner sent belongs", "bytes that the scanner sent belong") +
+                           " to no whole telegram.");
     if (repeated > 0 || late > 0) {
         warnings.push_back(counted(late, "packet", "packets") + " came out of order and " + std::to_string(repeated) +
                            " brought bytes again; they were put in order.");
@@ -233,7 +231,8 @@ Result<Scan> readColaCapture(const Source& source) {
     auto scan = scanOfHeard(std::move(heard), "CoLa stream", source);
     if (!scan) return scan;
     if (skipped > 0)
-        scan->warnings.insert(scan->warnings.begin(), std::to_string(skipped) + " bytes of the stream belong to no whole telegram.");
+        scan->warnings.insert(scan->warnings.begin(),
+                              counted(skipped, "byte of the stream belongs", "bytes of the stream belong") + " to no whole telegram.");
     if (scan->acquisition) { // the scanner's clock measures durations and not the time of day
         auto named = std::make_shared<Acquisition>(*scan->acquisition);
         named->startUtc.clear();

@@ -1,5 +1,6 @@
 // Reading the JSON description: every key is checked, because it may come from anywhere.
 #include "core/files/point_tables/description.h"
+#include "core/base/number_text.h"
 
 #include "core/base/checked_size.h"
 #include "core/base/json_fields.h"
@@ -32,8 +33,7 @@ std::vector<std::uint32_t> codesIn(JsonFields& fields, const char* key, std::vec
         codes.push_back(static_cast<std::uint32_t>(value));
     }
     if (codes.size() > kMostCodes)
-        return fields.refuse(key, "holds " + std::to_string(codes.size()) + " counts, and there are " + std::to_string(kMostCodes)),
-               missing;
+        return fields.refuse(key, "holds " + counted(codes.size(), "count") + ", and there are " + std::to_string(kMostCodes)), missing;
     return codes;
 }
 
@@ -45,8 +45,7 @@ std::optional<AngleList> anglesIn(JsonFields& fields, const char* key, std::uint
         return AngleSteps{steps.number("start", 0, limits), steps.number("step", 0, physical::kStepDeg.limits)};
     }
     auto list = fields.numbers(key, limits);
-    if (list.size() != count)
-        fields.refuse(key, "holds " + std::to_string(list.size()) + " angles, " + std::to_string(count) + " are needed");
+    if (list.size() != count) fields.refuse(key, "holds " + counted(list.size(), "angle") + ", " + std::to_string(count) + " are needed");
     return AngleList{std::move(list)};
 }
 

@@ -1,5 +1,6 @@
 // Records to points.
 #include "core/files/point_tables/point_columns.h"
+#include "core/base/number_text.h"
 
 #include "core/base/bytes_behind.h"
 #include "core/files/point_tables/column_names.h"
@@ -115,7 +116,7 @@ Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t 
                        const Source& source) {
     const auto rest = held.subspan(promised * recordBytes); // the caller has checked that so many are there
     if (rest.size() >= recordBytes && !isPadding(rest)) {
-        return source.refused("the header promises " + std::to_string(promised) + " points of " + std::to_string(recordBytes) +
+        return source.refused("the header promises " + counted(promised, "point") + " of " + std::to_string(recordBytes) +
                                   " bytes and the file holds " + std::to_string(held.size()) + " bytes of them, which is more",
                               "export the file again");
     }
@@ -136,9 +137,9 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
     std::span<const double> row;
     while (table.points.size() < points && rows.next(row)) {
         if (row.size() != columns) {
-            return source.refusedAtLine(
-                rows.lineNumber(), "holds " + std::to_string(row.size()) + " numbers where the header promises " + std::to_string(columns),
-                "copy the file again");
+            return source.refusedAtLine(rows.lineNumber(),
+                                        "holds " + counted(row.size(), "number") + " where the header promises " + std::to_string(columns),
+                                        "copy the file again");
         }
         table.points.emplace_back(row[fields.x.column], row[fields.y.column], row[fields.z.column]);
         if (fields.rangeMm) table.rangeMm.push_back(static_cast<float>(row[fields.rangeMm->column]));
@@ -153,13 +154,13 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
     }
     if (rows.problem()) return *rows.problem();
     if (table.points.size() != points) {
-        return source.refused("the header promises " + std::to_string(points) + " points and the file holds " +
+        return source.refused("the header promises " + counted(points, "point") + " and the file holds " +
                                   std::to_string(table.points.size()),
                               "copy the file again, it may be cut off");
     }
     if (last && (rows.next(row) || rows.problem())) {
         return source.refusedAtLine(rows.lineNumber(),
-                                    "the header promises " + std::to_string(points) + " points, and more text follows them here",
+                                    "the header promises " + counted(points, "point") + ", and more text follows them here",
                                     "export the file again");
     }
     if (last && endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);

@@ -1,5 +1,6 @@
 // Reading robot, poses and scanner out of a recording.
 #include "core/files/recording/recorded_robot.h"
+#include "core/base/number_text.h"
 
 #include "core/base/bounded_json.h"
 #include "core/base/physical_limits.h"
@@ -218,7 +219,8 @@ std::optional<PoseTrack> posesOf(const Recording& recording, double startS, doub
         keep(poses.talin, talinOf(reading, timeS), unusable);
         if (poses.grid.empty()) poses.grid = gridOf(reading);
     }
-    if (unusable > 0) warnings.push_back(std::to_string(unusable) + " readings of inclinometer or TALIN cannot be used.");
+    if (unusable > 0)
+        warnings.push_back(counted(unusable, "reading of inclinometer or TALIN", "readings of inclinometer or TALIN") + " cannot be used.");
     cutToSweep(poses.inclinometer, startS, endS);
     cutToSweep(poses.talin, startS, endS);
     if (poses.inclinometer.empty() || poses.talin.empty()) return std::nullopt;

@@ -1,5 +1,6 @@
 // Playing recordings.
 #include "core/files/recording/replay.h"
+#include "core/base/number_text.h"
 
 #include "core/files/recording/recorded_grid.h"
 #include "core/files/recording/recorded_robot.h"
@@ -164,7 +165,9 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
         scan.warnings.push_back(std::to_string(undecodable) + " scan telegrams could not be decoded: " + replay.feed().whyUndecodable() +
                                 ".");
     if (const std::int64_t torn = replay.feed().torn(); torn > 0)
-        scan.warnings.push_back(std::to_string(torn) + " messages hold bytes that are not a whole telegram: what was in them is lost.");
+        scan.warnings.push_back(counted(torn, "message holds bytes that are not a whole telegram: what was in it is",
+                                        "messages hold bytes that are not a whole telegram: what was in them is") +
+                                " lost.");
     if (!recording->clean() && best.progress.expected == 0)
         scan.warnings.push_back("INCOMPLETE: " + std::to_string(best.progress.received) +
                                 " lines are there, how many there were is not known.");

@@ -84,7 +84,7 @@ std::string changeText(const Scan& later, const SceneChange& change) {
             " standard deviations: " + fixedText(kChangeSigmas * change.noise.at(5.0), 0) + " mm at 5 m, " +
             fixedText(kChangeSigmas * change.noise.at(10.0), 0) + " mm at 10 m";
     if (!change.earlier.how.measurable()) return text;
-    text += "\n" + std::to_string(change.regions.size()) + " regions of " + std::to_string(kSmallestRegion) +
+    text += "\n" + edgescan::counted(change.regions.size(), "region") + " of " + std::to_string(kSmallestRegion) +
             " cells and more, visible surface from one viewpoint";
     for (std::size_t n = 0; n < std::min(kMostRows, change.regions.size()); ++n) text += "\n" + rowOf(later, change.regions[n]);
     if (change.regions.size() > kMostRows) text += "\n(smaller ones with --json)";

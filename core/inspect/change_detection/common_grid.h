@@ -18,7 +18,7 @@ namespace edgescan::inspect {
 
 /// The basis of the registration.
 enum class RegistrationBasis : std::uint8_t {
-    OneScan,  ///< both are the same scan with different settings
+    OneScan,  ///< both are the same scan, with two settings or opened twice
     Poses,    ///< both have a placement, or the request has poses
     Surfaces, ///< only their surfaces: at least one has no placement
 };

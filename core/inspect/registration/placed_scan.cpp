@@ -89,8 +89,7 @@ Result<RigidTransform> open3dtkPose(const std::filesystem::path& path) {
         rest.remove_prefix(word.size());
     }
     if (count != 6)
-        return Error{"the file holds " + std::to_string(count) + " numbers and a pose of 3DTK has six", path.string(),
-                     "choose a .pose file"};
+        return Error{"the file holds " + counted(count, "number") + " and a pose of 3DTK has six", path.string(), "choose a .pose file"};
     const Eigen::DiagonalMatrix<double, 3> mirror(1, -1, 1);
     return RigidTransform{mirror * turnOf(numbers.tail<3>()) * mirror, mirror * (numbers.head<3>() * kMetresPerCentimetre)};
 }

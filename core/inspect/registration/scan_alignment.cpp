@@ -1,5 +1,6 @@
 // Gauss-Newton on distances to planes, with Tukey's weights.
 #include "core/inspect/registration/scan_alignment.h"
+#include "core/base/number_text.h"
 
 #include "core/base/order_statistic.h"
 #include "core/inspect/registration/placed_scan.h"
@@ -182,8 +183,9 @@ Result<ScanAlignment> alignScans(const PlacedScan& fixed, const PlacedScan& move
         for (const Eigen::Vector3d& p : start) now.push_back(result.correction * p);
         const Pairs pairs = pairsOf(now, result.correction * about, index, fixed.pointsM, reachM);
         if (pairs.rows.size() < kFewestPairs)
-            return Error{"only " + std::to_string(pairs.rows.size()) + " points of the two scans lie close enough to each other", "",
-                         "give poses that bring them together, or a larger reach"};
+            return Error{"only " + counted(pairs.rows.size(), "point of the two scans lies", "points of the two scans lie") +
+                             " close enough to each other",
+                         "", "give poses that bring them together, or a larger reach"};
         result.pairs = pairs.rows.size();
         const auto apart = [&] { return surfaceDistanceM(fixed, now, reachM).value_or(medianOff(pairs)); };
         if (round == 0) result.residualBeforeM = apart();

@@ -1,5 +1,6 @@
 // Bags of ROS 1: records of header fields and data.
 #include "core/base/checked_size.h"
+#include "core/base/number_text.h"
 #include "core/robots/bags/bag.h"
 
 #include <algorithm>
@@ -49,12 +50,15 @@ public:
         if (isCancelled()) return Error{"cancelled", where_, ""};
         if (std::ranges::any_of(rest.subspan(used), [](std::uint8_t byte) { return byte != 0; }))
             bag_.warnings.push_back("The bag is cut off or damaged at byte " + std::to_string(kMagic.size() + used) + ": the last " +
-                                    std::to_string(rest.size() - used) + " bytes were not read.");
+                                    counted(rest.size() - used, "byte was not read", "bytes were not read") + ".");
         nameTopics();
         if (badChunks_ > 0)
-            bag_.warnings.push_back(std::to_string(badChunks_) + " chunks are damaged and were left out (" + whyBad_ + ").");
+            bag_.warnings.push_back(counted(badChunks_, "chunk is damaged and was", "chunks are damaged and were") + " left out (" +
+                                    whyBad_ + ").");
         if (strangers_ > 0)
-            bag_.warnings.push_back(std::to_string(strangers_) + " messages belong to no topic of the bag and were left out.");
+            bag_.warnings.push_back(
+                counted(strangers_, "message belongs to no topic of the bag and was", "messages belong to no topic of the bag and were") +
+                " left out.");
         return std::move(bag_);
     }
 

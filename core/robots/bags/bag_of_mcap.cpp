@@ -1,5 +1,6 @@
 // ROS topics of an MCAP recording.
 #include "core/base/checked_size.h"
+#include "core/base/number_text.h"
 #include "core/containers/mcap/reader.h"
 #include "core/robots/bags/bag.h"
 
@@ -65,7 +66,9 @@ Result<RosBag> rosBagOf(const containers::McapContent& content, const std::strin
     bag.warnings = content.warnings;
     if (!content.clean && content.badChunks == 0 && content.warnings.empty())
         bag.warnings.emplace_back("The bag was cut off: everything up to the cut is here.");
-    if (bad > 0) bag.warnings.push_back(std::to_string(bad) + " messages are compressed and damaged and were left out.");
+    if (bad > 0)
+        bag.warnings.push_back(counted(bad, "message is compressed and damaged and was", "messages are compressed and damaged and were") +
+                               " left out.");
     return bag;
 }
 

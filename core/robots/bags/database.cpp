@@ -1,6 +1,7 @@
 // Databases of rosbag2, read from memory through SQLite.
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/robots/bags/bag.h"
 
 #include <algorithm>
@@ -142,7 +143,9 @@ private:
         if (state != SQLITE_DONE)
             bag_.warnings.push_back("The database is cut off or damaged (" + std::string(sqlite3_errmsg(database_)) +
                                     "): messages behind the first " + std::to_string(bag_.messages.size()) + " were not read.");
-        if (bad > 0) bag_.warnings.push_back(std::to_string(bad) + " messages are compressed and damaged and were left out.");
+        if (bad > 0)
+            bag_.warnings.push_back(
+                counted(bad, "message is compressed and damaged and was", "messages are compressed and damaged and were") + " left out.");
         return Done{};
     }
 
@@ -227,7 +230,9 @@ Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where, const s
     auto bag = readPlain(bytes, where, goOn);
     if (!bag) return bag;
     bag->warnings.insert(bag->warnings.begin(), whole->warnings.begin(), whole->warnings.end());
-    if (behind > 0) bag->warnings.push_back(std::to_string(behind) + " bytes behind the end of the database were not read.");
+    if (behind > 0)
+        bag->warnings.push_back(counted(behind, "byte behind the end of the database was", "bytes behind the end of the database were") +
+                                " not read.");
     return bag;
 }
 

@@ -82,7 +82,8 @@ Result<Done> WebSocket::Messages::connect(const tcp::endpoint& endpoint, Clock::
     stream->async_handshake(where, "/", noted);
     if (!finished(done, deadline) || problem) {
         stream.reset();
-        return Error{"what answers there is not a Foxglove bridge", where, "check the port (8765) and that foxglove_bridge runs there"};
+        return Error{"what answers there is not a Foxglove bridge", where,
+                     "check the port (8765) and that foxglove_bridge runs there; a scanner of SICK is HOST without ws://"};
     }
     return Done{};
 }

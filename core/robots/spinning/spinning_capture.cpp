@@ -1,5 +1,6 @@
 // UDP packets to columns, and the turn that is opened.
 #include "core/robots/spinning/spinning_capture.h"
+#include "core/base/number_text.h"
 
 #include "core/base/bytes.h"
 #include "core/base/inputs.h"
@@ -262,9 +263,7 @@ Result<Scan> chosenTurn(const std::vector<SpinningColumn>& columns, const Spinni
     const std::vector<std::size_t> firsts = turnsOf(columns);
     const auto lastOf = [&](std::size_t turn) { return turn + 1 < firsts.size() ? firsts[turn + 1] : columns.size(); };
     const std::optional<std::size_t> wanted = source.options->scanIndex;
-    if (wanted.value_or(0) >= firsts.size())
-        return source.refused("the capture holds " + std::to_string(firsts.size()) + " turns of the scanner, counted from 0",
-                              "choose one of them with --scan");
+    if (wanted.value_or(0) >= firsts.size()) return noSuchScan(wanted.value_or(0), firsts.size(), "the capture", "turn");
     std::size_t turn = wanted.value_or(0);
     for (std::size_t n = 0; n < firsts.size() && !wanted; ++n) {
         if (lastOf(n) - firsts[n] > lastOf(turn) - firsts[turn]) turn = n;
@@ -280,11 +279,16 @@ Result<Scan> chosenTurn(const std::vector<SpinningColumn>& columns, const Spinni
 void sayLosses(Scan& scan, const UdpDatagrams& udp, const files::PacketFile& file, const ScannerPackets& of) {
     std::vector<std::string> said;
     if (of.late > 0)
-        said.push_back(std::to_string(of.late) + " packets came out of order and were put in the order of the scanner's clock.");
+        said.push_back(counted(of.late, "packet came out of order and was", "packets came out of order and were") +
+                       " put in the order of the scanner's clock.");
     if (file.cutOff) said.emplace_back("The capture was cut off: everything up to the cut is here.");
-    if (udp.torn > 0) said.push_back(std::to_string(udp.torn) + " packets are missing in part in the capture: their lines are lost.");
+    if (udp.torn > 0)
+        said.push_back(
+            counted(udp.torn, "packet is missing in part in the capture: its", "packets are missing in part in the capture: their") +
+            " lines are lost.");
     if (const std::size_t repeated = udp.repeated + of.repeated; repeated > 0)
-        said.push_back(std::to_string(repeated) + " packets are in the capture twice: each was read once.");
+        said.push_back(counted(repeated, "packet is in the capture twice: it was", "packets are in the capture twice: each was") +
+                       " read once.");
     if (of.otherScanners > 0)
         said.push_back("The capture holds packets of " + std::to_string(of.otherScanners + 1) +
                        " scanners; the one with most of them was opened.");
@@ -305,7 +309,7 @@ std::optional<Result<Scan>> velodyneIn(const UdpDatagrams& udp, const files::Pac
     if (!scan) return scan;
     if (all.others() > 0)
         scan->warnings.push_back("The scanner sent two returns for each beam: the strongest ones are here, and " +
-                                 std::to_string(all.others()) + " others of the capture were left out.");
+                                 counted(all.others(), "other of the capture was", "others of the capture were") + " left out.");
     scan->warnings.emplace_back("The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.");
     sayLosses(*scan, udp, file, found);
     return scan;

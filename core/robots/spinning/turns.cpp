@@ -1,5 +1,6 @@
 // Columns to turns, and a turn to a grid.
 #include "core/robots/spinning/turns.h"
+#include "core/base/number_text.h"
 
 #include "core/base/utc_time.h"
 #include "core/scan/grid/acquisition.h"
@@ -87,7 +88,10 @@ Scan scanOfTurn(const std::vector<SpinningColumn>& columns, std::size_t first, s
         polar.lineSkewDeg.push_back((beams.laterS.empty() ? 0.0 : rate * beams.laterS[j]) +
                                     (beams.azimuthDeg.empty() ? 0.0 : beams.azimuthDeg[j]));
     scan.geometry = std::move(polar);
-    if (lost > 0) scan.warnings.push_back(std::to_string(lost) + " lines of the turn are missing in the capture and are shown as lost.");
+    if (lost > 0)
+        scan.warnings.push_back(
+            counted(lost, "line of the turn is missing in the capture and is", "lines of the turn are missing in the capture and are") +
+            " shown as lost.");
     auto device = std::make_shared<Acquisition>();
     device->vendor = beams.vendor;
     device->model = beams.model;

@@ -1,5 +1,6 @@
 // sensor_msgs/PointCloud2 as a table of points.
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/files/point_tables/point_columns.h"
 #include "core/robots/sweeps/bag_sweep.h"
 #include "core/robots/sweeps/firing_grid.h"
@@ -131,8 +132,7 @@ Result<files::PointTable> cloudOfBag(const RosBag& bag, const BagTopic& topic, c
         }
         ++number;
     }
-    if (wanted.value_or(0) >= number)
-        return source.refused("the topic holds " + std::to_string(number) + " clouds, counted from 0", "choose one of them with --scan");
+    if (wanted.value_or(0) >= number) return noSuchScan(wanted.value_or(0), number, "the topic " + of.name, "cloud");
     const auto message = rosMessage(*definition, of.encoding, chosen->bytes, where);
     if (!message) return message.error();
     auto table = tableOf(*message, source);

@@ -1,5 +1,6 @@
 // Finds the files of a bag's folder by metadata.yaml, or by what is there.
 #include "core/robots/sweeps/bag_folder.h"
+#include "core/base/number_text.h"
 
 #include "core/base/whole_file.h"
 
@@ -117,7 +118,7 @@ Result<BagFiles> filesOfBag(const fs::path& path) {
                          folder.string(), "copy the files of the bag into it"};
         if (bag.parts.empty()) return asItIs;
         if (bag.parts.size() > 1 && !orderParts(bag.parts))
-            return Error{"this folder holds " + std::to_string(bag.parts.size()) + " files of several bags", path.string(),
+            return Error{"this folder holds " + counted(bag.parts.size(), "file") + " of several bags", path.string(),
                          "open one of them, as " + bag.parts.front().filename().string()};
     }
     const bool hasMetadata = fs::is_regular_file(folder / kMetadata, problem);

@@ -79,24 +79,30 @@ private:
         if (bag_.topics[topic_.topic].assumed)
             warn("The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.");
         if (lines_.unreadable > 0)
-            warn(std::to_string(lines_.unreadable) + " messages of the topic were left out: " + lines_.whyUnreadable + ".");
+            warn(counted(lines_.unreadable, "message of the topic was", "messages of the topic were") +
+                 " left out: " + lines_.whyUnreadable + ".");
         if (lines_.timesUnknown > 0)
-            warn(std::to_string(lines_.timesUnknown) +
-                 " messages have a time_increment that cannot be: the beams of a line count as measured at once.");
+            warn(counted(lines_.timesUnknown, "message has a time_increment that cannot be",
+                         "messages have a time_increment that cannot be") +
+                 ": the beams of a line count as measured at once.");
         if (lines_.disordered > 0)
-            warn(std::to_string(lines_.disordered) + " lines came out of order and were put in the order of their stamps.");
+            warn(counted(lines_.disordered, "line came out of order and was put in the order of its stamp",
+                         "lines came out of order and were put in the order of their stamps") +
+                 ".");
         if (lines_.repeated > 0)
-            warn(std::to_string(lines_.repeated) +
-                 " messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.");
+            warn(counted(lines_.repeated, "message of the topic is in the bag twice, with the same stamp and ranges: it was",
+                         "messages of the topic are in the bag twice, with the same stamp and ranges: each was") +
+                 " read once.");
         if (lines_.contradicting > 0)
-            warn("In " + std::to_string(lines_.contradicting) +
-                 " messages angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the "
+            warn("In " + counted(lines_.contradicting, "message") +
+                 " angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the "
                  "beams may be "
                  "mirrored or turned.");
         if (!lines_.noReturns.empty()) warn(lines_.noReturns);
         if (!motion_) return;
         if (motion_->damagedMessages > 0)
-            warn(std::to_string(motion_->damagedMessages) + " messages of joints are damaged and were left out.");
+            warn(counted(motion_->damagedMessages, "message of joints is damaged and was", "messages of joints are damaged and were") +
+                 " left out.");
         if (source_.options->joint.empty()) warn("GUESS: the angle of each line comes from " + motion_->source + ".");
         if (motion_->axisAssumed && !source_.options->axis)
             warn(std::string("A joint does not say how the laser is mounted on it. ASSUMED: the axis (") +
@@ -126,7 +132,10 @@ private:
             facts.stepperSettled = angle.inside;
         }
         std::erase_if(all, [](const LaserLine& line) { return !line.line.facts.stepperSettled; });
-        if (outside > 0) warn(std::to_string(outside) + " lines were measured before the first or after the last angle and were left out.");
+        if (outside > 0)
+            warn(counted(outside, "line was measured before the first or after the last angle and was",
+                         "lines were measured before the first or after the last angle and were") +
+                 " left out.");
         const auto angleOf = [](const LaserLine& line) { return *line.line.facts.stepperDeg; };
         const auto [low, high] = std::ranges::minmax_element(all, {}, angleOf);
         if (all.empty() || angleOf(*high) - angleOf(*low) < kLeastTurnDeg) return all.clear();
@@ -143,7 +152,9 @@ private:
             if ((n > 0 && moved(n) > least) || (n == 0 && all.size() > 1 && moved(1) > least)) turning.push_back(std::move(all[n]));
         }
         if (turning.size() < all.size())
-            warn(std::to_string(all.size() - turning.size()) + " lines were measured while the laser did not turn and were left out.");
+            warn(counted(all.size() - turning.size(), "line was measured while the laser did not turn and was",
+                         "lines were measured while the laser did not turn and were") +
+                 " left out.");
         all = std::move(turning);
     }
 
@@ -190,9 +201,8 @@ private:
         if (sweeps == 0)
             return Error{"no line of the topic " + bag_.topics[topic_.topic].name + " could be placed", where_, "choose another topic"};
         if (!best.scan)
-            return Error{"the topic " + bag_.topics[topic_.topic].name + " holds " + std::to_string(sweeps) +
-                             (sweeps == 1 ? " sweep" : " sweeps"),
-                         where_, "choose one of them with --scan, from 0"};
+            return noSuchScan(source_.options->scanIndex.value_or(0), static_cast<std::size_t>(sweeps),
+                              "the topic " + bag_.topics[topic_.topic].name, "sweep");
         Scan scan = *best.scan;
         if (sweeps > 1)
             warn("The topic holds " + std::to_string(sweeps) + " sweeps; sweep " + std::to_string(number) +

@@ -122,7 +122,7 @@ const PolarGeometry* anglesOf(const Scan& scan) {
 std::string degreesText(double deg) { return (deg < 0.1 ? significantText(deg, 2) : fixedText(deg, 2)) + " degrees"; }
 
 // ", 40 times its uncertainty"
-std::string sureText(double surest) { return ", " + fixedText(std::floor(surest), 0) + " times what that is uncertain by"; }
+std::string sureText(double surest) { return ", " + fixedText(std::floor(surest), 0) + " times its uncertainty"; }
 
 // "odd beams lie 0.12 degrees ahead of even ones"
 std::string interlaceText(double oddAheadDeg, double surest) {
@@ -136,7 +136,7 @@ std::string slipText(const Displacement& found) {
     double most = 0;
     for (const double steps : found.slipSteps) most = std::max(most, std::abs(steps * found.stepDeg));
     const std::string sure =
-        found.uneven > 0 ? ", " + fixedText(std::floor(found.surest / found.uneven), 0) + " times what its steps differ by anyway" : "";
+        found.uneven > 0 ? ", " + fixedText(std::floor(found.surest / found.uneven), 0) + " times the usual unevenness of its steps" : "";
     return "the stepper slipped at " + std::to_string(found.slipCount) + (found.slipCount == 1 ? " line" : " lines") + " (first at line " +
            std::to_string(first + 1) + ", by up to " + degreesText(most) + sure + ")";
 }

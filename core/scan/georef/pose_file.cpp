@@ -13,8 +13,7 @@ namespace edgescan {
 namespace {
 
 constexpr const char* kPoseFormat = "edgescan-pose/1";
-constexpr const char* kPoseHint =
-    "compare it with the example in docs/reference/coordinates.md; a scanner that hangs has \"viewing\": \"down\" in its calibration";
+constexpr const char* kPoseHint = "compare it with the example in docs/reference/coordinates.md";
 constexpr NumberLimits kTilt = physical::kTiltDeg.limits;
 constexpr NumberLimits kPlace = physical::kPlaceM.limits;
 constexpr NumberLimits kPoseAngle = physical::kBeamDeg.limits;
@@ -92,7 +91,13 @@ Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
     checkTimes(fields, poses.inclinometer, "inclinometer", poses.moving);
     checkTimes(fields, poses.talin, "talin", poses.moving);
     fields.done();
-    if (fields.problem()) return *fields.problem();
+    if (fields.problem()) {
+        Error problem = *fields.problem();
+        const std::string key = problem.what.substr(0, problem.what.find(' '));
+        if (key.find("roll") != std::string::npos || key.find("viewing") != std::string::npos)
+            problem.hint += "; a scanner that hangs has \"viewing\": \"down\" in its calibration";
+        return problem;
+    }
     return poses;
 }
 

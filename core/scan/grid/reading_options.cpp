@@ -8,6 +8,7 @@
 #include "core/base/shell_quoted.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace edgescan {
@@ -54,6 +55,27 @@ void read(std::optional<std::size_t>& value, const std::string& text) { value = 
 void read(bool& value, const std::string& text) { value = text == "on"; }
 void read(std::string& value, const std::string& text) { value = text; }
 
+struct LengthUnit {
+    const char* word;
+    double mm;
+};
+constexpr std::array<LengthUnit, 6> kUnits{
+    {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"ft", 304.8}, {"usft", 1200.0 / 3937.0 * 1000.0}}};
+
+std::vector<std::string> unitWords() {
+    std::vector<std::string> words;
+    for (const LengthUnit& unit : kUnits) words.emplace_back(unit.word);
+    return words;
+}
+std::string unitText(const std::optional<double>& mm) {
+    const auto* unit = std::ranges::find_if(kUnits, [&](const LengthUnit& one) { return mm == one.mm; });
+    return unit == kUnits.end() ? textOf(mm) : unit->word;
+}
+double unitOf(const std::string& text) {
+    const auto* unit = std::ranges::find_if(kUnits, [&](const LengthUnit& one) { return text == one.word; });
+    return unit == kUnits.end() ? numbersOf(text).at(0) : unit->mm;
+}
+
 #define EDGESCAN_OPTION(member)                                                                                                            \
     [](const Options& o) { return textOf(o.member); }, [](Options& o, const std::string& text) { read(o.member, text); }
 
@@ -68,9 +90,8 @@ const std::vector<ReadingOption>& table() {
         {"beam-step", kBoth, Kind::Number, "Angle from beam to beam [degrees]", {}, EDGESCAN_OPTION(beamStepDeg), &physical::kStepDeg},
         {"line-start", kBoth, Kind::Number, "Angle of the first line [degrees]", {}, EDGESCAN_OPTION(lineStartDeg), &physical::kLineDeg},
         {"line-step", kBoth, Kind::Number, "Angle from line to line [degrees]", {}, EDGESCAN_OPTION(lineStepDeg), &physical::kStepDeg},
-        {"unit", ReadingOption::kFlag, Kind::Word, "Unit of the numbers in the file; replaces the one that the file gives", {"mm", "cm", "m"},
-         [](const Options& o) -> std::string { return o.unitMm == 1000.0 ? "m" : o.unitMm == 10.0 ? "cm" : o.unitMm == 1.0 ? "mm" : textOf(o.unitMm); },
-         [](Options& o, const std::string& text) { o.unitMm = text == "m" ? 1000.0 : text == "cm" ? 10.0 : text == "mm" ? 1.0 : numbersOf(text).at(0); },
+        {"unit", ReadingOption::kFlag, Kind::Word, "Unit of the numbers in the file; replaces the one that the file gives", unitWords(),
+         [](const Options& o) { return unitText(o.unitMm); }, [](Options& o, const std::string& text) { o.unitMm = unitOf(text); },
          &physical::kUnitMm},
         {"unit-mm", ReadingOption::kRecord, Kind::Number, "Millimetres per number in the file", {}, EDGESCAN_OPTION(unitMm), &physical::kUnitMm},
         {"grid-step", kBoth, Kind::Number, "Cells of a cloud that is projected [degrees]; else from the spacing of its points", {},
@@ -164,9 +185,19 @@ Result<Done> checked(const ReadingOption& option, const std::string& text) {
     const std::string hint = option.kind == Kind::ThreeNumbers ? "give three numbers " + within + ": X,Y,Z"
                                                                : (whole ? "give a whole number " : "give a number ") + within +
                                                                      (option.limit->zero ? "" : " that is not 0");
-    if (numbers.size() != (option.kind == Kind::ThreeNumbers ? 3 : 1)) return Error{"\"" + text + "\" is not a number", flag, hint};
+    if (numbers.size() != (option.kind == Kind::ThreeNumbers ? 3 : 1)) {
+        const std::string wanted = option.kind == Kind::ThreeNumbers ? "\" is not three numbers" : "\" is not a number";
+        return Error{"\"" + text + wanted, flag, hint};
+    }
     if (std::ranges::all_of(numbers, [&](double n) { return option.limit->hold(n) && (!whole || n == std::floor(n)); })) return Done{};
     return Error{text + " is out of reason for a " + option.limit->what, flag, hint};
+}
+
+Error noSuchScan(std::size_t asked, std::size_t held, const std::string& holder, const std::string& one) {
+    return {holder + " holds " + (held == 1 ? "one " + one : counted(held, one)), "--scan " + std::to_string(asked),
+            held == 0   ? "choose another file"
+            : held == 1 ? "use --scan 0"
+                        : "use --scan 0 to " + std::to_string(held - 1)};
 }
 
 std::string readingFlags(const ReadingOptions& options) {

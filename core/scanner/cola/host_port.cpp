@@ -25,6 +25,9 @@ Result<HostPort> hostPort(const std::string& typed) {
         if (!bridge->portTyped) bridge->port = kBridgePort;
         return bridge;
     }
+    if (const std::size_t scheme = typed.find("://"); scheme != std::string::npos)
+        return Error{"\"" + typed.substr(0, scheme) + "://\" is not known here", typed,
+                     "write HOST or HOST:PORT for a scanner, ws://HOST or ws://HOST:PORT for a robot's Foxglove bridge"};
     HostPort result;
     std::string port;
     const std::size_t bracket = typed.find(']');

@@ -234,7 +234,11 @@ Result<std::vector<ColaFrame>> ColaLink::receive(Clock::time_point deadline) {
     const std::size_t count = problem ? 0 : s.socket.read_some(asio::buffer(s.piece), problem);
     const HostTime now = hostNow();
     if (problem == asio::error::would_block || problem == asio::error::interrupted) return std::vector<ColaFrame>{};
-    if (problem == asio::error::eof) return Error{"the scanner closed the connection", s.where, {}};
+    if (problem == asio::error::eof) {
+        const bool speaks = counts().frames > 0;
+        return Error{"the scanner closed the connection", s.where,
+                     speaks ? std::string() : "check that a scanner of SICK answers there; a robot's Foxglove bridge is ws://HOST"};
+    }
     if (problem) return Error{"the connection broke (" + problem.message() + ")", s.where, {}};
     std::vector<ColaFrame> frames = s.stream.push(ByteView(s.piece).first(count), now);
     s.count();

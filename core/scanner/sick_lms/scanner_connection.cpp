@@ -29,6 +29,8 @@ const char* connectionPhaseName(ConnectionPhase phase) {
 
 Error noLinesError(const ConnectionState& state, const std::string& address) {
     if (state.problem) return *state.problem;
+    if (address.starts_with("ws://"))
+        return {"no line was received", address, "check that foxglove_bridge runs there; a scanner of SICK is HOST without ws://"};
     return {"no line was received", address, "check cable, address and port"};
 }
 

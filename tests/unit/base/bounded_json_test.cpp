@@ -70,7 +70,8 @@ TEST(BoundedJson, WhatIsOutOfBoundsIsASentence) {
     expectRefusal(R"({"lines":1,"lines":2})", "\"lines\" appears twice");
     expectRefusal("[1e999]", "a number that no computer can store");
     expectRefusal("[1,", "x.json: byte 4: the JSON is damaged or cut off here");
-    expectRefusal("", "damaged or cut off");
+    expectRefusal("", "x.json: the file is empty; copy it again or choose another.");
+    expectRefusal(" \n", "the file is empty");
     expectRefusal("{\"a\":1}x", "damaged or cut off");
     expectRefusal("\"\xff\"", "damaged or cut off");
 }

@@ -54,9 +54,14 @@ TEST(ArchiveListing, AFolderGivesItsScansInOrderAndEachOnce) {
     write(folder / "edges.pcd.provenance.json", R"({"record":{"content":"edge cloud"}})");
     write(folder / "whole.pcd", "x");
     write(folder / "whole.pcd.provenance.json", R"({"record":{"content":"whole scan"}})");
+    write(folder / "whole.pcd.pose.json", "{}"); // it is read with its scan
+    write(folder / "earlier/.batch/rows.ndjson", "");
+    write(folder / "earlier/results.csv", "x");
     fs::create_symlink("/nowhere/at/all.pcd", folder / "gone.pcd");
     const auto listing = listArchive({folder.path().string()}, folder / "results");
     ASSERT_TRUE(listing) << listing.error().sentence();
+    ASSERT_EQ(listing->notRead.size(), 1U);
+    EXPECT_NE(listing->notRead.front().why.find("the results of a run"), std::string::npos);
     EXPECT_EQ(below(folder.path(), listing->inputs), (std::vector<std::string>{"a.las", "a.pcd.gz", "b/1.mcap", "b/2.pcd", "described.json",
                                                                                "gone.pcd", "grid.json", "lone.u16", "whole.pcd"}));
     const auto out = below(folder.path(), listing->leftOut);

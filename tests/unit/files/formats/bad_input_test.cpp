@@ -150,11 +150,12 @@ TEST(BadInput, RawGridsThatLie) {
     with(head + R"("lines":1e999,"beams":3,)" + angles, "grid.json");
     with(head + R"("lines":-1,"beams":3,)" + angles, "\"lines\" must be a whole number from 1");
     with(head + R"("lines":1.5,"beams":3,)" + angles, "\"lines\" must be a whole number");
-    with(head + R"("lines":"1","beams":3,)" + angles, "\"lines\" must hold numbers, not string");
+    with(head + R"("lines":"1","beams":3,)" + angles, "\"lines\" holds text where a number is needed");
     with(head + R"("beams":3,)" + angles, "\"lines\" is missing");
     with(head + R"("lines":1,"beams":3,"axis":"spin"})", "\"beam_deg\" is missing");
     with(head + R"("lines":1,"beams":3,"beam_deg":[1,2],"line_deg":[0],"axis":"spin"})", "\"beam_deg\" holds 2 angles, 3 are needed");
-    with(head + R"("lines":1,"beams":3,"beam_deg":[1,2,"3"],"line_deg":[0],"axis":"spin"})", "\"beam_deg\" must hold numbers");
+    with(head + R"("lines":1,"beams":3,"beam_deg":[1,2,"3"],"line_deg":[0],"axis":"spin"})",
+         "\"beam_deg\" holds text where a number is needed");
     with(head + R"("lines":1,"beams":3,"beam_deg":{"start":1},"line_deg":[0],"axis":"spin"})", "needs start and step");
     with(head + R"("lines":1,"beams":3,"beam_deg":[1,2,3],"line_deg":[0],"axis":"roll"})", "must be \"spin\" or \"sweep\"");
     with(head + R"("lines":1,"beams":3,"unit_mm":0,)" + angles, "\"unit_mm\" must be greater than 0");

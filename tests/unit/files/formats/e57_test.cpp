@@ -311,7 +311,7 @@ TEST(E57, OneOfSeveralScansIsOpenedWithItsPlace) {
     EXPECT_EQ(other->placement->originEnhM + other->placement->poses[0].translationM, Eigen::Vector3d(512000.25, 6200000.5, 300.125));
     EXPECT_LT((other->placement->poses[0].rotation - turn.toRotationMatrix()).cwiseAbs().maxCoeff(), 1e-15);
     options.scanIndex = 2;
-    EXPECT_NE(refusalOf(both, ".e57", options).find("holds 2 scans, and number 3 was asked for"), std::string::npos);
+    EXPECT_NE(refusalOf(both, ".e57", options).find("--scan 2: the file holds 2 scans; use --scan 0 to 1."), std::string::npos);
 }
 
 TEST(E57, ListsGoTheWayOfOtherLists) {

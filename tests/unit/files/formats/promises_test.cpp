@@ -78,7 +78,7 @@ TEST(Promises, MoreRowsThanAHeaderPromises) {
     expectSaid(pcd(20, 10, "ascii", rows(200) + "# a comment\n\n  \n"), ".pcd", "opened");
     expectSaid(pcd(200, 1, "binary", floats(400)), ".pcd",
                "promises 200 points of 12 bytes and the file holds 4800 bytes of them, which is more");
-    expectSaid(pcd(20, 10, "binary", floats(200) + "\n"), ".pcd", "1 bytes behind the points");
+    expectSaid(pcd(20, 10, "binary", floats(200) + "\n"), ".pcd", "1 byte behind the points");
     expectSaid(replaced(pcd(200, 1, "binary", floats(200), "1 1 1"), "TYPE F F F", "TYPE I I I"), ".pcd", "which is more"); // wrong SIZE
     expectSaid(ply(200, "ascii", rows(400)), ".ply", "the header promises 200 points");
     expectSaid(ply(200, "binary_little_endian", floats(201)), ".ply", "which is more");

@@ -109,7 +109,7 @@ TEST(Ptx, OneOfSeveralScansIsOpenedAndReported) {
     ASSERT_TRUE(other->placement);
     EXPECT_EQ(other->placement->originEnhM + other->placement->poses[0].translationM, Eigen::Vector3d(512000.25, 6200000.5, 300.125));
     options.scanIndex = 2;
-    EXPECT_NE(refusalOf(both, ".ptx", options).find("holds 2 scans, and number 3 was asked for"), std::string::npos);
+    EXPECT_NE(refusalOf(both, ".ptx", options).find("--scan 2: the file holds 2 scans; use --scan 0 to 1."), std::string::npos);
     // A truncated second scan does not affect the first.
     EXPECT_TRUE(readBytes(both.substr(0, both.size() - 500), ".ptx"));
     options.scanIndex = 1;

@@ -143,7 +143,7 @@ TEST_F(SpinningCapture, AnOusterHasTheAnglesOfItsMetadata) {
         EXPECT_EQ(scan->beams(), 16);
         EXPECT_EQ(scan->lines(), 512);
         EXPECT_EQ(scan->state.at(100, 3), CellState::Lost) << "its status is not good";
-        EXPECT_TRUE(warns(*scan, "1 lines of the turn are missing"));
+        EXPECT_TRUE(warns(*scan, "1 line of the turn is missing"));
         expectPoints(*scan, name);
     }
     std::filesystem::remove(at("os.json"));
@@ -225,7 +225,7 @@ TEST_F(SpinningCapture, PiecesOfAnOlderPacketWithTheSameNumberAreNotUsed) {
         const auto scan = written(all);
         ASSERT_TRUE(scan) << scan.error().sentence();
         EXPECT_EQ(scan->rangeMm, expected->rangeMm) << secondsBefore;
-        EXPECT_TRUE(warns(*scan, "1 packets are missing in part"));
+        EXPECT_TRUE(warns(*scan, "1 packet is missing in part"));
     }
 }
 

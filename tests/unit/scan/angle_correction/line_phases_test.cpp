@@ -79,7 +79,7 @@ TEST(LinePhases, LinesOfACycleAreDetectedAndMerged) {
             ASSERT_TRUE(told);
             EXPECT_TRUE(isDisplacementWarning(*told));
             EXPECT_NE(told->find("the beams of " + std::to_string(count) + " lines in turn lie 0"), std::string::npos) << *told;
-            EXPECT_NE(told->find(" times what that is uncertain by;"), std::string::npos) << *told;
+            EXPECT_NE(told->find(" times its uncertainty;"), std::string::npos) << *told;
             const Scan straight = straightened(nominal);
             ASSERT_EQ(straight.lines(), (fine.lines() + count - 1) / count);
             ASSERT_EQ(straight.beams(), nominal.beams() * count);

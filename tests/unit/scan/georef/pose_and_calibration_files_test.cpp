@@ -84,7 +84,7 @@ TEST(Calibration, SaysWhatIsWrong) {
     expectSentence(with("stepper", "axis", {0, 0, 0}), "\"stepper.axis\" has no direction");
     expectSentence(with("stepper", "axis", {0, 1}), "must hold three numbers");
     expectSentence(with("stepper", "mount_rpy_deg", "level"), "must hold three numbers");
-    expectSentence(with("stepper", "mount_m", {1, 2, "x"}), "must hold numbers, not string");
+    expectSentence(with("stepper", "mount_m", {1, 2, "x"}), "holds text where a number is needed");
     expectSentence(with("stepper", "direction", 0.5), "must be 1 or -1");
     expectSentence(with("stepper", "step_deg", 0), "is 0 and must be from 0.0001 to 10");
     expectSentence(with("inclinometer", "viewing", "sideways"), "must be \"forward\" or \"up\" or \"down\" or \"rpy\" or \"matrix\"");
@@ -133,6 +133,8 @@ TEST(Poses, SaysWhatIsWrong) {
     expectSentence(with("talin", "heading_mil", 3), "exclude each other");
     expectSentence(with("talin", "northing", 3), "but \"northing_m\" is");
     expectSentence(with("talin", "pitch_deg", 95), "\"talin.pitch_deg\" is 95 and must be from -90 to 90");
+    expectSentence(with("talin", "roll_deg", 200), "a scanner that hangs has \"viewing\"");
+    EXPECT_EQ(with("talin", "easting_m", "x").error().hint.find("viewing"), std::string::npos);
     expectSentence(with("talin", "time", "yesterday"), "must be a time in UTC like");
     expectSentence(with("talin", "heading_ref", "magnetic"), "must be \"true\" or \"grid\"");
     expectSentence(with("inclinometer", "tilt_x_deg", nullptr), "\"inclinometer.tilt_x_deg\" is missing");

@@ -74,13 +74,14 @@ TEST(ReadingOptions, AUnitIsAWordOrANumber) {
     const auto unit =
         std::ranges::find(readingOptionTable(), std::string_view("unit"), [](const ReadingOption& o) { return std::string_view(o.key); });
     ReadingOptions options;
-    for (const auto& [text, mm] : {std::pair{"m", 1000.0}, {"mm", 1.0}, {"0.2", 0.2}, {"304.8", 304.8}}) {
+    for (const auto& [text, mm] :
+         {std::pair{"m", 1000.0}, {"mm", 1.0}, {"0.2", 0.2}, {"in", 25.4}, {"ft", 304.8}, {"usft", 1200000.0 / 3937.0}}) {
         ASSERT_TRUE(checked(*unit, text)) << text;
         unit->set(options, text);
         EXPECT_EQ(options.unitMm, mm);
         EXPECT_EQ(unit->get(options), text);
     }
-    for (const char* text : {"0", "-1", "1e9", "ft", "1,2"}) EXPECT_FALSE(checked(*unit, text)) << text;
+    for (const char* text : {"0", "-1", "1e9", "fathom", "1,2"}) EXPECT_FALSE(checked(*unit, text)) << text;
 }
 
 TEST(ReadingOptions, WhatReplacesTheFileAndWhatHasNoEffectIsNamed) {
