@@ -134,7 +134,7 @@ TEST(RecordedPlace, AnOldPoseIsOutOfSpecAndABadOneIsReported) {
     const auto refused = recorded(robotMetadata(), {{0.2, 498765.0}}, {}, 3);
     ASSERT_TRUE(refused) << refused.error().sentence();
     EXPECT_FALSE(refused->placement);
-    EXPECT_TRUE(warns(refused->warnings, "readings of inclinometer or TALIN cannot be used"));
+    EXPECT_TRUE(warns(refused->warnings, "1 reading of inclinometer or TALIN cannot be used"));
     for (const auto& [key, bad] : {std::pair("R_IA", "[[1,0,0],[0,1,0],[0,0,2]]"), std::pair("talin_in_robot_m", "[1,2]"),
                                    std::pair("boresight_rpy_deg", "{"), std::pair("boom_azimuth_deg", "left")}) {
         scanner::SweepMetadata keys = robotMetadata();
