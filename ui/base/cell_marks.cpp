@@ -331,7 +331,12 @@ ScreenMarks screenMarks(const CellMarks& marks, const PlaceOfCell& placeOf, bool
             if (a >= places.size() || b >= places.size() || !places[a] || !places[b]) continue;
             drawn.lines.emplace_back(*places[a], *places[b]);
         }
-        if (!drawn.lines.empty()) drawn.labelAt = drawn.lines.front().center();
+        if (!measure.way.empty()) drawn.lines.clear();
+        for (std::size_t n = 1; n < measure.way.size(); ++n) {
+            const auto from = placeOf(measure.way[n - 1]), to = placeOf(measure.way[n]);
+            if (from && to) drawn.lines.emplace_back(*from, *to);
+        }
+        if (!drawn.lines.empty()) drawn.labelAt = drawn.lines[measure.way.empty() ? 0 : drawn.lines.size() / 2].center();
         for (std::size_t n = 0; n < measure.clicked.size() && n < places.size(); ++n) {
             const auto click = measure.clicked[n] == measure.cells[n] ? std::nullopt : placeOf(measure.clicked[n]);
             if (click && places[n]) shown.moves.emplace_back(*click, *places[n]);

@@ -35,6 +35,7 @@ struct MeasureMark {
     std::vector<std::size_t> clicked{};                     ///< where the operator clicked; empty: at `cells`
     bool active = false;                                    ///< it is the chosen one
     QString brief{};                                        ///< "M2": in place of `label` where several are at one place
+    std::vector<std::size_t> way{}; ///< cells that the line follows, from its first end to its last one; empty: it is straight
 
     bool operator==(const MeasureMark&) const = default;
 };

@@ -25,6 +25,20 @@ constexpr auto kMostCells = static_cast<std::uint64_t>(physical::kAlongOneSide.l
 constexpr std::size_t kMostCodes = 65536; // as many as 16 bits can distinguish
 const char* const kSeeFormat = "compare it with docs/reference/formats.md, \"Raw grid\"";
 
+/// What else this program writes as JSON, and what it is for.
+struct OwnFile {
+    std::string_view format, what, hint;
+};
+constexpr std::array kOwnFiles = std::to_array<OwnFile>({
+    {"edgescan-preset/1", "a preset", "choose it in the panel Edges, or give it with --preset"},
+    {"edgescan-pose/1", "a pose", "open its scan and give it with --pose"},
+    {"edgescan-calibration/1", "a calibration", "open its scan and give it with --calibration"},
+    {"edgescan-targets/1", "a file of targets", "open its scan"},
+    {"edgescan-rock-edits/1", "edits of rocks", "open its scan, or give it with --edits"},
+    {"edgescan-record/1", "a record of an export", "open its scan, or check it with edgescan-cli verify"},
+    {"edgescan-provenance/1", "a record of an export", "open its scan, or check it with edgescan-cli verify"},
+});
+
 std::vector<std::uint32_t> codesIn(JsonFields& fields, const char* key, std::vector<std::uint32_t> missing) {
     if (!fields.has(key)) return missing;
     std::vector<std::uint32_t> codes;
@@ -106,7 +120,12 @@ nlohmann::json angleJson(const std::vector<double>& degrees) {
 
 Result<GridDescription> parseDescription(std::string_view json, const std::string& where) {
     const auto object = parseJsonObject(json, kFormat, where);
-    if (!object) return object.error();
+    if (!object) {
+        const auto own = std::ranges::find_if(
+            kOwnFiles, [&](const OwnFile& one) { return json.find("\"" + std::string(one.format) + "\"") != json.npos; });
+        if (own == kOwnFiles.end()) return object.error();
+        return Error{"this is " + std::string(own->what) + " and not a scan", where, std::string(own->hint)};
+    }
     JsonFields fields(*object, where, kSeeFormat);
     GridDescription grid;
     grid.lines = fields.wholeNumber("lines", 1, kMostCells);

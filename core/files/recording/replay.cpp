@@ -143,10 +143,7 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     collect();
     const std::int64_t undecodable = replay.feed().undecodable();
     const scanner::TelegramAccount account = replay.progress().account;
-    if (!best.scan && sweeps > 0)
-        return Error{sweeps == 1 ? "the recording holds one sweep" : "the recording holds " + std::to_string(sweeps) + " sweeps",
-                     "--scan " + std::to_string(*options.scanIndex),
-                     sweeps == 1 ? "use --scan 0" : "use --scan 0 to " + std::to_string(sweeps - 1)};
+    if (!best.scan && sweeps > 0) return noSuchScan(*options.scanIndex, static_cast<std::size_t>(sweeps), "the recording", "sweep");
     if (!best.scan) {
         const std::string why = replay.feed().whyUndecodable();
         return Error{account.telegrams > 0

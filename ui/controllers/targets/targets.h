@@ -175,6 +175,7 @@ private:
     [[nodiscard]] static inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number);
     [[nodiscard]] const inspect::CellTarget* knownOf(std::uint32_t cell) const;
     [[nodiscard]] const inspect::MeasuredCells* knownOf(const inspect::StoredMeasure& measure) const;
+    [[nodiscard]] std::vector<std::size_t> wayOf(const inspect::StoredMeasure& measure) const;
     [[nodiscard]] CellMarks marks() const;
     [[nodiscard]] QString tagOf(const inspect::PinnedTarget& target) const;
 

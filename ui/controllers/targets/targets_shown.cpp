@@ -1,5 +1,6 @@
 // Shows the targets in panel and views.
 #include "core/inspect/measure/click_remarks.h"
+#include "core/rocks/segmentation/cuts.h"
 #include "core/scan/grid/assumed_mounting.h"
 #include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
@@ -110,6 +111,21 @@ QString Targets::clickOf(const inspect::PinnedTarget& target) const {
     return tr("moved here from line %1, beam %2").arg(clicked / beams).arg(clicked % beams);
 }
 
+/// Of a length along the surface: the cells under its line, of many only some.
+std::vector<std::size_t> Targets::wayOf(const inspect::StoredMeasure& measure) const {
+    constexpr std::size_t kMost = 64;
+    if (measure.kind != inspect::MeasureKind::Path || !engine_.picture() || measure.cells.size() != 2) return {};
+    const Scan& scan = *engine_.picture()->detection->scan;
+    if (std::ranges::any_of(measure.cells, [&](std::uint32_t k) { return k >= scan.cells(); })) return {};
+    std::vector<std::uint32_t> under = rocks::strokeCells({measure.cells[0], measure.cells[1]}, scan.lines(), scan.beams());
+    std::erase_if(under, [&](std::uint32_t k) { return scan.state[k] != CellState::Valid; });
+    std::vector<std::size_t> way;
+    const std::size_t step = std::max<std::size_t>(1, under.size() / kMost);
+    for (std::size_t n = 0; n + 1 < under.size(); n += step) way.push_back(under[n]);
+    if (!under.empty()) way.push_back(under.back());
+    return way;
+}
+
 CellMarks Targets::marks() const {
     CellMarks marks;
     const inspect::PinnedTarget* shown = active();
@@ -132,7 +148,7 @@ CellMarks Targets::marks() const {
                  ? briefOf(measure)
                  : (warned ? "▲ " : "") + briefOf(measure) + " " + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
              measure.isByOneClick() ? std::vector<std::size_t>() : std::vector<std::size_t>(measure.clicked.begin(), measure.clicked.end()),
-             n == chosen_, briefOf(measure)});
+             n == chosen_, briefOf(measure), wayOf(measure)});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
     marks.targets.insert(marks.targets.end(), beside_.begin(), beside_.end());
