@@ -333,6 +333,199 @@
 <message><source>: lines lost meanwhile are counted by this computer's clock.</source><translation>: las líneas perdidas entretanto se cuentan por el reloj de esta computadora.</translation></message>
 <message><source>: their ranges may be of another echo.</source><translation>: sus distancias pueden ser de otro eco.</translation></message>
 <message><source>: the sweep is not of one device.</source><translation>: el barrido no es de un solo aparato.</translation></message>
+<message><source>this is a GIF picture, not a scan</source><translation>es una imagen GIF, no un escaneo</translation></message>
+<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>es una imagen, un sonido o una película (RIFF), no un escaneo</translation></message>
+<message><source>this is a Photoshop picture, not a scan</source><translation>es una imagen de Photoshop, no un escaneo</translation></message>
+<message><source>this is a gzip archive in another one, not a scan</source><translation>es un archivo gzip dentro de otro, no un escaneo</translation></message>
+<message><source>this is an xz archive, not a scan</source><translation>es un archivo xz, no un escaneo</translation></message>
+<message><source>this is a bzip2 archive, not a scan</source><translation>es un archivo bzip2, no un escaneo</translation></message>
+<message><source>this is a zstd archive, not a scan</source><translation>es un archivo zstd, no un escaneo</translation></message>
+<message><source>this is a 7-Zip archive, not a scan</source><translation>es un archivo 7-Zip, no un escaneo</translation></message>
+<message><source>this is a RAR archive, not a scan</source><translation>es un archivo RAR, no un escaneo</translation></message>
+<message><source>this is an old Office document, not a scan</source><translation>es un documento antiguo de Office, no un escaneo</translation></message>
+<message><source>this is a STEP model, not a scan</source><translation>es un modelo STEP, no un escaneo</translation></message>
+<message><source>this is an SVG picture, not a scan</source><translation>es una imagen SVG, no un escaneo</translation></message>
+<message><source>this is an XML document, not a scan</source><translation>es un documento XML, no un escaneo</translation></message>
+<message><source>this is a text document (RTF), not a scan</source><translation>es un documento de texto (RTF), no un escaneo</translation></message>
+<message><source>this is a PostScript document, not a scan</source><translation>es un documento PostScript, no un escaneo</translation></message>
+<message><source>this is a table of rocks, not a scan</source><translation>es una tabla de rocas, no un escaneo</translation></message>
+<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>es un ráster de alturas (cuadrícula ASCII de Esri), no un escaneo</translation></message>
+<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>es un ráster de alturas (cuadrícula de Surfer), no un escaneo</translation></message>
+<message><source>this is a BMP picture, not a scan</source><translation>es una imagen BMP, no un escaneo</translation></message>
+<message><source>this is an HDF5 file, which is not read</source><translation>es un archivo HDF5, que no se lee</translation></message>
+<message><source>this is a MATLAB file, which is not read</source><translation>es un archivo de MATLAB, que no se lee</translation></message>
+<message><source>this is a Parquet table, which is not read</source><translation>es una tabla Parquet, que no se lee</translation></message>
+<message><source>this is an Arrow table, which is not read</source><translation>es una tabla Arrow, que no se lee</translation></message>
+<message><source>this is a glTF model, which is not read</source><translation>es un modelo glTF, que no se lee</translation></message>
+<message><source>this is an FBX model, which is not read</source><translation>es un modelo FBX, que no se lee</translation></message>
+<message><source>this is a file of VTK, which is not read</source><translation>es un archivo de VTK, que no se lee</translation></message>
+<message><source>this is an OFF mesh, which is not read</source><translation>es una malla OFF, que no se lee</translation></message>
+<message><source>this is a drawing (DXF), which is not read</source><translation>es un dibujo (DXF), que no se lee</translation></message>
+<message><source>this is a FARO scan (FLS), which is not read</source><translation>es un escaneo FARO (FLS), que no se lee</translation></message>
+<message><source>this is a FARO workspace, which is not read</source><translation>es un espacio de trabajo FARO, que no se lee</translation></message>
+<message><source>this is a FARO project, which is not read</source><translation>es un proyecto FARO, que no se lee</translation></message>
+<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>es un flujo RIEGL (RXP), que no se lee</translation></message>
+<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>es un escaneo RIEGL (3DD), que no se lee</translation></message>
+<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>es un escaneo Z+F (ZFS), que no se lee</translation></message>
+<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>es un proyecto Z+F (ZFPRJ), que no se lee</translation></message>
+<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>es un escaneo Z+F (ZFC), que no se lee</translation></message>
+<message><source>this is a Leica LGS project, which is not read</source><translation>es un proyecto Leica LGS, que no se lee</translation></message>
+<message><source>this is a Leica LGSx project, which is not read</source><translation>es un proyecto Leica LGSx, que no se lee</translation></message>
+<message><source>this is an Autodesk ReCap project, which is not read</source><translation>es un proyecto Autodesk ReCap, que no se lee</translation></message>
+<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>es un escaneo Autodesk ReCap, que no se lee</translation></message>
+<message><source>this is a Trimble scan (TZF), which is not read</source><translation>es un escaneo Trimble (TZF), que no se lee</translation></message>
+<message><source>this is a Topcon scan (CL3), which is not read</source><translation>es un escaneo Topcon (CL3), que no se lee</translation></message>
+<message><source>this is a Topcon scan (CLR), which is not read</source><translation>es un escaneo Topcon (CLR), que no se lee</translation></message>
+<message><source>this is a Pointools cloud (POD), which is not read</source><translation>es una nube Pointools (POD), que no se lee</translation></message>
+<message><source>this is a VRML scene, which is not read</source><translation>es una escena VRML, que no se lee</translation></message>
+<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>es una base de datos RIEGL (RDBX), que no se lee</translation></message>
+<message><source>this is a RIEGL database, which is not read</source><translation>es una base de datos RIEGL, que no se lee</translation></message>
+<message><source>this is a Leica Cyclone database, which is not read</source><translation>es una base de datos Leica Cyclone, que no se lee</translation></message>
+<message><source>this is a numpy archive, which is not read</source><translation>es un archivo numpy, que no se lee</translation></message>
+<message><source>this is an Excel workbook, not a table of text</source><translation>es un libro de Excel, no una tabla de texto</translation></message>
+<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>es una hoja de cálculo OpenDocument, no una tabla de texto</translation></message>
+<message><source>this is a Python pickle, which only Python can open</source><translation>es un pickle de Python, que solo Python puede abrir</translation></message>
+<message><source>this is a ROS bag that does not begin like one</source><translation>es un bag de ROS que no empieza como tal</translation></message>
+<message><source>this is a ROS 2 bag that does not begin like one</source><translation>es un bag de ROS 2 que no empieza como tal</translation></message>
+<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>es un archivo binario sin telegrama de un escáner SICK</translation></message>
+<message><source>this is a ROS bag, and </source><translation>es un bag de ROS, y </translation></message>
+<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>esta versión no tiene robots: no lee bags de ROS, ni VLP-16, ni Ouster, ni puente Foxglove</translation></message>
+<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>use una versión con robots (EDGESCAN_ROBOTS)</translation></message>
+<message><source>unpack it (%1) and open the scan in it</source><translation>descomprímalo (%1) y abra el escaneo que contiene</translation></message>
+<message><source>save its points as PLY in MeshLab</source><translation>guarde sus puntos como PLY en MeshLab</translation></message>
+<message><source>choose the scan that it was made from</source><translation>elija el escaneo del que se hizo</translation></message>
+<message><source>save the ranges as .npy or .csv</source><translation>guarde las distancias como .npy o .csv</translation></message>
+<message><source>save the ranges with writematrix(</source><translation>guarde las distancias con writematrix(</translation></message>
+<message><source>save the table as .csv</source><translation>guarde la tabla como .csv</translation></message>
+<message><source>save the sheet as .csv</source><translation>guarde la hoja como .csv</translation></message>
+<message><source>save it as PLY in Blender or MeshLab</source><translation>guárdelo como PLY en Blender o MeshLab</translation></message>
+<message><source>save it as PLY in Blender</source><translation>guárdelo como PLY en Blender</translation></message>
+<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>guarde sus puntos como PLY, o como CSV desde la tabla de ParaView</translation></message>
+<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>expórtelo como E57 o LAS con RiSCAN PRO, o con rdbconvert de RIEGL</translation></message>
+<message><source>export it as E57 or PTX with </source><translation>expórtelo como E57 o PTX con </translation></message>
+<message><source>export it as E57 with </source><translation>expórtelo como E57 con </translation></message>
+<message><source>export it as LAS with Bentley's program</source><translation>expórtelo como LAS con el programa de Bentley</translation></message>
+<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>guarde los puntos como PCD o PLY; una captura de telegramas contiene los bytes tal como llegaron del escáner</translation></message>
+<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>elija el escaneo, o guarde los puntos del dibujo como CSV, LAS o PLY</translation></message>
+<message><source>save the array of ranges or points as .npy</source><translation>guarde la matriz de distancias o puntos como .npy</translation></message>
+<message><source>the file is empty</source><translation>el archivo está vacío</translation></message>
+<message><source>copy it again or choose another</source><translation>cópielo de nuevo o elija otro</translation></message>
+<message><source>the file holds no points</source><translation>el archivo no contiene puntos</translation></message>
+<message><source>the file holds 0 points with a return, out of </source><translation>el archivo contiene 0 puntos con retorno, de </translation></message>
+<message><source>choose another file, or copy it again</source><translation>elija otro archivo, o cópielo de nuevo</translation></message>
+<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la última línea del escaneo está incompleta y la última fila no tiene fin de línea: el archivo se cortó</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>el encabezado anuncia %1 puntos de %2 bytes y el archivo contiene %3 bytes de ellos, que es más</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them</source><translation>el encabezado anuncia %1 puntos de %2 bytes y el archivo contiene %3 bytes de ellos</translation></message>
+<message><source>the header promises %1 vertices and the file holds %2 bytes of them</source><translation>el encabezado anuncia %1 vértices y el archivo contiene %2 bytes de ellos</translation></message>
+<message><source>the header promises %1 vertices and the file ends after </source><translation>el encabezado anuncia %1 vértices y el archivo termina después de </translation></message>
+<message><source>the header promises %1 points and the file ends after </source><translation>el encabezado anuncia %1 puntos y el archivo termina después de </translation></message>
+<message><source>the header promises %1 points and the file holds </source><translation>el encabezado anuncia %1 puntos y el archivo contiene </translation></message>
+<message><source>the header promises %1 points, more than a file of %2 holds of a scan</source><translation>el encabezado anuncia %1 puntos, más de los que contiene de un escaneo un archivo de %2</translation></message>
+<message><source>the header promises more points than any file holds</source><translation>el encabezado anuncia más puntos de los que contiene ningún archivo</translation></message>
+<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>la imagen anuncia más píxeles de los que contiene de un escaneo un archivo de %1</translation></message>
+<message><source>the file ends within its LAS header</source><translation>el archivo termina dentro de su encabezado LAS</translation></message>
+<message><source>the file ends within its numpy header</source><translation>el archivo termina dentro de su encabezado numpy</translation></message>
+<message><source>the file ends before its vertices</source><translation>el archivo termina antes de sus vértices</translation></message>
+<message><source>the file ends before its compressed points</source><translation>el archivo termina antes de sus puntos comprimidos</translation></message>
+<message><source>the file is cut off in its last vertex</source><translation>el archivo está cortado en su último vértice</translation></message>
+<message><source>the compressed points are damaged</source><translation>los puntos comprimidos están dañados</translation></message>
+<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>este archivo LAZ no se puede descomprimir: termina demasiado pronto</translation></message>
+<message><source>this LAZ file cannot be unpacked: </source><translation>este archivo LAZ no se puede descomprimir: </translation></message>
+<message><source>this LAZ file is damaged or cut off</source><translation>este archivo LAZ está dañado o cortado</translation></message>
+<message><source>copy it again, or save it as .las</source><translation>cópielo de nuevo, o guárdelo como .las</translation></message>
+<message><source>save it as LAS 1.2 or 1.4</source><translation>guárdelo como LAS 1.2 o 1.4</translation></message>
+<message><source>this is LAS version %1, and versions up to 1.4 are known</source><translation>es la versión LAS %1, y se conocen versiones hasta 1.4</translation></message>
+<message><source>needs %1 of memory, %2 are free</source><translation>necesita %1 de memoria, hay %2 libres</translation></message>
+<message><source>holds more points than can be put on a grid</source><translation>contiene más puntos de los que caben en una cuadrícula</translation></message>
+<message><source>split the file</source><translation>divida el archivo</translation></message>
+<message><source>the scan of this PTX file holds 0 points</source><translation>el escaneo de este archivo PTX contiene 0 puntos</translation></message>
+<message><source>scan %1 of this PTX file promises %2 columns of %3 points, and the file ends before them</source><translation>el escaneo %1 de este archivo PTX anuncia %2 columnas de %3 puntos, y el archivo termina antes</translation></message>
+<message><source>holds %1 bytes where %2 need </source><translation>contiene %1 bytes donde %2 necesitan </translation></message>
+<message><source>check lines and beams in the .json file</source><translation>revise líneas y haces en el archivo .json</translation></message>
+<message><source>check that the file is complete</source><translation>compruebe que el archivo esté completo</translation></message>
+<message><source>the PLY header has no end_header line</source><translation>el encabezado PLY no tiene línea end_header</translation></message>
+<message><source>the PCD header has no DATA line</source><translation>el encabezado PCD no tiene línea DATA</translation></message>
+<message><source>the PLY file has no vertices</source><translation>el archivo PLY no tiene vértices</translation></message>
+<message><source>this OBJ file has no vertices</source><translation>este archivo OBJ no tiene vértices</translation></message>
+<message><source>this Surpac file has no points</source><translation>este archivo Surpac no tiene puntos</translation></message>
+<message><source>the vertices have no x, y and z</source><translation>los vértices no tienen x, y y z</translation></message>
+<message><source>the PCD file has no fields x, y and z</source><translation>el archivo PCD no tiene campos x, y y z</translation></message>
+<message><source>export the file with coordinates</source><translation>exporte el archivo con coordenadas</translation></message>
+<message><source>this is text without a row of numbers, so no scan</source><translation>es texto sin una fila de números, así que no es un escaneo</translation></message>
+<message><source>choose a scan: %1, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>elija un escaneo: %1, una cuadrícula bruta (.json), una imagen de distancias (.png, .tif), una grabación (.mcap), un bag de ROS o una captura de red (.pcap)</translation></message>
+<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x e y de este archivo son grados de longitud y latitud, según su sistema de coordenadas, y los puntos necesitan metros</translation></message>
+<message><source>export it in a projected coordinate system such as UTM</source><translation>expórtelo en un sistema de coordenadas proyectado como UTM</translation></message>
+<message><source>its heading names %1, and points need x, y and z in metres</source><translation>su encabezado nombra %1, y los puntos necesitan x, y y z en metros</translation></message>
+<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escriba x, y y z, o distancias como tabla con una fila por línea; o </translation></message>
+<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>su encabezado nombra ejes (%1), y no se entienden todos los x, y y z</translation></message>
+<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: </source><translation>diga qué columnas son este (x), norte (y) y elevación (z), por número o nombre: </translation></message>
+<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>hay palabras entre los números de sus filas, y ningún encabezado nombra x, y y z</translation></message>
+<message><source>write a first row with the names of the columns, such as </source><translation>escriba una primera fila con los nombres de las columnas, como </translation></message>
+<message><source> has a decimal comma</source><translation> tiene coma decimal</translation></message>
+<message><source>save the file with decimal points</source><translation>guarde el archivo con puntos decimales</translation></message>
+<message><source>" is not a number</source><translation>" no es un número</translation></message>
+<message><source>correct the line or export the file again</source><translation>corrija la línea o exporte de nuevo el archivo</translation></message>
+<message><source> is below x, y or z and is not a number</source><translation> está bajo x, y o z y no es un número</translation></message>
+<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>guarde el archivo con números simples en estas columnas, sin unidades ni signos</translation></message>
+<message><source>, a number whose thousands are set apart</source><translation>, un número con los miles separados</translation></message>
+<message><source>save the file with plain numbers, without separators of thousands</source><translation>guarde el archivo con números simples, sin separadores de miles</translation></message>
+<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contiene bytes cero, como un archivo que no se escribió hasta el final</translation></message>
+<message><source>copy the file or export it again</source><translation>copie o exporte de nuevo el archivo</translation></message>
+<message><source>its numbers are separated by "%1", which separates none here</source><translation>sus números están separados por «%1», que aquí no separa ninguno</translation></message>
+<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>guarde el archivo con comas, puntos y comas, tabuladores o espacios entre sus números</translation></message>
+<message><source>a table of %1 ranges per line does not say its angles</source><translation>una tabla de %1 distancias por línea no dice sus ángulos</translation></message>
+<message><source>a picture of %1 ranges per line does not say its angles</source><translation>una imagen de %1 distancias por línea no dice sus ángulos</translation></message>
+<message><source>a array of %1 ranges per line does not say its angles</source><translation>una matriz de %1 distancias por línea no dice sus ángulos</translation></message>
+<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; o guárdela con una fila por línea: tiene tantas filas como haces un LMS511</translation></message>
+<message><source> holds %1, which is not a range</source><translation> contiene %1, que no es una distancia</translation></message>
+<message><source>check that these are ranges; points need columns x, y and z</source><translation>compruebe que sean distancias; los puntos necesitan columnas x, y y z</translation></message>
+<message><source> holds %1, so this is not a table of ranges</source><translation> contiene %1, así que no es una tabla de distancias</translation></message>
+<message><source> numbers per line without names are a table of ranges only with its angles; as points, </source><translation> números por línea sin nombres son una tabla de distancias solo con sus ángulos; como puntos, </translation></message>
+<message><source>, or name the columns x, y and z</source><translation>, o nombre las columnas x, y y z</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en gris, y las distancias necesitan 16 bits en gris</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en color, y las distancias necesitan 16 bits en gris</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>elija un escaneo, o una imagen de distancias de 16 bits por píxel</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>es una imagen PNG que no se puede leer: </translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>la imagen TIFF está dañada o es de un tipo que no se puede leer</translation></message>
+<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>una matriz numpy de forma %1 no es ni distancias (líneas, haces) ni puntos (n, 3) o (líneas, haces, 3)</translation></message>
+<message><source>save it in one of these shapes</source><translation>guárdela en una de estas formas</translation></message>
+<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>estos valores necesitan su descripción %1 al lado, y no se puede leer</translation></message>
+<message><source>copy it into the same folder</source><translation>cópiela en la misma carpeta</translation></message>
+<message><source> points with a return, too few to find a scanner's grid</source><translation> puntos con retorno, demasiado pocos para hallar la cuadrícula de un escáner</translation></message>
+<message><source>points have a return, too few to make a grid of them</source><translation>puntos tienen retorno, demasiado pocos para formar una cuadrícula</translation></message>
+<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>los %1 puntos no están en ángulos haz x línea alrededor del origen:</translation></message>
+<message><source>about %1 no scan lines can be recognised</source><translation>alrededor de %1 no se reconoce ninguna línea</translation></message>
+<message><source>about %1 %2 % lie on the best %3 line angles</source><translation>alrededor de %1 %2 % están en los mejores %3 ángulos de línea</translation></message>
+<message><source>about %1 %2 % lie on the best %3 beam angles</source><translation>alrededor de %1 %2 % están en los mejores %3 ángulos de haz</translation></message>
+<message><source> (99 % are needed)</source><translation> (se necesita el 99 %)</translation></message>
+<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra el escaneo tal como lo guardó el escáner, con el origen en el escáner</translation></message>
+<message><source>open the scan as the scanner stored it, or with its record</source><translation>abra el escaneo tal como lo guardó el escáner, o con su registro</translation></message>
+<message><source>, the place in metres that the scan was taken from</source><translation>, el lugar en metros desde donde se tomó el escaneo</translation></message>
+<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos los puntos están a menos de %1 m entre sí y al menos a %2 m del escáner, lo que ningún escáner mide</translation></message>
+<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>los %1 puntos de su cuadrícula están en una sola dirección desde el origen, dentro de %2 grados y hasta %3: el escáner estaba en otro lugar</translation></message>
+<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>los %1 puntos están todos en una sola dirección desde allí, dentro de %2 y a %3 a %4</translation></message>
+<message><source>seen from there the points make no picture: </source><translation>vistos desde allí, los puntos no forman una imagen: </translation></message>
+<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>no se siguen en líneas que giran alrededor de un eje en otro lugar</translation></message>
+<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>sus números se redondearon a %1 cifras, así que los cercanos a %2 van en pasos de %3: las cifras que ubican los puntos se han perdido</translation></message>
+<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escriba de nuevo las coordenadas con todos sus decimales, como números y no en la forma 1.23E+06</translation></message>
+<message><source>this capture holds no scan telegram of a SICK scanner, and </source><translation>esta captura no contiene ningún telegrama de escaneo de un escáner SICK, y </translation></message>
+<message><source>this capture holds %1 packets, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>esta captura contiene %1 paquetes, %2 de ellos TCP, y ningún telegrama de escaneo de un escáner SICK ni paquete de un VLP-16 o un Ouster</translation></message>
+<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capture la conexión al puerto del escáner (2111 o 2112) mientras escanea</translation></message>
+<message><source>this is not a capture of network packets</source><translation>no es una captura de paquetes de red</translation></message>
+<message><source>choose a PCAP or PCAPNG file</source><translation>elija un archivo PCAP o PCAPNG</translation></message>
+<message><source>the capture ends within its header</source><translation>la captura termina dentro de su encabezado</translation></message>
+<message><source>copy the capture again</source><translation>copie de nuevo la captura</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este archivo MCAP no contiene nada que enviara un escáner láser</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file</source><translation>nada de lo que envió un escáner láser se puede leer en este archivo MCAP</translation></message>
+<message><source>choose a recording of a sweep</source><translation>elija la grabación de un barrido</translation></message>
+<message><source>choose another recording</source><translation>elija otra grabación</translation></message>
+<message><source>this recording holds no scan telegram</source><translation>esta grabación no contiene ningún telegrama de escaneo</translation></message>
+<message><source>no scan telegram in this recording can be decoded</source><translation>ningún telegrama de escaneo de esta grabación se puede descodificar</translation></message>
+<message><source>the recording holds one sweep</source><translation>la grabación contiene un barrido</translation></message>
+<message><source>the recording holds %1 sweeps</source><translation>la grabación contiene %1 barridos</translation></message>
+<message><source>a calibration alone gives no place</source><translation>una calibración sola no da un lugar</translation></message>
+<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>una pose necesita la calibración del robot, y la grabación no contiene ninguna</translation></message>
+<message><source>a pose needs the robot's calibration</source><translation>una pose necesita la calibración del robot</translation></message>
 <message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
 <message><source>LIVE</source><translation>EN VIVO</translation></message>
 <message><source>STALE</source><translation>ANTICUADO</translation></message>

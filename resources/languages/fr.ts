@@ -23,7 +23,7 @@
 <message><source>the sensor position in the file, (</source><translation>la position du capteur dans le fichier, (</translation></message>
 <message><source>The points lie on no scanner grid and were projected about </source><translation>Les points ne sont sur aucune grille de scanner et ont été projetés autour de </translation></message>
 <message><source>The points were projected about </source><translation>Les points ont été projetés autour de </translation></message>
-<message><source>; projected about </source><translation>; projetés autour de </translation></message>
+<message><source>; projected about </source><translation> ; projetés autour de </translation></message>
 <message><source> in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> lus, vus sur %1 x %2 degrés ; %3 cellules remplies sur %4 (taux de remplissage %5 % ; des cellules autour d'une cellule remplie %6 %), </translation></message>
 <message><source> attached to a cell with a nearer one</source><translation> rattachés à une cellule qui en a un plus proche</translation></message>
 <message><source> far from all others left out</source><translation> loin de tous les autres laissés de côté</translation></message>
@@ -76,7 +76,7 @@
 <message><source> point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation> point partage sa rangée et sa colonne avec un plus proche, qui a été pris (plusieurs retours d'un faisceau).</translation></message>
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Aucune cellule de ce scan n'a de distance mesurée : vérifiez le fichier, le topic et les limites de distance.</translation></message>
 <message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Les points sont dans un autre repère que celui du scanner. Leurs lignes tournent autour d'un axe, à %1, %2, %3 m, et le miroir est à %4 mm de l'axe</translation></message>
-<message><source>; the grid has the scale </source><translation>; la grille a l'échelle </translation></message>
+<message><source>; the grid has the scale </source><translation> ; la grille a l'échelle </translation></message>
 <message><source>The points fit lines and beams within </source><translation>Les points concordent avec lignes et faisceaux à moins de </translation></message>
 <message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>C'est plus que ce qu'explique l'arrondi des nombres, %1 mm : des distances peuvent être fausses, et des arêtes différer de celles du scan. La fiche du fichier, ou le scan tel que mesuré, les a exactement.</translation></message>
 <message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matrice du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
@@ -94,8 +94,8 @@
 <message><source> replaces %1, which the file gives.</source><translation> remplace %1, que le fichier donne.</translation></message>
 <message><source> replaces the calibration in </source><translation> remplace l'étalonnage dans </translation></message>
 <message><source>Not measured at the angles that the file gives: </source><translation>Non mesuré aux angles que le fichier donne : </translation></message>
-<message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation>; les arêtes en travers des lignes sont dentelées : %1 met ces lignes côte à côte en une seule.</translation></message>
-<message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation>; EdgeScan+ en tient compte, mais pas le nuage : %1 corrige les angles.</translation></message>
+<message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation> ; les arêtes en travers des lignes sont dentelées : %1 met ces lignes côte à côte en une seule.</translation></message>
+<message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation> ; EdgeScan+ en tient compte, mais pas le nuage : %1 corrige les angles.</translation></message>
 <message><source>the beams of %1 lines in turn lie %2 degrees ahead of where they should be, %3 times its uncertainty</source><translation>les faisceaux de %1 lignes à tour de rôle sont %2 degrés en avant de leur place, %3 fois l'incertitude</translation></message>
 <message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>les faisceaux impairs sont %1 degrés en avant des pairs, %2 fois l'incertitude</translation></message>
 <message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>les faisceaux impairs sont %1 degrés en arrière des pairs, %2 fois l'incertitude</translation></message>
@@ -333,6 +333,199 @@
 <message><source>: lines lost meanwhile are counted by this computer's clock.</source><translation> : les lignes perdues entre-temps sont comptées par l'horloge de cet ordinateur.</translation></message>
 <message><source>: their ranges may be of another echo.</source><translation> : leurs distances peuvent être d'un autre écho.</translation></message>
 <message><source>: the sweep is not of one device.</source><translation> : le balayage n'est pas d'un seul appareil.</translation></message>
+<message><source>this is a GIF picture, not a scan</source><translation>c'est une image GIF, pas un scan</translation></message>
+<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>c'est une image, un son ou un film (RIFF), pas un scan</translation></message>
+<message><source>this is a Photoshop picture, not a scan</source><translation>c'est une image Photoshop, pas un scan</translation></message>
+<message><source>this is a gzip archive in another one, not a scan</source><translation>c'est une archive gzip dans une autre, pas un scan</translation></message>
+<message><source>this is an xz archive, not a scan</source><translation>c'est une archive xz, pas un scan</translation></message>
+<message><source>this is a bzip2 archive, not a scan</source><translation>c'est une archive bzip2, pas un scan</translation></message>
+<message><source>this is a zstd archive, not a scan</source><translation>c'est une archive zstd, pas un scan</translation></message>
+<message><source>this is a 7-Zip archive, not a scan</source><translation>c'est une archive 7-Zip, pas un scan</translation></message>
+<message><source>this is a RAR archive, not a scan</source><translation>c'est une archive RAR, pas un scan</translation></message>
+<message><source>this is an old Office document, not a scan</source><translation>c'est un ancien document Office, pas un scan</translation></message>
+<message><source>this is a STEP model, not a scan</source><translation>c'est un modèle STEP, pas un scan</translation></message>
+<message><source>this is an SVG picture, not a scan</source><translation>c'est une image SVG, pas un scan</translation></message>
+<message><source>this is an XML document, not a scan</source><translation>c'est un document XML, pas un scan</translation></message>
+<message><source>this is a text document (RTF), not a scan</source><translation>c'est un document texte (RTF), pas un scan</translation></message>
+<message><source>this is a PostScript document, not a scan</source><translation>c'est un document PostScript, pas un scan</translation></message>
+<message><source>this is a table of rocks, not a scan</source><translation>c'est un tableau de roches, pas un scan</translation></message>
+<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>c'est un raster de hauteurs (grille ASCII Esri), pas un scan</translation></message>
+<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>c'est un raster de hauteurs (grille Surfer), pas un scan</translation></message>
+<message><source>this is a BMP picture, not a scan</source><translation>c'est une image BMP, pas un scan</translation></message>
+<message><source>this is an HDF5 file, which is not read</source><translation>c'est un fichier HDF5, qui n'est pas lu</translation></message>
+<message><source>this is a MATLAB file, which is not read</source><translation>c'est un fichier MATLAB, qui n'est pas lu</translation></message>
+<message><source>this is a Parquet table, which is not read</source><translation>c'est un tableau Parquet, qui n'est pas lu</translation></message>
+<message><source>this is an Arrow table, which is not read</source><translation>c'est un tableau Arrow, qui n'est pas lu</translation></message>
+<message><source>this is a glTF model, which is not read</source><translation>c'est un modèle glTF, qui n'est pas lu</translation></message>
+<message><source>this is an FBX model, which is not read</source><translation>c'est un modèle FBX, qui n'est pas lu</translation></message>
+<message><source>this is a file of VTK, which is not read</source><translation>c'est un fichier de VTK, qui n'est pas lu</translation></message>
+<message><source>this is an OFF mesh, which is not read</source><translation>c'est un maillage OFF, qui n'est pas lu</translation></message>
+<message><source>this is a drawing (DXF), which is not read</source><translation>c'est un dessin (DXF), qui n'est pas lu</translation></message>
+<message><source>this is a FARO scan (FLS), which is not read</source><translation>c'est un scan FARO (FLS), qui n'est pas lu</translation></message>
+<message><source>this is a FARO workspace, which is not read</source><translation>c'est un espace de travail FARO, qui n'est pas lu</translation></message>
+<message><source>this is a FARO project, which is not read</source><translation>c'est un projet FARO, qui n'est pas lu</translation></message>
+<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>c'est un flux RIEGL (RXP), qui n'est pas lu</translation></message>
+<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>c'est un scan RIEGL (3DD), qui n'est pas lu</translation></message>
+<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>c'est un scan Z+F (ZFS), qui n'est pas lu</translation></message>
+<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>c'est un projet Z+F (ZFPRJ), qui n'est pas lu</translation></message>
+<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>c'est un scan Z+F (ZFC), qui n'est pas lu</translation></message>
+<message><source>this is a Leica LGS project, which is not read</source><translation>c'est un projet Leica LGS, qui n'est pas lu</translation></message>
+<message><source>this is a Leica LGSx project, which is not read</source><translation>c'est un projet Leica LGSx, qui n'est pas lu</translation></message>
+<message><source>this is an Autodesk ReCap project, which is not read</source><translation>c'est un projet Autodesk ReCap, qui n'est pas lu</translation></message>
+<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>c'est un scan Autodesk ReCap, qui n'est pas lu</translation></message>
+<message><source>this is a Trimble scan (TZF), which is not read</source><translation>c'est un scan Trimble (TZF), qui n'est pas lu</translation></message>
+<message><source>this is a Topcon scan (CL3), which is not read</source><translation>c'est un scan Topcon (CL3), qui n'est pas lu</translation></message>
+<message><source>this is a Topcon scan (CLR), which is not read</source><translation>c'est un scan Topcon (CLR), qui n'est pas lu</translation></message>
+<message><source>this is a Pointools cloud (POD), which is not read</source><translation>c'est un nuage Pointools (POD), qui n'est pas lu</translation></message>
+<message><source>this is a VRML scene, which is not read</source><translation>c'est une scène VRML, qui n'est pas lue</translation></message>
+<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>c'est une base de données RIEGL (RDBX), qui n'est pas lue</translation></message>
+<message><source>this is a RIEGL database, which is not read</source><translation>c'est une base de données RIEGL, qui n'est pas lue</translation></message>
+<message><source>this is a Leica Cyclone database, which is not read</source><translation>c'est une base de données Leica Cyclone, qui n'est pas lue</translation></message>
+<message><source>this is a numpy archive, which is not read</source><translation>c'est une archive numpy, qui n'est pas lue</translation></message>
+<message><source>this is an Excel workbook, not a table of text</source><translation>c'est un classeur Excel, pas un tableau de texte</translation></message>
+<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>c'est une feuille de calcul OpenDocument, pas un tableau de texte</translation></message>
+<message><source>this is a Python pickle, which only Python can open</source><translation>c'est un pickle Python, que seul Python peut ouvrir</translation></message>
+<message><source>this is a ROS bag that does not begin like one</source><translation>c'est un bag ROS qui n'en a pas le début</translation></message>
+<message><source>this is a ROS 2 bag that does not begin like one</source><translation>c'est un bag ROS 2 qui n'en a pas le début</translation></message>
+<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>c'est un fichier binaire sans télégramme d'un scanner SICK</translation></message>
+<message><source>this is a ROS bag, and </source><translation>c'est un bag ROS, et </translation></message>
+<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>cette version est sans robots : elle ne lit ni bags ROS, ni VLP-16, ni Ouster, ni pont Foxglove</translation></message>
+<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>utilisez une version avec robots (EDGESCAN_ROBOTS)</translation></message>
+<message><source>unpack it (%1) and open the scan in it</source><translation>décompressez-la (%1) et ouvrez le scan qu'elle contient</translation></message>
+<message><source>save its points as PLY in MeshLab</source><translation>enregistrez ses points en PLY dans MeshLab</translation></message>
+<message><source>choose the scan that it was made from</source><translation>choisissez le scan dont il vient</translation></message>
+<message><source>save the ranges as .npy or .csv</source><translation>enregistrez les distances en .npy ou .csv</translation></message>
+<message><source>save the ranges with writematrix(</source><translation>enregistrez les distances avec writematrix(</translation></message>
+<message><source>save the table as .csv</source><translation>enregistrez le tableau en .csv</translation></message>
+<message><source>save the sheet as .csv</source><translation>enregistrez la feuille en .csv</translation></message>
+<message><source>save it as PLY in Blender or MeshLab</source><translation>enregistrez-le en PLY dans Blender ou MeshLab</translation></message>
+<message><source>save it as PLY in Blender</source><translation>enregistrez-le en PLY dans Blender</translation></message>
+<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>enregistrez ses points en PLY, ou en CSV depuis le tableau de ParaView</translation></message>
+<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>exportez-le en E57 ou LAS avec RiSCAN PRO, ou avec rdbconvert de RIEGL</translation></message>
+<message><source>export it as E57 or PTX with </source><translation>exportez-le en E57 ou PTX avec </translation></message>
+<message><source>export it as E57 with </source><translation>exportez-le en E57 avec </translation></message>
+<message><source>export it as LAS with Bentley's program</source><translation>exportez-le en LAS avec le programme de Bentley</translation></message>
+<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>enregistrez les points en PCD ou PLY ; une capture de télégrammes contient les octets tels que reçus du scanner</translation></message>
+<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>choisissez le scan, ou enregistrez les points du dessin en CSV, LAS ou PLY</translation></message>
+<message><source>save the array of ranges or points as .npy</source><translation>enregistrez le tableau de distances ou de points en .npy</translation></message>
+<message><source>the file is empty</source><translation>le fichier est vide</translation></message>
+<message><source>copy it again or choose another</source><translation>copiez-le à nouveau ou choisissez-en un autre</translation></message>
+<message><source>the file holds no points</source><translation>le fichier ne contient pas de points</translation></message>
+<message><source>the file holds 0 points with a return, out of </source><translation>le fichier contient 0 point avec un retour, sur </translation></message>
+<message><source>choose another file, or copy it again</source><translation>choisissez un autre fichier, ou copiez-le à nouveau</translation></message>
+<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la dernière ligne du scan est incomplète et la dernière rangée n'a pas de fin de ligne : le fichier a été coupé</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>l'en-tête annonce %1 points de %2 octets et le fichier en contient %3 octets, ce qui est plus</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them</source><translation>l'en-tête annonce %1 points de %2 octets et le fichier en contient %3 octets</translation></message>
+<message><source>the header promises %1 vertices and the file holds %2 bytes of them</source><translation>l'en-tête annonce %1 sommets et le fichier en contient %2 octets</translation></message>
+<message><source>the header promises %1 vertices and the file ends after </source><translation>l'en-tête annonce %1 sommets et le fichier finit après </translation></message>
+<message><source>the header promises %1 points and the file ends after </source><translation>l'en-tête annonce %1 points et le fichier finit après </translation></message>
+<message><source>the header promises %1 points and the file holds </source><translation>l'en-tête annonce %1 points et le fichier en contient </translation></message>
+<message><source>the header promises %1 points, more than a file of %2 holds of a scan</source><translation>l'en-tête annonce %1 points, plus qu'un fichier de %2 n'en contient d'un scan</translation></message>
+<message><source>the header promises more points than any file holds</source><translation>l'en-tête annonce plus de points qu'aucun fichier n'en contient</translation></message>
+<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>l'image annonce plus de pixels qu'un fichier de %1 n'en contient d'un scan</translation></message>
+<message><source>the file ends within its LAS header</source><translation>le fichier finit dans son en-tête LAS</translation></message>
+<message><source>the file ends within its numpy header</source><translation>le fichier finit dans son en-tête numpy</translation></message>
+<message><source>the file ends before its vertices</source><translation>le fichier finit avant ses sommets</translation></message>
+<message><source>the file ends before its compressed points</source><translation>le fichier finit avant ses points compressés</translation></message>
+<message><source>the file is cut off in its last vertex</source><translation>le fichier est coupé dans son dernier sommet</translation></message>
+<message><source>the compressed points are damaged</source><translation>les points compressés sont endommagés</translation></message>
+<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>ce fichier LAZ ne peut pas être décompressé : il finit trop tôt</translation></message>
+<message><source>this LAZ file cannot be unpacked: </source><translation>ce fichier LAZ ne peut pas être décompressé : </translation></message>
+<message><source>this LAZ file is damaged or cut off</source><translation>ce fichier LAZ est endommagé ou coupé</translation></message>
+<message><source>copy it again, or save it as .las</source><translation>copiez-le à nouveau, ou enregistrez-le en .las</translation></message>
+<message><source>save it as LAS 1.2 or 1.4</source><translation>enregistrez-le en LAS 1.2 ou 1.4</translation></message>
+<message><source>this is LAS version %1, and versions up to 1.4 are known</source><translation>c'est la version LAS %1, et les versions jusqu'à 1.4 sont connues</translation></message>
+<message><source>needs %1 of memory, %2 are free</source><translation>demande %1 de mémoire, %2 sont libres</translation></message>
+<message><source>holds more points than can be put on a grid</source><translation>contient plus de points qu'une grille ne peut en recevoir</translation></message>
+<message><source>split the file</source><translation>divisez le fichier</translation></message>
+<message><source>the scan of this PTX file holds 0 points</source><translation>le scan de ce fichier PTX contient 0 point</translation></message>
+<message><source>scan %1 of this PTX file promises %2 columns of %3 points, and the file ends before them</source><translation>le scan %1 de ce fichier PTX annonce %2 colonnes de %3 points, et le fichier finit avant</translation></message>
+<message><source>holds %1 bytes where %2 need </source><translation>contient %1 octets là où %2 en demandent </translation></message>
+<message><source>check lines and beams in the .json file</source><translation>vérifiez les lignes et faisceaux dans le fichier .json</translation></message>
+<message><source>check that the file is complete</source><translation>vérifiez que le fichier est complet</translation></message>
+<message><source>the PLY header has no end_header line</source><translation>l'en-tête PLY n'a pas de ligne end_header</translation></message>
+<message><source>the PCD header has no DATA line</source><translation>l'en-tête PCD n'a pas de ligne DATA</translation></message>
+<message><source>the PLY file has no vertices</source><translation>le fichier PLY n'a pas de sommets</translation></message>
+<message><source>this OBJ file has no vertices</source><translation>ce fichier OBJ n'a pas de sommets</translation></message>
+<message><source>this Surpac file has no points</source><translation>ce fichier Surpac n'a pas de points</translation></message>
+<message><source>the vertices have no x, y and z</source><translation>les sommets n'ont pas x, y et z</translation></message>
+<message><source>the PCD file has no fields x, y and z</source><translation>le fichier PCD n'a pas de champs x, y et z</translation></message>
+<message><source>export the file with coordinates</source><translation>exportez le fichier avec des coordonnées</translation></message>
+<message><source>this is text without a row of numbers, so no scan</source><translation>c'est du texte sans rangée de nombres, donc pas un scan</translation></message>
+<message><source>choose a scan: %1, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>choisissez un scan : %1, une grille brute (.json), une image de distances (.png, .tif), un enregistrement (.mcap), un bag ROS ou une capture réseau (.pcap)</translation></message>
+<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x et y de ce fichier sont des degrés de longitude et de latitude, selon son système de coordonnées, et il faut des mètres</translation></message>
+<message><source>export it in a projected coordinate system such as UTM</source><translation>exportez-le dans un système de coordonnées projeté comme UTM</translation></message>
+<message><source>its heading names %1, and points need x, y and z in metres</source><translation>son en-tête nomme %1, et les points demandent x, y et z en mètres</translation></message>
+<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>écrivez x, y et z, ou les distances en tableau avec une rangée par ligne ; ou </translation></message>
+<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>son en-tête nomme des axes (%1), et x, y et z ne sont pas tous compris</translation></message>
+<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: </source><translation>dites quelles colonnes sont est (x), nord (y) et altitude (z), par numéro ou par nom : </translation></message>
+<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>il y a des mots parmi les nombres de ses rangées, et aucun en-tête ne nomme x, y et z</translation></message>
+<message><source>write a first row with the names of the columns, such as </source><translation>écrivez une première rangée avec les noms des colonnes, comme </translation></message>
+<message><source> has a decimal comma</source><translation> a une virgule décimale</translation></message>
+<message><source>save the file with decimal points</source><translation>enregistrez le fichier avec des points décimaux</translation></message>
+<message><source>" is not a number</source><translation>" n'est pas un nombre</translation></message>
+<message><source>correct the line or export the file again</source><translation>corrigez la ligne ou exportez à nouveau le fichier</translation></message>
+<message><source> is below x, y or z and is not a number</source><translation> est sous x, y ou z et n'est pas un nombre</translation></message>
+<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>enregistrez le fichier avec de simples nombres dans ces colonnes, sans unités ni signes</translation></message>
+<message><source>, a number whose thousands are set apart</source><translation>, un nombre dont les milliers sont séparés</translation></message>
+<message><source>save the file with plain numbers, without separators of thousands</source><translation>enregistrez le fichier avec de simples nombres, sans séparateurs de milliers</translation></message>
+<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contient des octets nuls, comme un fichier qui n'a pas été écrit jusqu'au bout</translation></message>
+<message><source>copy the file or export it again</source><translation>copiez ou exportez à nouveau le fichier</translation></message>
+<message><source>its numbers are separated by "%1", which separates none here</source><translation>ses nombres sont séparés par « %1 », qui n'en sépare aucun ici</translation></message>
+<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>enregistrez le fichier avec des virgules, points-virgules, tabulations ou espaces entre ses nombres</translation></message>
+<message><source>a table of %1 ranges per line does not say its angles</source><translation>un tableau de %1 distances par ligne ne dit pas ses angles</translation></message>
+<message><source>a picture of %1 ranges per line does not say its angles</source><translation>une image de %1 distances par ligne ne dit pas ses angles</translation></message>
+<message><source>a array of %1 ranges per line does not say its angles</source><translation>un tableau numpy de %1 distances par ligne ne dit pas ses angles</translation></message>
+<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation> ; ou enregistrez-le avec une rangée par ligne : il a autant de rangées qu'un LMS511 a de faisceaux</translation></message>
+<message><source> holds %1, which is not a range</source><translation> contient %1, qui n'est pas une distance</translation></message>
+<message><source>check that these are ranges; points need columns x, y and z</source><translation>vérifiez que ce sont des distances ; des points demandent des colonnes x, y et z</translation></message>
+<message><source> holds %1, so this is not a table of ranges</source><translation> contient %1, ce n'est donc pas un tableau de distances</translation></message>
+<message><source> numbers per line without names are a table of ranges only with its angles; as points, </source><translation> nombres par ligne sans noms ne sont un tableau de distances qu'avec ses angles ; comme points, </translation></message>
+<message><source>, or name the columns x, y and z</source><translation>, ou nommez les colonnes x, y et z</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits gris, et les distances demandent 16 bits gris</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits en couleurs, et les distances demandent 16 bits gris</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>choisissez un scan, ou une image de distances de 16 bits par pixel</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>c'est une image PNG illisible : </translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>l'image TIFF est endommagée ou d'un type illisible</translation></message>
+<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>un tableau numpy de forme %1 n'est ni des distances (lignes, faisceaux) ni des points (n, 3) ou (lignes, faisceaux, 3)</translation></message>
+<message><source>save it in one of these shapes</source><translation>enregistrez-le dans une de ces formes</translation></message>
+<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>ces valeurs demandent leur description %1 à côté d'elles, et elle est illisible</translation></message>
+<message><source>copy it into the same folder</source><translation>copiez-la dans le même dossier</translation></message>
+<message><source> points with a return, too few to find a scanner's grid</source><translation> points avec un retour, trop peu pour trouver la grille d'un scanner</translation></message>
+<message><source>points have a return, too few to make a grid of them</source><translation>points ont un retour, trop peu pour en faire une grille</translation></message>
+<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>les %1 points ne sont pas sur des angles faisceau x ligne autour de l'origine :</translation></message>
+<message><source>about %1 no scan lines can be recognised</source><translation>autour de %1 aucune ligne n'est reconnaissable</translation></message>
+<message><source>about %1 %2 % lie on the best %3 line angles</source><translation>autour de %1 %2 % sont sur les %3 meilleurs angles de ligne</translation></message>
+<message><source>about %1 %2 % lie on the best %3 beam angles</source><translation>autour de %1 %2 % sont sur les %3 meilleurs angles de faisceau</translation></message>
+<message><source> (99 % are needed)</source><translation> (il en faut 99 %)</translation></message>
+<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>ouvrez le scan tel que le scanner l'a enregistré, avec l'origine au scanner</translation></message>
+<message><source>open the scan as the scanner stored it, or with its record</source><translation>ouvrez le scan tel que le scanner l'a enregistré, ou avec sa fiche</translation></message>
+<message><source>, the place in metres that the scan was taken from</source><translation>, la place en mètres d'où le scan a été pris</translation></message>
+<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>tous les points sont à moins de %1 m les uns des autres et à %2 m au moins du scanner, ce qu'aucun scanner ne mesure</translation></message>
+<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>les %1 points de sa grille sont dans une seule direction depuis l'origine, dans %2 degrés et jusqu'à %3 : le scanner était ailleurs</translation></message>
+<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>les %1 points sont tous dans une seule direction depuis là, dans %2 et à %3 à %4</translation></message>
+<message><source>seen from there the points make no picture: </source><translation>vus de là, les points ne font pas d'image : </translation></message>
+<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>ils ne se suivent pas en lignes qui tournent autour d'un axe ailleurs</translation></message>
+<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>ses nombres ont été arrondis à %1 chiffres, si bien que ceux proches de %2 avancent par pas de %3 : les chiffres qui placent les points sont perdus</translation></message>
+<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>réécrivez les coordonnées avec toutes leurs décimales, en nombres et non sous la forme 1.23E+06</translation></message>
+<message><source>this capture holds no scan telegram of a SICK scanner, and </source><translation>cette capture ne contient aucun télégramme de scan d'un scanner SICK, et </translation></message>
+<message><source>this capture holds %1 packets, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>cette capture contient %1 paquets, dont %2 TCP, mais aucun télégramme de scan d'un scanner SICK ni paquet d'un VLP-16 ou d'un Ouster</translation></message>
+<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capturez la connexion au port du scanner (2111 ou 2112) pendant qu'il scanne</translation></message>
+<message><source>this is not a capture of network packets</source><translation>ce n'est pas une capture de paquets réseau</translation></message>
+<message><source>choose a PCAP or PCAPNG file</source><translation>choisissez un fichier PCAP ou PCAPNG</translation></message>
+<message><source>the capture ends within its header</source><translation>la capture finit dans son en-tête</translation></message>
+<message><source>copy the capture again</source><translation>copiez à nouveau la capture</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>ce fichier MCAP ne contient rien qu'un scanner laser ait envoyé</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file</source><translation>rien de ce qu'un scanner laser a envoyé n'est lisible dans ce fichier MCAP</translation></message>
+<message><source>choose a recording of a sweep</source><translation>choisissez l'enregistrement d'un balayage</translation></message>
+<message><source>choose another recording</source><translation>choisissez un autre enregistrement</translation></message>
+<message><source>this recording holds no scan telegram</source><translation>cet enregistrement ne contient aucun télégramme de scan</translation></message>
+<message><source>no scan telegram in this recording can be decoded</source><translation>aucun télégramme de scan de cet enregistrement ne peut être décodé</translation></message>
+<message><source>the recording holds one sweep</source><translation>l'enregistrement contient un balayage</translation></message>
+<message><source>the recording holds %1 sweeps</source><translation>l'enregistrement contient %1 balayages</translation></message>
+<message><source>a calibration alone gives no place</source><translation>un étalonnage seul ne donne pas de place</translation></message>
+<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>une pose demande l'étalonnage du robot, et l'enregistrement n'en contient pas</translation></message>
+<message><source>a pose needs the robot's calibration</source><translation>une pose demande l'étalonnage du robot</translation></message>
 <message><source>CONNECTING</source><translation>CONNEXION</translation></message>
 <message><source>LIVE</source><translation>EN DIRECT</translation></message>
 <message><source>STALE</source><translation>PÉRIMÉ</translation></message>

@@ -333,6 +333,199 @@
 <message><source>: lines lost meanwhile are counted by this computer's clock.</source><translation>: as linhas perdidas entretanto são contadas pelo relógio deste computador.</translation></message>
 <message><source>: their ranges may be of another echo.</source><translation>: as suas distâncias podem ser de outro eco.</translation></message>
 <message><source>: the sweep is not of one device.</source><translation>: a varredura não é de um só aparelho.</translation></message>
+<message><source>this is a GIF picture, not a scan</source><translation>isto é uma imagem GIF, não uma varredura</translation></message>
+<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>isto é uma imagem, um som ou um filme (RIFF), não uma varredura</translation></message>
+<message><source>this is a Photoshop picture, not a scan</source><translation>isto é uma imagem do Photoshop, não uma varredura</translation></message>
+<message><source>this is a gzip archive in another one, not a scan</source><translation>isto é um arquivo gzip dentro de outro, não uma varredura</translation></message>
+<message><source>this is an xz archive, not a scan</source><translation>isto é um arquivo xz, não uma varredura</translation></message>
+<message><source>this is a bzip2 archive, not a scan</source><translation>isto é um arquivo bzip2, não uma varredura</translation></message>
+<message><source>this is a zstd archive, not a scan</source><translation>isto é um arquivo zstd, não uma varredura</translation></message>
+<message><source>this is a 7-Zip archive, not a scan</source><translation>isto é um arquivo 7-Zip, não uma varredura</translation></message>
+<message><source>this is a RAR archive, not a scan</source><translation>isto é um arquivo RAR, não uma varredura</translation></message>
+<message><source>this is an old Office document, not a scan</source><translation>isto é um documento antigo do Office, não uma varredura</translation></message>
+<message><source>this is a STEP model, not a scan</source><translation>isto é um modelo STEP, não uma varredura</translation></message>
+<message><source>this is an SVG picture, not a scan</source><translation>isto é uma imagem SVG, não uma varredura</translation></message>
+<message><source>this is an XML document, not a scan</source><translation>isto é um documento XML, não uma varredura</translation></message>
+<message><source>this is a text document (RTF), not a scan</source><translation>isto é um documento de texto (RTF), não uma varredura</translation></message>
+<message><source>this is a PostScript document, not a scan</source><translation>isto é um documento PostScript, não uma varredura</translation></message>
+<message><source>this is a table of rocks, not a scan</source><translation>isto é uma tabela de rochas, não uma varredura</translation></message>
+<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>isto é um raster de alturas (grade ASCII da Esri), não uma varredura</translation></message>
+<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>isto é um raster de alturas (grade do Surfer), não uma varredura</translation></message>
+<message><source>this is a BMP picture, not a scan</source><translation>isto é uma imagem BMP, não uma varredura</translation></message>
+<message><source>this is an HDF5 file, which is not read</source><translation>isto é um arquivo HDF5, que não é lido</translation></message>
+<message><source>this is a MATLAB file, which is not read</source><translation>isto é um arquivo do MATLAB, que não é lido</translation></message>
+<message><source>this is a Parquet table, which is not read</source><translation>isto é um arquivo Parquet, que não é lido</translation></message>
+<message><source>this is an Arrow table, which is not read</source><translation>isto é um arquivo Arrow, que não é lido</translation></message>
+<message><source>this is a glTF model, which is not read</source><translation>isto é um modelo glTF, que não é lido</translation></message>
+<message><source>this is an FBX model, which is not read</source><translation>isto é um modelo FBX, que não é lido</translation></message>
+<message><source>this is a file of VTK, which is not read</source><translation>isto é um arquivo do VTK, que não é lido</translation></message>
+<message><source>this is an OFF mesh, which is not read</source><translation>isto é um modelo OFF, que não é lido</translation></message>
+<message><source>this is a drawing (DXF), which is not read</source><translation>isto é um desenho (DXF), que não é lido</translation></message>
+<message><source>this is a FARO scan (FLS), which is not read</source><translation>isto é um arquivo FARO (FLS), que não é lido</translation></message>
+<message><source>this is a FARO workspace, which is not read</source><translation>isto é um espaço de trabalho FARO, que não é lido</translation></message>
+<message><source>this is a FARO project, which is not read</source><translation>isto é um projeto FARO, que não é lido</translation></message>
+<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>isto é um fluxo RIEGL (RXP), que não é lido</translation></message>
+<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>isto é um arquivo RIEGL (3DD), que não é lido</translation></message>
+<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>isto é um arquivo Z+F (ZFS), que não é lido</translation></message>
+<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>isto é um projeto Z+F (ZFPRJ), que não é lido</translation></message>
+<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>isto é um arquivo Z+F (ZFC), que não é lido</translation></message>
+<message><source>this is a Leica LGS project, which is not read</source><translation>isto é um projeto Leica LGS, que não é lido</translation></message>
+<message><source>this is a Leica LGSx project, which is not read</source><translation>isto é um projeto Leica LGSx, que não é lido</translation></message>
+<message><source>this is an Autodesk ReCap project, which is not read</source><translation>isto é um projeto Autodesk ReCap, que não é lido</translation></message>
+<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>isto é um arquivo Autodesk ReCap, que não é lido</translation></message>
+<message><source>this is a Trimble scan (TZF), which is not read</source><translation>isto é um arquivo Trimble (TZF), que não é lido</translation></message>
+<message><source>this is a Topcon scan (CL3), which is not read</source><translation>isto é um arquivo Topcon (CL3), que não é lido</translation></message>
+<message><source>this is a Topcon scan (CLR), which is not read</source><translation>isto é um arquivo Topcon (CLR), que não é lido</translation></message>
+<message><source>this is a Pointools cloud (POD), which is not read</source><translation>isto é um arquivo Pointools (POD), que não é lido</translation></message>
+<message><source>this is a VRML scene, which is not read</source><translation>isto é uma cena VRML, que não é lida</translation></message>
+<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>isto é uma base de dados RIEGL (RDBX), que não é lida</translation></message>
+<message><source>this is a RIEGL database, which is not read</source><translation>isto é uma base de dados RIEGL, que não é lida</translation></message>
+<message><source>this is a Leica Cyclone database, which is not read</source><translation>isto é uma base de dados Leica Cyclone, que não é lida</translation></message>
+<message><source>this is a numpy archive, which is not read</source><translation>isto é uma coleção numpy, que não é lida</translation></message>
+<message><source>this is an Excel workbook, not a table of text</source><translation>isto é uma pasta do Excel, não uma tabela de texto</translation></message>
+<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>isto é uma planilha OpenDocument, não uma tabela de texto</translation></message>
+<message><source>this is a Python pickle, which only Python can open</source><translation>isto é um pickle do Python, que só o Python pode abrir</translation></message>
+<message><source>this is a ROS bag that does not begin like one</source><translation>isto é um bag do ROS que não começa como tal</translation></message>
+<message><source>this is a ROS 2 bag that does not begin like one</source><translation>isto é um bag do ROS 2 que não começa como tal</translation></message>
+<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>isto é um arquivo binário sem telegrama de um scanner SICK</translation></message>
+<message><source>this is a ROS bag, and </source><translation>isto é um bag do ROS, e </translation></message>
+<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>esta versão não tem robôs: não lê bags do ROS, nem VLP-16, nem Ouster, nem ponte Foxglove</translation></message>
+<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>use uma versão com robôs (EDGESCAN_ROBOTS)</translation></message>
+<message><source>unpack it (%1) and open the scan in it</source><translation>descompacte-o (%1) e abra a varredura que contém</translation></message>
+<message><source>save its points as PLY in MeshLab</source><translation>salve os seus pontos como PLY no MeshLab</translation></message>
+<message><source>choose the scan that it was made from</source><translation>escolha a varredura da qual foi feito</translation></message>
+<message><source>save the ranges as .npy or .csv</source><translation>salve as distâncias como .npy ou .csv</translation></message>
+<message><source>save the ranges with writematrix(</source><translation>salve as distâncias com writematrix(</translation></message>
+<message><source>save the table as .csv</source><translation>salve a tabela como .csv</translation></message>
+<message><source>save the sheet as .csv</source><translation>salve a planilha como .csv</translation></message>
+<message><source>save it as PLY in Blender or MeshLab</source><translation>salve-o como PLY no Blender ou MeshLab</translation></message>
+<message><source>save it as PLY in Blender</source><translation>salve-o como PLY no Blender</translation></message>
+<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>salve os seus pontos como PLY, ou como CSV da tabela do ParaView</translation></message>
+<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>exporte-o como E57 ou LAS com RiSCAN PRO, ou com rdbconvert da RIEGL</translation></message>
+<message><source>export it as E57 or PTX with </source><translation>exporte-o como E57 ou PTX com </translation></message>
+<message><source>export it as E57 with </source><translation>exporte-o como E57 com </translation></message>
+<message><source>export it as LAS with Bentley's program</source><translation>exporte-o como LAS com o programa da Bentley</translation></message>
+<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>salve os pontos como PCD ou PLY; uma captura de telegramas contém os bytes tal como vieram do scanner</translation></message>
+<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>escolha a varredura, ou salve os pontos do desenho como CSV, LAS ou PLY</translation></message>
+<message><source>save the array of ranges or points as .npy</source><translation>salve a matriz de distâncias ou pontos como .npy</translation></message>
+<message><source>the file is empty</source><translation>o arquivo está vazio</translation></message>
+<message><source>copy it again or choose another</source><translation>copie-o de novo ou escolha outro</translation></message>
+<message><source>the file holds no points</source><translation>o arquivo não contém pontos</translation></message>
+<message><source>the file holds 0 points with a return, out of </source><translation>o arquivo contém 0 pontos com retorno, de </translation></message>
+<message><source>choose another file, or copy it again</source><translation>escolha outro arquivo, ou copie-o de novo</translation></message>
+<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>a última linha da varredura está incompleta e a última fileira não tem fim de linha: o arquivo foi cortado</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>o cabeçalho anuncia %1 pontos de %2 bytes e o arquivo contém %3 bytes deles, o que é mais</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them</source><translation>o cabeçalho anuncia %1 pontos de %2 bytes e o arquivo contém %3 bytes deles</translation></message>
+<message><source>the header promises %1 vertices and the file holds %2 bytes of them</source><translation>o cabeçalho anuncia %1 vértices e o arquivo contém %2 bytes deles</translation></message>
+<message><source>the header promises %1 vertices and the file ends after </source><translation>o cabeçalho anuncia %1 vértices e o arquivo termina depois de </translation></message>
+<message><source>the header promises %1 points and the file ends after </source><translation>o cabeçalho anuncia %1 pontos e o arquivo termina depois de </translation></message>
+<message><source>the header promises %1 points and the file holds </source><translation>o cabeçalho anuncia %1 pontos e o arquivo contém </translation></message>
+<message><source>the header promises %1 points, more than a file of %2 holds of a scan</source><translation>o cabeçalho anuncia %1 pontos, mais do que um arquivo de %2 contém de uma varredura</translation></message>
+<message><source>the header promises more points than any file holds</source><translation>o cabeçalho anuncia mais pontos do que qualquer arquivo contém</translation></message>
+<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>a imagem anuncia mais pixels do que um arquivo de %1 contém de uma varredura</translation></message>
+<message><source>the file ends within its LAS header</source><translation>o arquivo termina dentro do seu cabeçalho LAS</translation></message>
+<message><source>the file ends within its numpy header</source><translation>o arquivo termina dentro do seu cabeçalho numpy</translation></message>
+<message><source>the file ends before its vertices</source><translation>o arquivo termina antes dos seus vértices</translation></message>
+<message><source>the file ends before its compressed points</source><translation>o arquivo termina antes dos seus pontos comprimidos</translation></message>
+<message><source>the file is cut off in its last vertex</source><translation>o arquivo está cortado no seu último vértice</translation></message>
+<message><source>the compressed points are damaged</source><translation>os pontos comprimidos estão danificados</translation></message>
+<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>este arquivo LAZ não pode ser descompactado: termina cedo demais</translation></message>
+<message><source>this LAZ file cannot be unpacked: </source><translation>este arquivo LAZ não pode ser descompactado: </translation></message>
+<message><source>this LAZ file is damaged or cut off</source><translation>este arquivo LAZ está danificado ou cortado</translation></message>
+<message><source>copy it again, or save it as .las</source><translation>copie-o de novo, ou salve-o como .las</translation></message>
+<message><source>save it as LAS 1.2 or 1.4</source><translation>salve-o como LAS 1.2 ou 1.4</translation></message>
+<message><source>this is LAS version %1, and versions up to 1.4 are known</source><translation>isto é a versão LAS %1, e são conhecidas versões até 1.4</translation></message>
+<message><source>needs %1 of memory, %2 are free</source><translation>precisa de %1 de memória, há %2 livres</translation></message>
+<message><source>holds more points than can be put on a grid</source><translation>contém mais pontos do que cabem numa grade</translation></message>
+<message><source>split the file</source><translation>divida o arquivo</translation></message>
+<message><source>the scan of this PTX file holds 0 points</source><translation>a varredura deste arquivo PTX contém 0 pontos</translation></message>
+<message><source>scan %1 of this PTX file promises %2 columns of %3 points, and the file ends before them</source><translation>a varredura %1 deste arquivo PTX anuncia %2 colunas de %3 pontos, e o arquivo termina antes</translation></message>
+<message><source>holds %1 bytes where %2 need </source><translation>contém %1 bytes onde %2 precisam de </translation></message>
+<message><source>check lines and beams in the .json file</source><translation>verifique linhas e feixes no arquivo .json</translation></message>
+<message><source>check that the file is complete</source><translation>verifique se o arquivo está completo</translation></message>
+<message><source>the PLY header has no end_header line</source><translation>o cabeçalho PLY não tem linha end_header</translation></message>
+<message><source>the PCD header has no DATA line</source><translation>o cabeçalho PCD não tem linha DATA</translation></message>
+<message><source>the PLY file has no vertices</source><translation>o arquivo PLY não tem vértices</translation></message>
+<message><source>this OBJ file has no vertices</source><translation>este arquivo OBJ não tem vértices</translation></message>
+<message><source>this Surpac file has no points</source><translation>este arquivo Surpac não tem pontos</translation></message>
+<message><source>the vertices have no x, y and z</source><translation>os vértices não têm x, y e z</translation></message>
+<message><source>the PCD file has no fields x, y and z</source><translation>o arquivo PCD não tem campos x, y e z</translation></message>
+<message><source>export the file with coordinates</source><translation>exporte o arquivo com coordenadas</translation></message>
+<message><source>this is text without a row of numbers, so no scan</source><translation>isto é texto sem uma fileira de números, portanto não é uma varredura</translation></message>
+<message><source>choose a scan: %1, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>escolha uma varredura: %1, uma grade bruta (.json), uma imagem de distâncias (.png, .tif), uma gravação (.mcap), um bag do ROS ou uma captura de rede (.pcap)</translation></message>
+<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x e y deste arquivo são graus de longitude e latitude, segundo o seu sistema de coordenadas, e os pontos precisam de metros</translation></message>
+<message><source>export it in a projected coordinate system such as UTM</source><translation>exporte-o num sistema de coordenadas projetado como UTM</translation></message>
+<message><source>its heading names %1, and points need x, y and z in metres</source><translation>o seu cabeçalho nomeia %1, e os pontos precisam de x, y e z em metros</translation></message>
+<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escreva x, y e z, ou distâncias como tabela com uma fileira por linha; ou </translation></message>
+<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>o seu cabeçalho nomeia eixos (%1), e nem todos os x, y e z são entendidos</translation></message>
+<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: </source><translation>diga quais colunas são leste (x), norte (y) e elevação (z), por número ou nome: </translation></message>
+<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>há palavras entre os números das suas fileiras, e nenhum cabeçalho nomeia x, y e z</translation></message>
+<message><source>write a first row with the names of the columns, such as </source><translation>escreva uma primeira fileira com os nomes das colunas, como </translation></message>
+<message><source> has a decimal comma</source><translation> tem vírgula decimal</translation></message>
+<message><source>save the file with decimal points</source><translation>salve o arquivo com pontos decimais</translation></message>
+<message><source>" is not a number</source><translation>" não é um número</translation></message>
+<message><source>correct the line or export the file again</source><translation>corrija a linha ou exporte de novo o arquivo</translation></message>
+<message><source> is below x, y or z and is not a number</source><translation> está sob x, y ou z e não é um número</translation></message>
+<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>salve o arquivo com números simples nestas colunas, sem unidades nem sinais</translation></message>
+<message><source>, a number whose thousands are set apart</source><translation>, um número com os milhares separados</translation></message>
+<message><source>save the file with plain numbers, without separators of thousands</source><translation>salve o arquivo com números simples, sem separadores de milhares</translation></message>
+<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contém bytes zero, como um arquivo que não foi escrito até o fim</translation></message>
+<message><source>copy the file or export it again</source><translation>copie ou exporte de novo o arquivo</translation></message>
+<message><source>its numbers are separated by "%1", which separates none here</source><translation>os seus números estão separados por «%1», que aqui não separa nenhum</translation></message>
+<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>salve o arquivo com vírgulas, pontos e vírgulas, tabulações ou espaços entre os seus números</translation></message>
+<message><source>a table of %1 ranges per line does not say its angles</source><translation>uma tabela de %1 distâncias por linha não diz os seus ângulos</translation></message>
+<message><source>a picture of %1 ranges per line does not say its angles</source><translation>uma imagem de %1 distâncias por linha não diz os seus ângulos</translation></message>
+<message><source>a array of %1 ranges per line does not say its angles</source><translation>uma matriz de %1 distâncias por linha não diz os seus ângulos</translation></message>
+<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; ou salve-a com uma fileira por linha: tem tantas fileiras quantos feixes um LMS511</translation></message>
+<message><source> holds %1, which is not a range</source><translation> contém %1, que não é uma distância</translation></message>
+<message><source>check that these are ranges; points need columns x, y and z</source><translation>verifique se são distâncias; os pontos precisam de colunas x, y e z</translation></message>
+<message><source> holds %1, so this is not a table of ranges</source><translation> contém %1, portanto não é uma tabela de distâncias</translation></message>
+<message><source> numbers per line without names are a table of ranges only with its angles; as points, </source><translation> números por linha sem nomes são uma tabela de distâncias só com os seus ângulos; como pontos, </translation></message>
+<message><source>, or name the columns x, y and z</source><translation>, ou nomeie as colunas x, y e z</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cinza, e as distâncias precisam de 16 bits em cinza</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cores, e as distâncias precisam de 16 bits em cinza</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>escolha uma varredura, ou uma imagem de distâncias de 16 bits por pixel</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>isto é uma imagem PNG que não pode ser lida: </translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>a imagem TIFF está danificada ou é de um tipo que não pode ser lido</translation></message>
+<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>uma matriz numpy de forma %1 não é nem distâncias (linhas, feixes) nem pontos (n, 3) ou (linhas, feixes, 3)</translation></message>
+<message><source>save it in one of these shapes</source><translation>salve-a numa destas formas</translation></message>
+<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>estes valores precisam da sua descrição %1 ao lado, e ela não pode ser lida</translation></message>
+<message><source>copy it into the same folder</source><translation>copie-a para a mesma pasta</translation></message>
+<message><source> points with a return, too few to find a scanner's grid</source><translation> pontos com retorno, poucos demais para encontrar a grade de um scanner</translation></message>
+<message><source>points have a return, too few to make a grid of them</source><translation>pontos têm retorno, poucos demais para formar uma grade</translation></message>
+<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>os %1 pontos não estão em ângulos feixe x linha em torno da origem:</translation></message>
+<message><source>about %1 no scan lines can be recognised</source><translation>em torno de %1 não se reconhece nenhuma linha</translation></message>
+<message><source>about %1 %2 % lie on the best %3 line angles</source><translation>em torno de %1 %2 % estão nos melhores %3 ângulos de linha</translation></message>
+<message><source>about %1 %2 % lie on the best %3 beam angles</source><translation>em torno de %1 %2 % estão nos melhores %3 ângulos de feixe</translation></message>
+<message><source> (99 % are needed)</source><translation> (são precisos 99 %)</translation></message>
+<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra a varredura tal como o scanner a gravou, com a origem no scanner</translation></message>
+<message><source>open the scan as the scanner stored it, or with its record</source><translation>abra a varredura tal como o scanner a gravou, ou com o seu registro</translation></message>
+<message><source>, the place in metres that the scan was taken from</source><translation>, o lugar em metros de onde a varredura foi feita</translation></message>
+<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos os pontos estão a menos de %1 m uns dos outros e a pelo menos %2 m do scanner, o que nenhum scanner mede</translation></message>
+<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>os %1 pontos da sua grade estão numa só direção a partir da origem, dentro de %2 graus e até %3: o scanner estava noutro lugar</translation></message>
+<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>os %1 pontos estão todos numa só direção a partir dali, dentro de %2 e a %3 a %4</translation></message>
+<message><source>seen from there the points make no picture: </source><translation>vistos dali, os pontos não formam uma imagem: </translation></message>
+<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>não se seguem em linhas que giram em torno de um eixo noutro lugar</translation></message>
+<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>os seus números foram arredondados a %1 algarismos, e os próximos de %2 avançam em passos de %3: os algarismos que posicionam os pontos perderam-se</translation></message>
+<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escreva de novo as coordenadas com todas as casas decimais, como números e não na forma 1.23E+06</translation></message>
+<message><source>this capture holds no scan telegram of a SICK scanner, and </source><translation>esta captura não contém nenhum telegrama de varredura de um scanner SICK, e </translation></message>
+<message><source>this capture holds %1 packets, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>esta captura contém %1 pacotes, %2 deles TCP, e nenhum telegrama de varredura de um scanner SICK nem pacote de um VLP-16 ou de um Ouster</translation></message>
+<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capture a conexão à porta do scanner (2111 ou 2112) enquanto ele varre</translation></message>
+<message><source>this is not a capture of network packets</source><translation>isto não é uma captura de pacotes de rede</translation></message>
+<message><source>choose a PCAP or PCAPNG file</source><translation>escolha um arquivo PCAP ou PCAPNG</translation></message>
+<message><source>the capture ends within its header</source><translation>a captura termina dentro do seu cabeçalho</translation></message>
+<message><source>copy the capture again</source><translation>copie de novo a captura</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este arquivo MCAP não contém nada enviado por um scanner a laser</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file</source><translation>nada do que um scanner a laser enviou pode ser lido neste arquivo MCAP</translation></message>
+<message><source>choose a recording of a sweep</source><translation>escolha a gravação de uma varredura</translation></message>
+<message><source>choose another recording</source><translation>escolha outra gravação</translation></message>
+<message><source>this recording holds no scan telegram</source><translation>esta gravação não contém nenhum telegrama de varredura</translation></message>
+<message><source>no scan telegram in this recording can be decoded</source><translation>nenhum telegrama de varredura desta gravação pode ser decodificado</translation></message>
+<message><source>the recording holds one sweep</source><translation>a gravação contém uma varredura</translation></message>
+<message><source>the recording holds %1 sweeps</source><translation>a gravação contém %1 varreduras</translation></message>
+<message><source>a calibration alone gives no place</source><translation>uma calibração sozinha não dá um lugar</translation></message>
+<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>uma pose precisa da calibração do robô, e a gravação não contém nenhuma</translation></message>
+<message><source>a pose needs the robot's calibration</source><translation>uma pose precisa da calibração do robô</translation></message>
 <message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
 <message><source>LIVE</source><translation>AO VIVO</translation></message>
 <message><source>STALE</source><translation>DESATUALIZADO</translation></message>
