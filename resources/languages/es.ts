@@ -4,12 +4,12 @@
 <context>
 <name>EdgeScan</name>
 <message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidad tomada como milímetros, como en las imágenes de distancias.</translation></message>
-<message><source>Unit taken as millimetres, </source><translation>Unidad tomada como milímetros, </translation></message>
-<message><source>Unit taken as centimetres, </source><translation>Unidad tomada como centímetros, </translation></message>
-<message><source>Unit taken as metres, </source><translation>Unidad tomada como metros, </translation></message>
-<message><source>from the size of the numbers.</source><translation>por el tamaño de los números.</translation></message>
-<message><source>in which every range is a whole number of millimetres.</source><translation>unidad en la que cada distancia es un número entero de milímetros.</translation></message>
-<message><source>in which the numbers fit the sensor position given.</source><translation>unidad en la que los números encajan con la posición indicada del sensor.</translation></message>
+<message><source>Unit taken as millimetres</source><translation>Unidad tomada como milímetros</translation></message>
+<message><source>Unit taken as centimetres</source><translation>Unidad tomada como centímetros</translation></message>
+<message><source>Unit taken as metres</source><translation>Unidad tomada como metros</translation></message>
+<message><source>, from the size of the numbers.</source><translation>, por el tamaño de los números.</translation></message>
+<message><source>, in which every range is a whole number of millimetres.</source><translation>, unidad en la que cada distancia es un número entero de milímetros.</translation></message>
+<message><source>, in which the numbers fit the sensor position given.</source><translation>, unidad en la que los números encajan con la posición indicada del sensor.</translation></message>
 <message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidad tomada de un comentario del archivo: %1 mm por unidad.</translation></message>
 <message><source>The coordinate system of the file is %1, without its unit: metres were taken. %2 says another one.</source><translation>El sistema de coordenadas del archivo es %1, sin su unidad: se tomaron metros. %2 indica otra.</translation></message>
 <message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>El sistema de coordenadas del archivo da las longitudes en %1 de %2 mm: se convirtieron.</translation></message>
@@ -21,12 +21,14 @@
 <message><source>the origin, because no sensor position is known (%1 gives it)</source><translation>el origen, porque no se conoce ninguna posición del sensor (%1 la da)</translation></message>
 <message><source>the sensor position given, (</source><translation>la posición indicada del sensor, (</translation></message>
 <message><source>the sensor position in the file, (</source><translation>la posición del sensor en el archivo, (</translation></message>
-<message><source>The points lie on no scanner grid and were projected about </source><translation>Los puntos no están en ninguna cuadrícula de escáner y se proyectaron alrededor de </translation></message>
-<message><source>The points were projected about </source><translation>Los puntos se proyectaron alrededor de </translation></message>
-<message><source>; projected about </source><translation>; proyectados alrededor de </translation></message>
-<message><source> in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> leídos, vistos en %1 x %2 grados; %3 de %4 celdas llenas (grado de relleno %5 %; de las celdas en torno a una llena %6 %), </translation></message>
-<message><source> attached to a cell with a nearer one</source><translation> asignados a una celda que tiene uno más cercano</translation></message>
-<message><source> far from all others left out</source><translation> lejos de todos los demás dejados fuera</translation></message>
+<message><source>The points lie on no scanner grid and were projected about </source><translation>Los puntos no están en ninguna cuadrícula de escáner y se proyectaron tomando como centro </translation></message>
+<message><source>The points were projected about </source><translation>Los puntos se proyectaron tomando como centro </translation></message>
+<message><source>; projected about </source><translation>; proyectados tomando como centro </translation></message>
+<message><source> points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> puntos leídos, vistos en %1 x %2 grados; %3 de %4 celdas llenas (grado de relleno %5 %; de las celdas en torno a una llena %6 %), </translation></message>
+<message><source> point attached to a cell with a nearer one</source><translation> punto asignado a una celda que tiene uno más cercano</translation></message>
+<message><source> points attached to a cell with a nearer one</source><translation> puntos asignados a una celda que tiene uno más cercano</translation></message>
+<message><source> point far from all others left out</source><translation> punto lejos de todos los demás dejado fuera</translation></message>
+<message><source> points far from all others left out</source><translation> puntos lejos de todos los demás dejados fuera</translation></message>
 <message><source>The cells have the given %1 degrees, along lines that were recognised in the cloud.</source><translation>Las celdas tienen los %1 grados indicados, a lo largo de líneas reconocidas en la nube.</translation></message>
 <message><source>The cells have the given %1 degrees.</source><translation>Las celdas tienen los %1 grados indicados.</translation></message>
 <message><source>The cells have %1 degrees, from the spacing of the points, along lines that were recognised in the cloud.</source><translation>Las celdas tienen %1 grados, por la separación de los puntos, a lo largo de líneas reconocidas en la nube.</translation></message>
@@ -77,7 +79,7 @@
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Ninguna celda de este escaneo tiene una distancia medida: revise el archivo, el topic y los límites de distancia.</translation></message>
 <message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Los puntos están en otro sistema que el del escáner. Sus líneas giran alrededor de un eje, en %1, %2, %3 m, y el espejo está a %4 mm del eje</translation></message>
 <message><source>; the grid has the scale </source><translation>; la cuadrícula tiene la escala </translation></message>
-<message><source>The points fit lines and beams within </source><translation>Los puntos encajan en líneas y haces dentro de </translation></message>
+<message><source>. The points fit lines and beams within </source><translation>. Los puntos encajan en líneas y haces dentro de </translation></message>
 <message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>Es más de lo que explica el redondeo de los números, %1 mm: las distancias pueden estar desviadas y los bordes diferir de los del escaneo. El registro del archivo, o el escaneo tal como se midió, los tiene exactos.</translation></message>
 <message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matriz del archivo no es una rotación y traslación, así que el escaneo queda en el sistema del escáner.</translation></message>
 <message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La pose del archivo no es una rotación y traslación, así que el escaneo queda en el sistema del escáner.</translation></message>
@@ -96,7 +98,7 @@
 <message><source>Not measured at the angles that the file gives: </source><translation>No medido en los ángulos que da el archivo: </translation></message>
 <message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation>; los bordes que cruzan las líneas quedan dentados: %1 pone estas líneas lado a lado como una.</translation></message>
 <message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation>; EdgeScan+ lo tiene en cuenta, pero la nube no: %1 corrige los ángulos.</translation></message>
-<message><source>the beams of %1 lines in turn lie %2 degrees ahead of where they should be, %3 times its uncertainty</source><translation>los haces de %1 líneas por turno están %2 grados por delante de su sitio, %3 veces su incertidumbre</translation></message>
+<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be, %4 times its uncertainty</source><translation>los haces de %1 líneas por turno están %2 y %3 grados por delante de su sitio, %4 veces su incertidumbre</translation></message>
 <message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>los haces impares están %1 grados por delante de los pares, %2 veces su incertidumbre</translation></message>
 <message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>los haces impares están %1 grados por detrás de los pares, %2 veces su incertidumbre</translation></message>
 <message><source>, and the stepper slipped at </source><translation>, y el motor paso a paso se deslizó en </translation></message>
@@ -261,8 +263,8 @@
 <message><source>angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>angle_max no está donde angle_min y angle_increment ponen el último haz: se usó angle_increment, y los haces pueden estar reflejados o girados.</translation></message>
 <message><source> messages of joints are damaged and were left out.</source><translation> mensajes de articulaciones están dañados y se dejaron fuera.</translation></message>
 <message><source> message of joints is damaged and was left out.</source><translation> mensaje de articulaciones está dañado y se dejó fuera.</translation></message>
-<message><source>A joint does not say how the laser is mounted on it. ASSUMED: </source><translation>Una articulación no dice cómo está montado el láser en ella. SUPUESTO: </translation></message>
-<message><source>the axis (sweep, by the name of the joint)</source><translation>el eje (sweep, por el nombre de la articulación)</translation></message>
+<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (</source><translation>Una articulación no dice cómo está montado el láser en ella. SUPUESTO: el eje (</translation></message>
+<message><source>sweep, by the name of the joint)</source><translation>sweep, por el nombre de la articulación)</translation></message>
 <message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>El eje está a %1 grados fuera del plano del abanico: los puntos están desviados otro tanto.</translation></message>
 <message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>El láser está a %1 mm de su eje: las distancias son las medidas, y los puntos como si estuviera en el eje.</translation></message>
 <message><source> lines were measured before the first or after the last angle and were left out.</source><translation> líneas se midieron antes del primer ángulo o después del último y se dejaron fuera.</translation></message>
@@ -494,13 +496,16 @@
 <message><source> points with a return, too few to find a scanner's grid</source><translation> puntos con retorno, demasiado pocos para hallar la cuadrícula de un escáner</translation></message>
 <message><source>points have a return, too few to make a grid of them</source><translation>puntos tienen retorno, demasiado pocos para formar una cuadrícula</translation></message>
 <message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>los %1 puntos no están en ángulos haz x línea alrededor del origen:</translation></message>
-<message><source>about %1 no scan lines can be recognised</source><translation>alrededor de %1 no se reconoce ninguna línea</translation></message>
-<message><source>about %1 %2 % lie on the best %3 line angles</source><translation>alrededor de %1 %2 % están en los mejores %3 ángulos de línea</translation></message>
-<message><source>about %1 %2 % lie on the best %3 beam angles</source><translation>alrededor de %1 %2 % están en los mejores %3 ángulos de haz</translation></message>
+<message><source> about z </source><translation> alrededor de z </translation></message>
+<message><source> about y </source><translation> alrededor de y </translation></message>
+<message><source> about x </source><translation> alrededor de x </translation></message>
+<message><source>no scan lines can be recognised</source><translation>ninguna línea reconocible</translation></message>
+<message><source> % lie on the best </source><translation> % en los mejores </translation></message>
+<message><source> line angles</source><translation> ángulos de línea</translation></message>
+<message><source> beam angles</source><translation> ángulos de haz</translation></message>
 <message><source> (99 % are needed)</source><translation> (se necesita el 99 %)</translation></message>
 <message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra el escaneo tal como lo guardó el escáner, con el origen en el escáner</translation></message>
 <message><source>open the scan as the scanner stored it, or with its record</source><translation>abra el escaneo tal como lo guardó el escáner, o con su registro</translation></message>
-<message><source>, the place in metres that the scan was taken from</source><translation>, el lugar en metros desde donde se tomó el escaneo</translation></message>
 <message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos los puntos están a menos de %1 m entre sí y al menos a %2 m del escáner, lo que ningún escáner mide</translation></message>
 <message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>los %1 puntos de su cuadrícula están en una sola dirección desde el origen, dentro de %2 grados y hasta %3: el escáner estaba en otro lugar</translation></message>
 <message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>los %1 puntos están todos en una sola dirección desde allí, dentro de %2 y a %3 a %4</translation></message>
@@ -526,6 +531,8 @@
 <message><source>a calibration alone gives no place</source><translation>una calibración sola no da un lugar</translation></message>
 <message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>una pose necesita la calibración del robot, y la grabación no contiene ninguna</translation></message>
 <message><source>a pose needs the robot's calibration</source><translation>una pose necesita la calibración del robot</translation></message>
+<message><source>give %1 the place in metres that the scan was taken from</source><translation>indique %1, el lugar en metros desde donde se tomó el escaneo</translation></message>
+<message><source>give «</source><translation>indique «</translation></message>
 <message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
 <message><source>LIVE</source><translation>EN VIVO</translation></message>
 <message><source>STALE</source><translation>ANTICUADO</translation></message>

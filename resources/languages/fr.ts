@@ -4,12 +4,12 @@
 <context>
 <name>EdgeScan</name>
 <message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unité prise en millimètres, comme dans les images de distances.</translation></message>
-<message><source>Unit taken as millimetres, </source><translation>Unité prise en millimètres, </translation></message>
-<message><source>Unit taken as centimetres, </source><translation>Unité prise en centimètres, </translation></message>
-<message><source>Unit taken as metres, </source><translation>Unité prise en mètres, </translation></message>
-<message><source>from the size of the numbers.</source><translation>d'après la grandeur des nombres.</translation></message>
-<message><source>in which every range is a whole number of millimetres.</source><translation>unité dans laquelle chaque distance est un nombre entier de millimètres.</translation></message>
-<message><source>in which the numbers fit the sensor position given.</source><translation>unité dans laquelle les nombres concordent avec la position donnée du capteur.</translation></message>
+<message><source>Unit taken as millimetres</source><translation>Unité prise en millimètres</translation></message>
+<message><source>Unit taken as centimetres</source><translation>Unité prise en centimètres</translation></message>
+<message><source>Unit taken as metres</source><translation>Unité prise en mètres</translation></message>
+<message><source>, from the size of the numbers.</source><translation>, d'après la grandeur des nombres.</translation></message>
+<message><source>, in which every range is a whole number of millimetres.</source><translation>, unité dans laquelle chaque distance est un nombre entier de millimètres.</translation></message>
+<message><source>, in which the numbers fit the sensor position given.</source><translation>, unité dans laquelle les nombres concordent avec la position donnée du capteur.</translation></message>
 <message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unité prise d'un commentaire du fichier : %1 mm par unité.</translation></message>
 <message><source>The coordinate system of the file is %1, without its unit: metres were taken. %2 says another one.</source><translation>Le système de coordonnées du fichier est %1, sans son unité : des mètres ont été supposés. %2 en indique une autre.</translation></message>
 <message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>Le système de coordonnées du fichier donne les longueurs en %1 de %2 mm : elles ont été converties.</translation></message>
@@ -24,9 +24,11 @@
 <message><source>The points lie on no scanner grid and were projected about </source><translation>Les points ne sont sur aucune grille de scanner et ont été projetés autour de </translation></message>
 <message><source>The points were projected about </source><translation>Les points ont été projetés autour de </translation></message>
 <message><source>; projected about </source><translation> ; projetés autour de </translation></message>
-<message><source> in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> lus, vus sur %1 x %2 degrés ; %3 cellules remplies sur %4 (taux de remplissage %5 % ; des cellules autour d'une cellule remplie %6 %), </translation></message>
-<message><source> attached to a cell with a nearer one</source><translation> rattachés à une cellule qui en a un plus proche</translation></message>
-<message><source> far from all others left out</source><translation> loin de tous les autres laissés de côté</translation></message>
+<message><source> points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> points lus, vus sur %1 x %2 degrés ; %3 cellules remplies sur %4 (taux de remplissage %5 % ; des cellules autour d'une cellule remplie %6 %), </translation></message>
+<message><source> point attached to a cell with a nearer one</source><translation> point rattaché à une cellule qui en a un plus proche</translation></message>
+<message><source> points attached to a cell with a nearer one</source><translation> points rattachés à une cellule qui en a un plus proche</translation></message>
+<message><source> point far from all others left out</source><translation> point loin de tous les autres laissé de côté</translation></message>
+<message><source> points far from all others left out</source><translation> points loin de tous les autres laissés de côté</translation></message>
 <message><source>The cells have the given %1 degrees, along lines that were recognised in the cloud.</source><translation>Les cellules ont les %1 degrés donnés, le long de lignes reconnues dans le nuage.</translation></message>
 <message><source>The cells have the given %1 degrees.</source><translation>Les cellules ont les %1 degrés donnés.</translation></message>
 <message><source>The cells have %1 degrees, from the spacing of the points, along lines that were recognised in the cloud.</source><translation>Les cellules ont %1 degrés, d'après l'écart des points, le long de lignes reconnues dans le nuage.</translation></message>
@@ -77,7 +79,7 @@
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Aucune cellule de ce scan n'a de distance mesurée : vérifiez le fichier, le topic et les limites de distance.</translation></message>
 <message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Les points sont dans un autre repère que celui du scanner. Leurs lignes tournent autour d'un axe, à %1, %2, %3 m, et le miroir est à %4 mm de l'axe</translation></message>
 <message><source>; the grid has the scale </source><translation> ; la grille a l'échelle </translation></message>
-<message><source>The points fit lines and beams within </source><translation>Les points concordent avec lignes et faisceaux à moins de </translation></message>
+<message><source>. The points fit lines and beams within </source><translation>. Les points concordent avec lignes et faisceaux à moins de </translation></message>
 <message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>C'est plus que ce qu'explique l'arrondi des nombres, %1 mm : des distances peuvent être fausses, et des arêtes différer de celles du scan. La fiche du fichier, ou le scan tel que mesuré, les a exactement.</translation></message>
 <message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matrice du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
 <message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La pose du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
@@ -96,7 +98,7 @@
 <message><source>Not measured at the angles that the file gives: </source><translation>Non mesuré aux angles que le fichier donne : </translation></message>
 <message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation> ; les arêtes en travers des lignes sont dentelées : %1 met ces lignes côte à côte en une seule.</translation></message>
 <message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation> ; EdgeScan+ en tient compte, mais pas le nuage : %1 corrige les angles.</translation></message>
-<message><source>the beams of %1 lines in turn lie %2 degrees ahead of where they should be, %3 times its uncertainty</source><translation>les faisceaux de %1 lignes à tour de rôle sont %2 degrés en avant de leur place, %3 fois l'incertitude</translation></message>
+<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be, %4 times its uncertainty</source><translation>les faisceaux de %1 lignes à tour de rôle sont %2 et %3 degrés en avant de leur place, %4 fois l'incertitude</translation></message>
 <message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>les faisceaux impairs sont %1 degrés en avant des pairs, %2 fois l'incertitude</translation></message>
 <message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>les faisceaux impairs sont %1 degrés en arrière des pairs, %2 fois l'incertitude</translation></message>
 <message><source>, and the stepper slipped at </source><translation>, et le moteur pas à pas a glissé à </translation></message>
@@ -261,8 +263,8 @@
 <message><source>angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>angle_max n'est pas là où angle_min et angle_increment mettent le dernier faisceau : angle_increment a été utilisé, et les faisceaux peuvent être inversés ou tournés.</translation></message>
 <message><source> messages of joints are damaged and were left out.</source><translation> messages d'articulations sont endommagés et ont été laissés de côté.</translation></message>
 <message><source> message of joints is damaged and was left out.</source><translation> message d'articulations est endommagé et a été laissé de côté.</translation></message>
-<message><source>A joint does not say how the laser is mounted on it. ASSUMED: </source><translation>Une articulation ne dit pas comment le laser y est monté. SUPPOSÉ : </translation></message>
-<message><source>the axis (sweep, by the name of the joint)</source><translation>l'axe (sweep, d'après le nom de l'articulation)</translation></message>
+<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (</source><translation>Une articulation ne dit pas comment le laser y est monté. SUPPOSÉ : l'axe (</translation></message>
+<message><source>sweep, by the name of the joint)</source><translation>sweep, d'après le nom de l'articulation)</translation></message>
 <message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>L'axe est à %1 degrés du plan de l'éventail : les points sont décalés d'autant.</translation></message>
 <message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>Le laser est à %1 mm de son axe : les distances sont telles que mesurées, et les points comme s'il était sur l'axe.</translation></message>
 <message><source> lines were measured before the first or after the last angle and were left out.</source><translation> lignes ont été mesurées avant le premier ou après le dernier angle et ont été laissées de côté.</translation></message>
@@ -494,13 +496,16 @@
 <message><source> points with a return, too few to find a scanner's grid</source><translation> points avec un retour, trop peu pour trouver la grille d'un scanner</translation></message>
 <message><source>points have a return, too few to make a grid of them</source><translation>points ont un retour, trop peu pour en faire une grille</translation></message>
 <message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>les %1 points ne sont pas sur des angles faisceau x ligne autour de l'origine :</translation></message>
-<message><source>about %1 no scan lines can be recognised</source><translation>autour de %1 aucune ligne n'est reconnaissable</translation></message>
-<message><source>about %1 %2 % lie on the best %3 line angles</source><translation>autour de %1 %2 % sont sur les %3 meilleurs angles de ligne</translation></message>
-<message><source>about %1 %2 % lie on the best %3 beam angles</source><translation>autour de %1 %2 % sont sur les %3 meilleurs angles de faisceau</translation></message>
+<message><source> about z </source><translation> autour de z </translation></message>
+<message><source> about y </source><translation> autour de y </translation></message>
+<message><source> about x </source><translation> autour de x </translation></message>
+<message><source>no scan lines can be recognised</source><translation>aucune ligne reconnaissable</translation></message>
+<message><source> % lie on the best </source><translation> % sur les meilleurs </translation></message>
+<message><source> line angles</source><translation> angles de ligne</translation></message>
+<message><source> beam angles</source><translation> angles de faisceau</translation></message>
 <message><source> (99 % are needed)</source><translation> (il en faut 99 %)</translation></message>
 <message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>ouvrez le scan tel que le scanner l'a enregistré, avec l'origine au scanner</translation></message>
 <message><source>open the scan as the scanner stored it, or with its record</source><translation>ouvrez le scan tel que le scanner l'a enregistré, ou avec sa fiche</translation></message>
-<message><source>, the place in metres that the scan was taken from</source><translation>, la place en mètres d'où le scan a été pris</translation></message>
 <message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>tous les points sont à moins de %1 m les uns des autres et à %2 m au moins du scanner, ce qu'aucun scanner ne mesure</translation></message>
 <message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>les %1 points de sa grille sont dans une seule direction depuis l'origine, dans %2 degrés et jusqu'à %3 : le scanner était ailleurs</translation></message>
 <message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>les %1 points sont tous dans une seule direction depuis là, dans %2 et à %3 à %4</translation></message>
@@ -526,6 +531,8 @@
 <message><source>a calibration alone gives no place</source><translation>un étalonnage seul ne donne pas de place</translation></message>
 <message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>une pose demande l'étalonnage du robot, et l'enregistrement n'en contient pas</translation></message>
 <message><source>a pose needs the robot's calibration</source><translation>une pose demande l'étalonnage du robot</translation></message>
+<message><source>give %1 the place in metres that the scan was taken from</source><translation>indiquez %1, la place en mètres d'où le scan a été pris</translation></message>
+<message><source>give «</source><translation>indiquez «</translation></message>
 <message><source>CONNECTING</source><translation>CONNEXION</translation></message>
 <message><source>LIVE</source><translation>EN DIRECT</translation></message>
 <message><source>STALE</source><translation>PÉRIMÉ</translation></message>

@@ -4,12 +4,12 @@
 <context>
 <name>EdgeScan</name>
 <message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidade tomada como milímetros, como nas imagens de distâncias.</translation></message>
-<message><source>Unit taken as millimetres, </source><translation>Unidade tomada como milímetros, </translation></message>
-<message><source>Unit taken as centimetres, </source><translation>Unidade tomada como centímetros, </translation></message>
-<message><source>Unit taken as metres, </source><translation>Unidade tomada como metros, </translation></message>
-<message><source>from the size of the numbers.</source><translation>pelo tamanho dos números.</translation></message>
-<message><source>in which every range is a whole number of millimetres.</source><translation>unidade em que cada distância é um número inteiro de milímetros.</translation></message>
-<message><source>in which the numbers fit the sensor position given.</source><translation>unidade em que os números encaixam na posição indicada do sensor.</translation></message>
+<message><source>Unit taken as millimetres</source><translation>Unidade tomada como milímetros</translation></message>
+<message><source>Unit taken as centimetres</source><translation>Unidade tomada como centímetros</translation></message>
+<message><source>Unit taken as metres</source><translation>Unidade tomada como metros</translation></message>
+<message><source>, from the size of the numbers.</source><translation>, pelo tamanho dos números.</translation></message>
+<message><source>, in which every range is a whole number of millimetres.</source><translation>, unidade em que cada distância é um número inteiro de milímetros.</translation></message>
+<message><source>, in which the numbers fit the sensor position given.</source><translation>, unidade em que os números encaixam na posição indicada do sensor.</translation></message>
 <message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidade tomada de um comentário do arquivo: %1 mm por unidade.</translation></message>
 <message><source>The coordinate system of the file is %1, without its unit: metres were taken. %2 says another one.</source><translation>O sistema de coordenadas do arquivo é %1, sem a sua unidade: foram tomados metros. %2 indica outra.</translation></message>
 <message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>O sistema de coordenadas do arquivo dá os comprimentos em %1 de %2 mm: foram convertidos.</translation></message>
@@ -21,12 +21,14 @@
 <message><source>the origin, because no sensor position is known (%1 gives it)</source><translation>a origem, porque nenhuma posição do sensor é conhecida (%1 a dá)</translation></message>
 <message><source>the sensor position given, (</source><translation>a posição indicada do sensor, (</translation></message>
 <message><source>the sensor position in the file, (</source><translation>a posição do sensor no arquivo, (</translation></message>
-<message><source>The points lie on no scanner grid and were projected about </source><translation>Os pontos não estão em nenhuma grade de scanner e foram projetados em torno de </translation></message>
-<message><source>The points were projected about </source><translation>Os pontos foram projetados em torno de </translation></message>
-<message><source>; projected about </source><translation>; projetados em torno de </translation></message>
-<message><source> in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> lidos, vistos em %1 x %2 graus; %3 de %4 células preenchidas (grau de preenchimento %5 %; das células em torno de uma preenchida %6 %), </translation></message>
-<message><source> attached to a cell with a nearer one</source><translation> ligados a uma célula que tem um mais próximo</translation></message>
-<message><source> far from all others left out</source><translation> longe de todos os outros deixados de fora</translation></message>
+<message><source>The points lie on no scanner grid and were projected about </source><translation>Os pontos não estão em nenhuma grade de scanner e foram projetados tomando como centro </translation></message>
+<message><source>The points were projected about </source><translation>Os pontos foram projetados tomando como centro </translation></message>
+<message><source>; projected about </source><translation>; projetados tomando como centro </translation></message>
+<message><source> points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> pontos lidos, vistos em %1 x %2 graus; %3 de %4 células preenchidas (grau de preenchimento %5 %; das células em torno de uma preenchida %6 %), </translation></message>
+<message><source> point attached to a cell with a nearer one</source><translation> ponto ligado a uma célula que tem um mais próximo</translation></message>
+<message><source> points attached to a cell with a nearer one</source><translation> pontos ligados a uma célula que tem um mais próximo</translation></message>
+<message><source> point far from all others left out</source><translation> ponto longe de todos os outros deixado de fora</translation></message>
+<message><source> points far from all others left out</source><translation> pontos longe de todos os outros deixados de fora</translation></message>
 <message><source>The cells have the given %1 degrees, along lines that were recognised in the cloud.</source><translation>As células têm os %1 graus indicados, ao longo de linhas reconhecidas na nuvem.</translation></message>
 <message><source>The cells have the given %1 degrees.</source><translation>As células têm os %1 graus indicados.</translation></message>
 <message><source>The cells have %1 degrees, from the spacing of the points, along lines that were recognised in the cloud.</source><translation>As células têm %1 graus, pelo espaçamento dos pontos, ao longo de linhas reconhecidas na nuvem.</translation></message>
@@ -77,7 +79,7 @@
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Nenhuma célula desta varredura tem uma distância medida: verifique o arquivo, o tópico e os limites de distância.</translation></message>
 <message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Os pontos estão noutro referencial que o do scanner. As suas linhas giram em torno de um eixo, em %1, %2, %3 m, e o espelho está a %4 mm do eixo</translation></message>
 <message><source>; the grid has the scale </source><translation>; a grade tem a escala </translation></message>
-<message><source>The points fit lines and beams within </source><translation>Os pontos encaixam em linhas e feixes dentro de </translation></message>
+<message><source>. The points fit lines and beams within </source><translation>. Os pontos encaixam em linhas e feixes dentro de </translation></message>
 <message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>É mais do que o arredondamento dos números explica, %1 mm: distâncias podem estar erradas e arestas diferir das da varredura. O registro do arquivo, ou a varredura tal como foi medida, tem-nas exatas.</translation></message>
 <message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>A matriz do arquivo não é uma rotação e translação, portanto a varredura fica no referencial do scanner.</translation></message>
 <message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>A pose do arquivo não é uma rotação e translação, portanto a varredura fica no referencial do scanner.</translation></message>
@@ -96,7 +98,7 @@
 <message><source>Not measured at the angles that the file gives: </source><translation>Não medido nos ângulos que o arquivo dá: </translation></message>
 <message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation>; as arestas que cruzam as linhas ficam dentadas: %1 põe estas linhas lado a lado como uma.</translation></message>
 <message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation>; EdgeScan+ leva isso em conta, mas a nuvem não: %1 corrige os ângulos.</translation></message>
-<message><source>the beams of %1 lines in turn lie %2 degrees ahead of where they should be, %3 times its uncertainty</source><translation>os feixes de %1 linhas por turno estão %2 graus à frente do seu lugar, %3 vezes a sua incerteza</translation></message>
+<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be, %4 times its uncertainty</source><translation>os feixes de %1 linhas por turno estão %2 e %3 graus à frente do seu lugar, %4 vezes a sua incerteza</translation></message>
 <message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>os feixes ímpares estão %1 graus à frente dos pares, %2 vezes a sua incerteza</translation></message>
 <message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>os feixes ímpares estão %1 graus atrás dos pares, %2 vezes a sua incerteza</translation></message>
 <message><source>, and the stepper slipped at </source><translation>, e o motor de passo escorregou em </translation></message>
@@ -261,8 +263,8 @@
 <message><source>angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>angle_max não está onde angle_min e angle_increment põem o último feixe: foi usado angle_increment, e os feixes podem estar espelhados ou girados.</translation></message>
 <message><source> messages of joints are damaged and were left out.</source><translation> mensagens de juntas estão danificadas e foram deixadas de fora.</translation></message>
 <message><source> message of joints is damaged and was left out.</source><translation> mensagem de juntas está danificada e foi deixada de fora.</translation></message>
-<message><source>A joint does not say how the laser is mounted on it. ASSUMED: </source><translation>Uma junta não diz como o laser está montado nela. SUPOSTO: </translation></message>
-<message><source>the axis (sweep, by the name of the joint)</source><translation>o eixo (sweep, pelo nome da junta)</translation></message>
+<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (</source><translation>Uma junta não diz como o laser está montado nela. SUPOSTO: o eixo (</translation></message>
+<message><source>sweep, by the name of the joint)</source><translation>sweep, pelo nome da junta)</translation></message>
 <message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>O eixo está %1 graus fora do plano do leque: os pontos estão desviados outro tanto.</translation></message>
 <message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>O laser está a %1 mm do seu eixo: as distâncias são as medidas, e os pontos como se estivesse no eixo.</translation></message>
 <message><source> lines were measured before the first or after the last angle and were left out.</source><translation> linhas foram medidas antes do primeiro ângulo ou depois do último e foram deixadas de fora.</translation></message>
@@ -494,13 +496,16 @@
 <message><source> points with a return, too few to find a scanner's grid</source><translation> pontos com retorno, poucos demais para encontrar a grade de um scanner</translation></message>
 <message><source>points have a return, too few to make a grid of them</source><translation>pontos têm retorno, poucos demais para formar uma grade</translation></message>
 <message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>os %1 pontos não estão em ângulos feixe x linha em torno da origem:</translation></message>
-<message><source>about %1 no scan lines can be recognised</source><translation>em torno de %1 não se reconhece nenhuma linha</translation></message>
-<message><source>about %1 %2 % lie on the best %3 line angles</source><translation>em torno de %1 %2 % estão nos melhores %3 ângulos de linha</translation></message>
-<message><source>about %1 %2 % lie on the best %3 beam angles</source><translation>em torno de %1 %2 % estão nos melhores %3 ângulos de feixe</translation></message>
+<message><source> about z </source><translation> em torno de z </translation></message>
+<message><source> about y </source><translation> em torno de y </translation></message>
+<message><source> about x </source><translation> em torno de x </translation></message>
+<message><source>no scan lines can be recognised</source><translation>nenhuma linha reconhecível</translation></message>
+<message><source> % lie on the best </source><translation> % nos melhores </translation></message>
+<message><source> line angles</source><translation> ângulos de linha</translation></message>
+<message><source> beam angles</source><translation> ângulos de feixe</translation></message>
 <message><source> (99 % are needed)</source><translation> (são precisos 99 %)</translation></message>
 <message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra a varredura tal como o scanner a gravou, com a origem no scanner</translation></message>
 <message><source>open the scan as the scanner stored it, or with its record</source><translation>abra a varredura tal como o scanner a gravou, ou com o seu registro</translation></message>
-<message><source>, the place in metres that the scan was taken from</source><translation>, o lugar em metros de onde a varredura foi feita</translation></message>
 <message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos os pontos estão a menos de %1 m uns dos outros e a pelo menos %2 m do scanner, o que nenhum scanner mede</translation></message>
 <message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>os %1 pontos da sua grade estão numa só direção a partir da origem, dentro de %2 graus e até %3: o scanner estava noutro lugar</translation></message>
 <message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>os %1 pontos estão todos numa só direção a partir dali, dentro de %2 e a %3 a %4</translation></message>
@@ -526,6 +531,8 @@
 <message><source>a calibration alone gives no place</source><translation>uma calibração sozinha não dá um lugar</translation></message>
 <message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>uma pose precisa da calibração do robô, e a gravação não contém nenhuma</translation></message>
 <message><source>a pose needs the robot's calibration</source><translation>uma pose precisa da calibração do robô</translation></message>
+<message><source>give %1 the place in metres that the scan was taken from</source><translation>indique %1, o lugar em metros de onde a varredura foi feita</translation></message>
+<message><source>give «</source><translation>indique «</translation></message>
 <message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
 <message><source>LIVE</source><translation>AO VIVO</translation></message>
 <message><source>STALE</source><translation>DESATUALIZADO</translation></message>
