@@ -3,6 +3,536 @@
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
+<message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidad tomada como milímetros, como en las imágenes de distancias.</translation></message>
+<message><source>Unit taken as millimetres</source><translation>Unidad tomada como milímetros</translation></message>
+<message><source>Unit taken as centimetres</source><translation>Unidad tomada como centímetros</translation></message>
+<message><source>Unit taken as metres</source><translation>Unidad tomada como metros</translation></message>
+<message><source>, from the size of the numbers.</source><translation>, por el tamaño de los números.</translation></message>
+<message><source>, in which every range is a whole number of millimetres.</source><translation>, unidad en la que cada distancia es un número entero de milímetros.</translation></message>
+<message><source>, in which the numbers fit the sensor position given.</source><translation>, unidad en la que los números encajan con la posición indicada del sensor.</translation></message>
+<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidad tomada de un comentario del archivo: %1 mm por unidad.</translation></message>
+<message><source>The coordinate system of the file is %1, without its unit: metres were taken. %2 says another one.</source><translation>El sistema de coordenadas del archivo es %1, sin su unidad: se tomaron metros. %2 indica otra.</translation></message>
+<message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>El sistema de coordenadas del archivo da las longitudes en %1 de %2 mm: se convirtieron.</translation></message>
+<message><source>Heights of the file have another unit than x and y, %1 mm: they were converted.</source><translation>Las alturas del archivo tienen otra unidad que x e y, %1 mm: se convirtieron.</translation></message>
+<message><source>The file's coordinates are left-handed and were turned right-handed: y is mirrored.</source><translation>Las coordenadas del archivo son levógiras y se hicieron dextrógiras: y está reflejada.</translation></message>
+<message><source>The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.</source><translation>Las coordenadas están redondeadas y cada punto cae en un número entero de milímetros a lo largo de su haz: estos se tomaron como distancias.</translation></message>
+<message><source>Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.</source><translation>En este archivo, los números hasta %1 tienen una resolución de unos %2: se escribió con flotantes de 4 bytes.</translation></message>
+<message><source>numbers up to %1 in this file have a resolution of about </source><translation>en este archivo, los números hasta %1 tienen una resolución de unos </translation></message>
+<message><source>the origin, because no sensor position is known (%1 gives it)</source><translation>el origen, porque no se conoce ninguna posición del sensor (%1 la da)</translation></message>
+<message><source>the sensor position given, (</source><translation>la posición indicada del sensor, (</translation></message>
+<message><source>the sensor position in the file, (</source><translation>la posición del sensor en el archivo, (</translation></message>
+<message><source>The points lie on no scanner grid and were projected about </source><translation>Los puntos no están en ninguna cuadrícula de escáner y se proyectaron tomando como centro </translation></message>
+<message><source>The points were projected about </source><translation>Los puntos se proyectaron tomando como centro </translation></message>
+<message><source>; projected about </source><translation>; proyectados tomando como centro </translation></message>
+<message><source> points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> puntos leídos, vistos en %1 x %2 grados; %3 de %4 celdas llenas (grado de relleno %5 %; de las celdas en torno a una llena %6 %), </translation></message>
+<message><source> point attached to a cell with a nearer one</source><translation> punto asignado a una celda que tiene uno más cercano</translation></message>
+<message><source> points attached to a cell with a nearer one</source><translation> puntos asignados a una celda que tiene uno más cercano</translation></message>
+<message><source> point far from all others left out</source><translation> punto lejos de todos los demás dejado fuera</translation></message>
+<message><source> points far from all others left out</source><translation> puntos lejos de todos los demás dejados fuera</translation></message>
+<message><source>The cells have the given %1 degrees, along lines that were recognised in the cloud.</source><translation>Las celdas tienen los %1 grados indicados, a lo largo de líneas reconocidas en la nube.</translation></message>
+<message><source>The cells have the given %1 degrees.</source><translation>Las celdas tienen los %1 grados indicados.</translation></message>
+<message><source>The cells have %1 degrees, from the spacing of the points, along lines that were recognised in the cloud.</source><translation>Las celdas tienen %1 grados, por la separación de los puntos, a lo largo de líneas reconocidas en la nube.</translation></message>
+<message><source>The cells have %1 degrees, from the spacing of the points.</source><translation>Las celdas tienen %1 grados, por la separación de los puntos.</translation></message>
+<message><source>Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, or with its record, has the grid of the scan.</source><translation>Los bordes de una nube proyectada difieren de los de su escaneo: un archivo con los puntos en el orden del escáner, o con su registro, tiene la cuadrícula del escaneo.</translation></message>
+<message><source> points lie farther than %1 from the sensor and were taken as no return: %2 says where it stood.</source><translation> puntos están a más de %1 del sensor y se tomaron como sin retorno: %2 indica dónde estaba.</translation></message>
+<message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>El lugar del sensor se halló a partir de las distancias que el archivo contiene con sus puntos.</translation></message>
+<message><source>The file puts the sensor %1 away from its points, which are all within %2 of each other (in its own numbers): no scanner measures so, and the place was not used.</source><translation>El archivo pone el sensor a %1 de sus puntos, que están todos a menos de %2 entre sí (en sus propios números): ningún escáner mide así, y ese lugar no se usó.</translation></message>
+<message><source>The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.</source><translation>El eje de las líneas del escaneo está a %1 (en los números del archivo) de la posición conocida del sensor.</translation></message>
+<message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>La lista no era una cuadrícula completa en orden: se recuperaron %1 líneas x %2 haces a partir de los ángulos de sus puntos.</translation></message>
+<message><source> lines repeated the line before and were left out.</source><translation> líneas repetían la línea anterior y se dejaron fuera.</translation></message>
+<message><source> points stood in the list before, as when a driver stores lines twice, and were taken once.</source><translation> puntos ya estaban en la lista, como cuando un controlador guarda líneas dos veces, y se tomaron una vez.</translation></message>
+<message><source> lines or beams without any point were put back empty, to keep the steps even.</source><translation> líneas o haces sin ningún punto se repusieron vacíos, para mantener pasos iguales.</translation></message>
+<message><source> points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.</source><translation> puntos no pertenecen a una sola celda de la cuadrícula (en el eje de rotación, o fuera de la cuadrícula) y se dejaron fuera.</translation></message>
+<message><source> points lay in a cell with a nearer one, which was taken.</source><translation> puntos estaban en una celda con uno más cercano, que se tomó.</translation></message>
+<message><source>The line angles are uneven: steps from %1 to %2 degrees, kept as they are.</source><translation>Los ángulos de las líneas son desiguales: pasos de %1 a %2 grados, conservados como están.</translation></message>
+<message><source>The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.</source><translation>Las líneas giran alrededor del eje y del archivo, que pasó a ser z: x es la z del archivo, y su x, z su y.</translation></message>
+<message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Cada línea solo tiene un haz de cada %1, por turno: %2 líneas seguidas se pusieron lado a lado.</translation></message>
+<message><source>The columns of lines and beams hold no grid and were not used.</source><translation>Las columnas de líneas y haces no contienen ninguna cuadrícula y no se usaron.</translation></message>
+<message><source>Lines and beams were exchanged: only that way the lines make fans about one axis.</source><translation>Líneas y haces se intercambiaron: solo así las líneas forman abanicos alrededor de un eje.</translation></message>
+<message><source>The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.</source><translation>Las filas del archivo, tal como están, no forman abanicos alrededor de un eje: %1, y solo así las líneas forman abanicos.</translation></message>
+<message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>La cuadrícula tiene tantas líneas y haces como nombran los puntos, %1 x %2: una línea o un haz detrás del último punto no está en el archivo.</translation></message>
+<message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>La lista solo contiene retornos: una línea o un haz del borde sin ningún retorno no está en ella.</translation></message>
+<message><source> of %1 cells of the grid that was found have no point and count as no return.</source><translation> de %1 celdas de la cuadrícula hallada no tienen punto y cuentan como sin retorno.</translation></message>
+<message><source> of the %1 points of the file have no cell of their own.</source><translation> de los %1 puntos del archivo no tienen celda propia.</translation></message>
+<message><source> cells hold status codes of an LMS2xx from %1 on instead of a range and were taken as such.</source><translation> celdas contienen códigos de estado de un LMS2xx desde %1 en lugar de una distancia y se tomaron como tales.</translation></message>
+<message><source> points were filled and not measured, as filled_sd_mm says: they were taken as no return.</source><translation> puntos se rellenaron y no se midieron, como dice filled_sd_mm: se tomaron como sin retorno.</translation></message>
+<message><source> point was filled and not measured, as filled_sd_mm says: it was taken as no return.</source><translation> punto se rellenó y no se midió, como dice filled_sd_mm: se tomó como sin retorno.</translation></message>
+<message><source> points with infinite or absurdly large coordinates were taken as no return.</source><translation> puntos con coordenadas infinitas o absurdamente grandes se tomaron como sin retorno.</translation></message>
+<message><source> point with infinite or absurdly large coordinates was taken as no return.</source><translation> punto con coordenadas infinitas o absurdamente grandes se tomó como sin retorno.</translation></message>
+<message><source> infinite ranges were taken as no return.</source><translation> distancias infinitas se tomaron como sin retorno.</translation></message>
+<message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distancias menores que 0, todas el mismo número, se tomaron como sin retorno.</translation></message>
+<message><source> ranges longer than any scanner reaches were taken as no return.</source><translation> distancias más largas que el alcance de cualquier escáner se tomaron como sin retorno.</translation></message>
+<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distancias son el range_max de sus mensajes, se repiten y se tomaron como sin retorno.</translation></message>
+<message><source> points are one and the same,</source><translation> puntos son uno y el mismo,</translation></message>
+<message><source> points are %1 (in the numbers of the file) from the sensor</source><translation> puntos están a %1 (en los números del archivo) del sensor</translation></message>
+<message><source> cells hold %1 in the numbers of the file</source><translation> celdas contienen %1 en los números del archivo</translation></message>
+<message><source> ranges of the topic are </source><translation> distancias del topic son </translation></message>
+<message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return (%1 takes it as measured).</source><translation>, lo que se repite exactamente y está lejos del resto, como nada medido: tomado como sin retorno (%1 lo toma como medido).</translation></message>
+<message><source> points are later returns of a pulse, as the file says: the first returns make the grid</source><translation> puntos son retornos posteriores de un pulso, según el archivo: los primeros retornos forman la cuadrícula</translation></message>
+<message><source> point is a later return of a pulse, as the file says: the first returns make the grid</source><translation> punto es un retorno posterior de un pulso, según el archivo: los primeros retornos forman la cuadrícula</translation></message>
+<message><source> others were attached to their cells</source><translation> otros se asignaron a sus celdas</translation></message>
+<message><source> other was attached to its cell</source><translation> otro se asignó a su celda</translation></message>
+<message><source> others have no cell of their own and were left out</source><translation> otros no tienen celda propia y se dejaron fuera</translation></message>
+<message><source> other has no cell of its own and was left out</source><translation> otro no tiene celda propia y se dejó fuera</translation></message>
+<message><source> points share their row and column with a nearer one, which was taken (several returns of one beam).</source><translation> puntos comparten su fila y su columna con uno más cercano, que se tomó (varios retornos de un haz).</translation></message>
+<message><source> point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation> punto comparte su fila y su columna con uno más cercano, que se tomó (varios retornos de un haz).</translation></message>
+<message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Ninguna celda de este escaneo tiene una distancia medida: revise el archivo, el topic y los límites de distancia.</translation></message>
+<message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Los puntos están en otro sistema que el del escáner. Sus líneas giran alrededor de un eje, en %1, %2, %3 m, y el espejo está a %4 mm del eje</translation></message>
+<message><source>; the grid has the scale </source><translation>; la cuadrícula tiene la escala </translation></message>
+<message><source>. The points fit lines and beams within </source><translation>. Los puntos encajan en líneas y haces dentro de </translation></message>
+<message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>Es más de lo que explica el redondeo de los números, %1 mm: las distancias pueden estar desviadas y los bordes diferir de los del escaneo. El registro del archivo, o el escaneo tal como se midió, los tiene exactos.</translation></message>
+<message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matriz del archivo no es una rotación y traslación, así que el escaneo queda en el sistema del escáner.</translation></message>
+<message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La pose del archivo no es una rotación y traslación, así que el escaneo queda en el sistema del escáner.</translation></message>
+<message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>El archivo %1 pone el escáner en %2, %3, %4 m, que no es un lugar de la tierra, así que el escaneo queda en el sistema del escáner.</translation></message>
+<message><source>The place is the one written in the %1 file: whether that is the mine grid, who registered it knows.</source><translation>El lugar es el escrito en el archivo %1: si eso es la cuadrícula de la mina, lo sabe quien lo registró.</translation></message>
+<message><source>The matrix of the %1 file was not used: its points are in another frame than the scanner's.</source><translation>La matriz del archivo %1 no se usó: sus puntos están en otro sistema que el del escáner.</translation></message>
+<message><source>The record next to the file was written for another one, so the grid in it was not used.</source><translation>El registro junto al archivo se escribió para otro, así que no se usó su cuadrícula.</translation></message>
+<message><source>The record next to the file describes no grid, so the grid in it was not used.</source><translation>El registro junto al archivo no describe ninguna cuadrícula, así que no se usó.</translation></message>
+<message><source>The record next to the file cannot be read (%1), so the grid in it was not used.</source><translation>El registro junto al archivo no se puede leer (%1), así que no se usó su cuadrícula.</translation></message>
+<message><source>The record next to the file %1, so the grid in it was not used.</source><translation>El registro junto al archivo no sirve (%1), así que no se usó su cuadrícula.</translation></message>
+<message><source> has no effect: the points have a grid; leave it out.</source><translation> no tiene efecto: los puntos tienen una cuadrícula; no lo indique.</translation></message>
+<message><source> has no effect: the format %1 does not have it; leave it out.</source><translation> no tiene efecto: el formato %1 no lo tiene; no lo indique.</translation></message>
+<message><source> has no effect: %1; leave it out.</source><translation> no tiene efecto: %1; no lo indique.</translation></message>
+<message><source> replaces %1, which the file gives.</source><translation> sustituye a %1, que da el archivo.</translation></message>
+<message><source> replaces the calibration in </source><translation> sustituye la calibración en </translation></message>
+<message><source>Not measured at the angles that the file gives: </source><translation>No medido en los ángulos que da el archivo: </translation></message>
+<message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation>; los bordes que cruzan las líneas quedan dentados: %1 pone estas líneas lado a lado como una.</translation></message>
+<message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation>; EdgeScan+ lo tiene en cuenta, pero la nube no: %1 corrige los ángulos.</translation></message>
+<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be, %4 times its uncertainty</source><translation>los haces de %1 líneas por turno están %2 y %3 grados por delante de su sitio, %4 veces su incertidumbre</translation></message>
+<message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>los haces impares están %1 grados por delante de los pares, %2 veces su incertidumbre</translation></message>
+<message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>los haces impares están %1 grados por detrás de los pares, %2 veces su incertidumbre</translation></message>
+<message><source>, and the stepper slipped at </source><translation>, y el motor paso a paso se deslizó en </translation></message>
+<message><source>the stepper slipped at </source><translation>el motor paso a paso se deslizó en </translation></message>
+<message><source> lines (first at line %1, by up to %2 degrees</source><translation> líneas (primero en la línea %1, hasta %2 grados</translation></message>
+<message><source> line (first at line %1, by up to %2 degrees</source><translation> línea (en la línea %1, hasta %2 grados</translation></message>
+<message><source> times the usual unevenness of its steps</source><translation> veces la desigualdad habitual de sus pasos</translation></message>
+<message><source> At %1 of the first and last lines the stepper still swung back: folds there are left out.</source><translation> En %1 de las primeras y últimas líneas el motor paso a paso aún oscilaba: los pliegues de ahí se dejan fuera.</translation></message>
+<message><source>Not straightened: the scan has no lines with angles.</source><translation>No enderezado: el escaneo no tiene líneas con ángulos.</translation></message>
+<message><source>Straightened: no interlaced beams and no slips were found; the angles stay.</source><translation>Enderezado: no se hallaron haces entrelazados ni deslizamientos; los ángulos quedan.</translation></message>
+<message><source>, and were put side by side: %1 lines make one.</source><translation>, y se pusieron lado a lado: %1 líneas forman una.</translation></message>
+<message><source>Straightened: </source><translation>Enderezado: </translation></message>
+<message><source> slips were seen in every second beam only, and are left as they are.</source><translation> deslizamientos se vieron solo en uno de cada dos haces y se dejan como están.</translation></message>
+<message><source> slip was seen in every second beam only, and is left as it is.</source><translation> deslizamiento se vio solo en uno de cada dos haces y se deja como está.</translation></message>
+<message><source>OUT OF SPEC: the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>FUERA DE TOLERANCIA: las poses mueven la base a %1 m/s entre dos líneas, más rápido que cualquier máquina bajo tierra.</translation></message>
+<message><source>Both are one scan: the files are the same.</source><translation>Ambos son un solo escaneo: los archivos son iguales.</translation></message>
+<message><source>Near and far leave no depth between them: the gray image is blank and has no edge.</source><translation>Cerca y lejos no dejan profundidad entre ellos: la imagen gris está vacía y no tiene bordes.</translation></message>
+<message><source> edge cells lie on filled ranges and are not in this file; %1 writes them.</source><translation> celdas de borde están en distancias rellenadas y no están en este archivo; %1 las escribe.</translation></message>
+<message><source>The last row has no line end: the file may have been cut off there; compare it with the original.</source><translation>La última fila no tiene fin de línea: el archivo puede estar cortado ahí; compárelo con el original.</translation></message>
+<message><source>No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and z.</source><translation>Ningún encabezado nombra las columnas: las dos primeras se tomaron como fila y columna de la cuadrícula, de la tercera a la quinta como x, y y z.</translation></message>
+<message><source>No heading names the columns: the second to the fourth were taken for x, y and z, as the first holds whole numbers only.</source><translation>Ningún encabezado nombra las columnas: de la segunda a la cuarta se tomaron como x, y y z, porque la primera contiene solo números enteros.</translation></message>
+<message><source>No heading names the columns: the third to the fifth were taken for x, y and z, as the first two hold whole numbers only.</source><translation>Ningún encabezado nombra las columnas: de la tercera a la quinta se tomaron como x, y y z, porque las dos primeras contienen solo números enteros.</translation></message>
+<message><source>No heading names the columns: the fourth to the sixth were taken for x, y and z, as the first three hold whole numbers only.</source><translation>Ningún encabezado nombra las columnas: de la cuarta a la sexta se tomaron como x, y y z, porque las tres primeras contienen solo números enteros.</translation></message>
+<message><source>No heading names the columns: the fifth to the seventh were taken for x, y and z, as the first four hold whole numbers only.</source><translation>Ningún encabezado nombra las columnas: de la quinta a la séptima se tomaron como x, y y z, porque las cuatro primeras contienen solo números enteros.</translation></message>
+<message><source>The header names no x, y and z: the first three columns were taken for them (</source><translation>El encabezado no nombra x, y y z: se tomaron las tres primeras columnas (</translation></message>
+<message><source>The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.</source><translation>El encabezado no nombra tantas columnas como hay (%1): las tres primeras se tomaron como x, y y z.</translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with angles taken as </source><translation>Los puntos se calcularon de las columnas de ángulos y distancias, con ángulos tomados como </translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with angles in </source><translation>Los puntos se calcularon de las columnas de ángulos y distancias, con ángulos en </translation></message>
+<message><source>degrees, azimuths </source><translation>grados, acimutes </translation></message>
+<message><source>radians, azimuths </source><translation>radianes, acimutes </translation></message>
+<message><source>counter-clockwise from x</source><translation>en sentido antihorario desde x</translation></message>
+<message><source>clockwise from y</source><translation>en sentido horario desde y</translation></message>
+<message><source> and heights from the zenith.</source><translation> y alturas desde el cenit.</translation></message>
+<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Los ángulos de los haces se tomaron del encabezado: de %1 a %2 grados.</translation></message>
+<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Los ángulos de las líneas se tomaron de la primera columna: de %1 a %2 grados.</translation></message>
+<message><source>The table does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>La tabla no dice sus ángulos: se tomaron los de un LMS511 donde no se indicó ninguno (haces desde -5 grados cada 1/6 de grado, líneas desde 0 cada 0.18 grados, eje spin).</translation></message>
+<message><source>The picture does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>La imagen no dice sus ángulos: se tomaron los de un LMS511 donde no se indicó ninguno (haces desde -5 grados cada 1/6 de grado, líneas desde 0 cada 0.18 grados, eje spin).</translation></message>
+<message><source>The array does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>La matriz de numpy no dice sus ángulos: se tomaron los de un LMS511 donde no se indicó ninguno (haces desde -5 grados cada 1/6 de grado, líneas desde 0 cada 0.18 grados, eje spin).</translation></message>
+<message><source> columns are no ranges by the header and not read: </source><translation> columnas no son de distancias según el encabezado y no se leen: </translation></message>
+<message><source> column is no ranges by the header and not read: </source><translation> columna no es de distancias según el encabezado y no se lee: </translation></message>
+<message><source> bytes behind the points were not read.</source><translation> bytes detrás de los puntos no se leyeron.</translation></message>
+<message><source> byte behind the points was not read.</source><translation> byte detrás de los puntos no se leyó.</translation></message>
+<message><source> bytes behind the picture were not read.</source><translation> bytes detrás de la imagen no se leyeron.</translation></message>
+<message><source> byte behind the picture was not read.</source><translation> byte detrás de la imagen no se leyó.</translation></message>
+<message><source> bytes behind the array were not read.</source><translation> bytes detrás de la matriz no se leyeron.</translation></message>
+<message><source> byte behind the array was not read.</source><translation> byte detrás de la matriz no se leyó.</translation></message>
+<message><source> bytes behind the last record were not read.</source><translation> bytes detrás del último registro no se leyeron.</translation></message>
+<message><source> byte behind the last record was not read.</source><translation> byte detrás del último registro no se leyó.</translation></message>
+<message><source> bytes behind the end that the header gives were not read.</source><translation> bytes detrás del final que da el encabezado no se leyeron.</translation></message>
+<message><source> byte behind the end that the header gives was not read.</source><translation> byte detrás del final que da el encabezado no se leyó.</translation></message>
+<message><source> bytes behind the end of the database were not read.</source><translation> bytes detrás del final de la base de datos no se leyeron.</translation></message>
+<message><source> byte behind the end of the database was not read.</source><translation> byte detrás del final de la base de datos no se leyó.</translation></message>
+<message><source> bytes behind the end of the recording were not read</source><translation> bytes detrás del final de la grabación no se leyeron</translation></message>
+<message><source> behind the %1 points that the header promises were not read.</source><translation> detrás de los %1 puntos que anuncia el encabezado no se leyeron.</translation></message>
+<message><source>The first %1 scans of the file hold no points.</source><translation>Los primeros %1 escaneos del archivo no contienen puntos.</translation></message>
+<message><source>The first scan of the file holds no points.</source><translation>El primer escaneo del archivo no contiene puntos.</translation></message>
+<message><source>The file holds %1 scans; this is number %2, %3 chooses another.</source><translation>El archivo contiene %1 escaneos; este es el número %2, %3 elige otro.</translation></message>
+<message><source>The first %1 of these scans hold no point with a return.</source><translation>Los primeros %1 de estos escaneos no tienen ningún punto con retorno.</translation></message>
+<message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>Las filas y columnas que el archivo da a sus puntos no forman una cuadrícula y no se usaron.</translation></message>
+<message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>El archivo no dice en qué sentido van las líneas: sus columnas se tomaron como líneas, sus filas como haces.</translation></message>
+<message><source> points are marked as invalid in the file and count as no return.</source><translation> puntos están marcados como no válidos en el archivo y cuentan como sin retorno.</translation></message>
+<message><source> point is marked as invalid in the file and counts as no return.</source><translation> punto está marcado como no válido en el archivo y cuenta como sin retorno.</translation></message>
+<message><source> points are marked as withheld in the file and count as no return.</source><translation> puntos están marcados como excluidos en el archivo y cuentan como sin retorno.</translation></message>
+<message><source> point is marked as withheld in the file and counts as no return.</source><translation> punto está marcado como excluido en el archivo y cuenta como sin retorno.</translation></message>
+<message><source>What else a point of this file has is not read: </source><translation>Lo demás que tiene un punto de este archivo no se lee: </translation></message>
+<message><source>The pictures of this file (%1) are not read.</source><translation>Las imágenes de este archivo (%1) no se leen.</translation></message>
+<message><source>The picture is animated; the first frame was read.</source><translation>La imagen es animada; se leyó el primer cuadro.</translation></message>
+<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>La imagen no termina con IEND: el archivo se cortó detrás de sus píxeles.</translation></message>
+<message><source> pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation> píxeles no contienen distancia (negativos, no numéricos o demasiado lejos) y se tomaron como sin retorno.</translation></message>
+<message><source> pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation> píxel no contiene distancia (negativo, no numérico o demasiado lejos) y se tomó como sin retorno.</translation></message>
+<message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>La imagen pide girarse o reflejarse al mostrarse (orientación %1): sus filas se tomaron como líneas tal como están guardadas.</translation></message>
+<message><source>The file holds %1 pictures (pages); the first was read.</source><translation>El archivo contiene %1 imágenes (páginas); se leyó la primera.</translation></message>
+<message><source>The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. A grid, cell states or a place in the mine that they held are lost; copy the file again.</source><translation>El final del archivo está dañado o falta: %1 de %2 registros detrás de los puntos no se pueden leer. Una cuadrícula, estados de celdas o un lugar en la mina que contenían se han perdido; copie de nuevo el archivo.</translation></message>
+<message><source>The waveforms of this file were not read.</source><translation>Las formas de onda de este archivo no se leyeron.</translation></message>
+<message><source>The first three of %1 columns were taken as x, y and z; the others are not read.</source><translation>Las tres primeras de %1 columnas se tomaron como x, y y z; las demás no se leen.</translation></message>
+<message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>El archivo contiene más de una matriz (numpy.save más de una vez); se leyó la primera.</translation></message>
+<message><source> lines hold no words of OBJ and were not read, the first is line </source><translation> líneas no tienen palabras de OBJ y no se leyeron, la primera es la línea </translation></message>
+<message><source> line holds no words of OBJ and was not read, the first is line </source><translation> línea no tiene palabras de OBJ y no se leyó, la primera es la línea </translation></message>
+<message><source>The lists that each vertex of this file has were not read.</source><translation>Las listas que tiene cada vértice de este archivo no se leyeron.</translation></message>
+<message><source>Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.</source><translation>Cada vértice tiene un byte que el encabezado no nombra, como lo escribe PCL detrás de los colores: se omitió.</translation></message>
+<message><source>Only the vertices were read, not what follows them: </source><translation>Solo se leyeron los vértices, no lo que los sigue: </translation></message>
+<message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matriz del encabezado tiene el lugar del escáner en su última columna y no en su última fila: se leyó por columnas.</translation></message>
+<message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La línea 3 del encabezado pone el escáner a %1 m del lugar que da su matriz: se usó la matriz.</translation></message>
+<message><source>Behind the last of these scans there is text that is none.</source><translation>Detrás del último de estos escaneos hay texto que no lo es.</translation></message>
+<message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta el archivo de datos %1; en su lugar se leyó %2.</translation></message>
+<message><source>The file does not end with END: it may have been cut off; compare it with the original.</source><translation>El archivo no termina con END: puede estar cortado; compárelo con el original.</translation></message>
+<message><source>Descriptions of points (D1 and further) are not read.</source><translation>Las descripciones de los puntos (D1 y siguientes) no se leen.</translation></message>
+<message><source> lines behind END were not read.</source><translation> líneas detrás de END no se leyeron.</translation></message>
+<message><source> line behind END was not read.</source><translation> línea detrás de END no se leyó.</translation></message>
+<message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>El texto tiene dos bytes por carácter (UTF-16) y se leyó así.</translation></message>
+<message><source> bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> bytes cero (NUL) siguen a la última fila, como los deja un corte de luz: faltan las filas que no se escribieron.</translation></message>
+<message><source> byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> byte cero (NUL) sigue a la última fila, como los deja un corte de luz: faltan las filas que no se escribieron.</translation></message>
+<message><source>The capture was cut off: everything up to the cut is here.</source><translation>La captura se cortó: todo hasta el corte está aquí.</translation></message>
+<message><source>The recording was cut off: everything up to the cut is here.</source><translation>La grabación se cortó: todo hasta el corte está aquí.</translation></message>
+<message><source>The bag was cut off: everything up to the cut is here.</source><translation>El bag se cortó: todo hasta el corte está aquí.</translation></message>
+<message><source> packets have a time before 1970 or after 2262 and count as of 1970.</source><translation> paquetes tienen una hora anterior a 1970 o posterior a 2262 y cuentan como de 1970.</translation></message>
+<message><source> packet has a time before 1970 or after 2262 and count as of 1970.</source><translation> paquete tiene una hora anterior a 1970 o posterior a 2262 y cuenta como de 1970.</translation></message>
+<message><source> bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost.</source><translation> bytes que envió el escáner faltan en la captura (%1): los telegramas de ahí se han perdido.</translation></message>
+<message><source> byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.</source><translation> byte que envió el escáner falta en la captura (%1): los telegramas de ahí se han perdido.</translation></message>
+<message><source> bytes that the scanner sent belong to no whole telegram.</source><translation> bytes que envió el escáner no pertenecen a ningún telegrama entero.</translation></message>
+<message><source> byte that the scanner sent belongs to no whole telegram.</source><translation> byte que envió el escáner no pertenece a ningún telegrama entero.</translation></message>
+<message><source> bytes of the stream belong to no whole telegram.</source><translation> bytes del flujo no pertenecen a ningún telegrama entero.</translation></message>
+<message><source> byte of the stream belongs to no whole telegram.</source><translation> byte del flujo no pertenece a ningún telegrama entero.</translation></message>
+<message><source> packets came out of order and %1 brought bytes again; they were put in order.</source><translation> paquetes llegaron desordenados y %1 trajeron bytes de nuevo; se pusieron en orden.</translation></message>
+<message><source> packet came out of order and %1 brought bytes again; they were put in order.</source><translation> paquete llegó desordenado y %1 trajeron bytes de nuevo; se pusieron en orden.</translation></message>
+<message><source> fragments of IP packets were not put together.</source><translation> fragmentos de paquetes IP no se unieron.</translation></message>
+<message><source> fragment of IP packets were not put together.</source><translation> fragmento de paquetes IP no se unió.</translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened, and </source><translation>La captura contiene %1 flujos; se abrió el de %2 con %3 telegramas de escaneo, y </translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened.</source><translation>La captura contiene %1 flujos; se abrió el de %2 con %3 telegramas de escaneo.</translation></message>
+<message><source> other senders have some too.</source><translation> otros emisores también tienen.</translation></message>
+<message><source> other sender has some too.</source><translation> otro emisor también tiene.</translation></message>
+<message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>La grabación describe otra cuadrícula que la de sus telegramas: cuentan los telegramas.</translation></message>
+<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» de la grabación es «%2», que no se puede usar</translation></message>
+<message><source> readings of inclinometer or TALIN cannot be used.</source><translation> lecturas del inclinómetro o de TALIN no se pueden usar.</translation></message>
+<message><source> reading of inclinometer or TALIN cannot be used.</source><translation> lectura del inclinómetro o de TALIN no se puede usar.</translation></message>
+<message><source>The recording holds readings of TALIN and does not say where the boom pointed (boom_azimuth_deg).</source><translation>La grabación contiene lecturas de TALIN y no dice adónde apuntaba la pluma (boom_azimuth_deg).</translation></message>
+<message><source>The recording holds poses and not how the robot is built: %1 places the scan.</source><translation>La grabación contiene poses pero no cómo está construido el robot: %1 ubica el escaneo.</translation></message>
+<message><source>The recording's pose cannot be used: </source><translation>La pose de la grabación no se puede usar: </translation></message>
+<message><source> times in the recording are after %1 and were read as this time.</source><translation> horas de la grabación son posteriores a %1 y se leyeron como esa hora.</translation></message>
+<message><source> scan telegrams could not be decoded: </source><translation> telegramas de escaneo no se pudieron descodificar: </translation></message>
+<message><source> scan telegrams since the start could not be decoded, so their lines are lost: </source><translation> telegramas de escaneo desde el inicio no se pudieron descodificar, así que sus líneas se han perdido: </translation></message>
+<message><source> bytes since the start were not a telegram and were skipped.</source><translation> bytes desde el inicio no eran un telegrama y se omitieron.</translation></message>
+<message><source> messages hold bytes that are not a whole telegram: what was in them is lost.</source><translation> mensajes contienen bytes que no son un telegrama entero: su contenido se ha perdido.</translation></message>
+<message><source> message holds bytes that are not a whole telegram: what was in it is lost.</source><translation> mensaje contiene bytes que no son un telegrama entero: su contenido se ha perdido.</translation></message>
+<message><source> more places are damaged or were left out</source><translation> lugares más están dañados o se dejaron fuera</translation></message>
+<message><source>bytes %1 to %2 are damaged and were left out</source><translation>los bytes %1 a %2 están dañados y se dejaron fuera</translation></message>
+<message><source>the chunk at byte %1 was left out: </source><translation>el bloque en el byte %1 se dejó fuera: </translation></message>
+<message><source>the file says that it holds %1 messages and %2 could be read</source><translation>el archivo dice que contiene %1 mensajes y se pudieron leer %2</translation></message>
+<message><source>The bag is cut off or damaged at byte %1: the last %2 bytes were not read.</source><translation>El bag está cortado o dañado en el byte %1: los últimos %2 bytes no se leyeron.</translation></message>
+<message><source>The bag is cut off or damaged at byte %1: the last %2 byte was not read.</source><translation>El bag está cortado o dañado en el byte %1: el último byte (%2) no se leyó.</translation></message>
+<message><source> chunks are damaged and were left out (</source><translation> bloques están dañados y se dejaron fuera (</translation></message>
+<message><source> chunk is damaged and was left out (</source><translation> bloque está dañado y se dejó fuera (</translation></message>
+<message><source> messages belong to no topic of the bag and were left out.</source><translation> mensajes no pertenecen a ningún topic del bag y se dejaron fuera.</translation></message>
+<message><source> message belongs to no topic of the bag and was left out.</source><translation> mensaje no pertenece a ningún topic del bag y se dejó fuera.</translation></message>
+<message><source> messages are compressed and damaged and were left out.</source><translation> mensajes están comprimidos y dañados y se dejaron fuera.</translation></message>
+<message><source> message is compressed and damaged and was left out.</source><translation> mensaje está comprimido y dañado y se dejó fuera.</translation></message>
+<message><source>The database is cut off or damaged (%1): messages behind the first %2 were not read.</source><translation>La base de datos está cortada o dañada (%1): los mensajes tras los primeros %2 no se leyeron.</translation></message>
+<message><source>The log %1 of the recorder could not be read: its messages are not in the scan.</source><translation>El registro %1 del grabador no se pudo leer: sus mensajes no están en el escaneo.</translation></message>
+<message><source>The recorder was not ended: its newest messages were read from </source><translation>El grabador no se cerró: sus mensajes más recientes se leyeron de </translation></message>
+<message><source>The recorder was ended within a change: the database was read as it was before it, by </source><translation>El grabador se cerró en medio de un cambio: la base de datos se leyó como estaba antes, por </translation></message>
+<message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>El registro %1 del grabador termina con %2 páginas incompletas: sus mensajes no están en el escaneo.</translation></message>
+<message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>El registro %1 pertenece a varias bases de datos y no se leyó: el último cambio puede estar a medias.</translation></message>
+<message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La parte %1 del bag no se pudo leer (%2): sus mensajes no están en el escaneo.</translation></message>
+<message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta la parte %1 del bag: sus mensajes no están en el escaneo.</translation></message>
+<message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nombra %1, cuyo nombre no es el de un archivo de mensajes (.mcap, .db3, .bag): no se leyó.</translation></message>
+<message><source> messages of the topic %1 are in the bag twice: each was read once.</source><translation> mensajes del topic %1 están dos veces en el bag: cada uno se leyó una vez.</translation></message>
+<message><source> messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.</source><translation> mensajes del topic están dos veces en el bag, con la misma hora y las mismas distancias: cada uno se leyó una vez.</translation></message>
+<message><source> message of the topic is in the bag twice, with the same stamp and ranges: it was read once.</source><translation> mensaje del topic está dos veces en el bag, con la misma hora y las mismas distancias: se leyó una vez.</translation></message>
+<message><source> messages of the topic were left out: </source><translation> mensajes del topic se dejaron fuera: </translation></message>
+<message><source> message of the topic was left out: </source><translation> mensaje del topic se dejó fuera: </translation></message>
+<message><source>GUESS: the topic %1 was taken; %2 chooses another: </source><translation>SUPOSICIÓN: se tomó el topic %1; %2 elige otro: </translation></message>
+<message><source>GUESS: the angle of each line comes from the transform of the frame %1 in </source><translation>SUPOSICIÓN: el ángulo de cada línea viene de la transformación del sistema %1 en </translation></message>
+<message><source>GUESS: the angle of each line comes from the joint </source><translation>SUPOSICIÓN: el ángulo de cada línea viene de la articulación </translation></message>
+<message><source>GUESS: the angle of each line comes from </source><translation>SUPOSICIÓN: el ángulo de cada línea viene de </translation></message>
+<message><source>GUESS: the poses of the topic %1 are those of the frame </source><translation>SUPOSICIÓN: las poses del topic %1 son las del sistema </translation></message>
+<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSICIÓN: el sistema %1 del bag se toma como cuadrícula de la mina, con x al este, y al norte y z hacia arriba.</translation></message>
+<message><source>The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.</source><translation>El bag no contiene la definición de sus mensajes: se SUPUSO la de ROS 2 de 2022.</translation></message>
+<message><source> messages have a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> mensajes tienen un time_increment imposible: los haces de una línea cuentan como medidos a la vez.</translation></message>
+<message><source> message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> mensaje tiene un time_increment imposible: los haces de una línea cuentan como medidos a la vez.</translation></message>
+<message><source> lines came out of order and were put in the order of their stamps</source><translation> líneas llegaron desordenadas y se pusieron en el orden de sus horas</translation></message>
+<message><source> line came out of order and was put in the order of its stamp</source><translation> línea llegó desordenada y se puso en el orden de su hora</translation></message>
+<message><source>angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>angle_max no está donde angle_min y angle_increment ponen el último haz: se usó angle_increment, y los haces pueden estar reflejados o girados.</translation></message>
+<message><source> messages of joints are damaged and were left out.</source><translation> mensajes de articulaciones están dañados y se dejaron fuera.</translation></message>
+<message><source> message of joints is damaged and was left out.</source><translation> mensaje de articulaciones está dañado y se dejó fuera.</translation></message>
+<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (</source><translation>Una articulación no dice cómo está montado el láser en ella. SUPUESTO: el eje (</translation></message>
+<message><source>sweep, by the name of the joint)</source><translation>sweep, por el nombre de la articulación)</translation></message>
+<message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>El eje está a %1 grados fuera del plano del abanico: los puntos están desviados otro tanto.</translation></message>
+<message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>El láser está a %1 mm de su eje: las distancias son las medidas, y los puntos como si estuviera en el eje.</translation></message>
+<message><source> lines were measured before the first or after the last angle and were left out.</source><translation> líneas se midieron antes del primer ángulo o después del último y se dejaron fuera.</translation></message>
+<message><source> line was measured before the first or after the last angle and was left out.</source><translation> línea se midió antes del primer ángulo o después del último y se dejó fuera.</translation></message>
+<message><source> lines were measured while the laser did not turn and were left out.</source><translation> líneas se midieron mientras el láser no giraba y se dejaron fuera.</translation></message>
+<message><source> line was measured while the laser did not turn and was left out.</source><translation> línea se midió mientras el láser no giraba y se dejó fuera.</translation></message>
+<message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. %3 chooses another.</source><translation>El topic contiene %1 barridos; se abrió el barrido %2, contado desde 0. %3 elige otro.</translation></message>
+<message><source>The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. %3 chooses another.</source><translation>El topic %1 contiene una nube en cada mensaje; se abrió el mensaje %2, contado desde 0. %3 elige otro.</translation></message>
+<message><source>The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.</source><translation>La nube es de un escáner de varios haces: sus anillos son los haces, y sus disparos las líneas.</translation></message>
+<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Las transformaciones ponen el escáner en %1, %2, %3 m, donde no hay nada en la tierra: el escaneo queda en el sistema del escáner.</translation></message>
+<message><source> messages of transforms are damaged and were left out.</source><translation> mensajes de transformaciones están dañados y se dejaron fuera.</translation></message>
+<message><source> transforms of the bag have no rotation, no name or no finite numbers and were left out.</source><translation> transformaciones del bag no tienen rotación, nombre o números finitos y se dejaron fuera.</translation></message>
+<message><source> transforms name another parent for their frame than the first one and were left out.</source><translation> transformaciones nombran otro padre de su sistema que la primera y se dejaron fuera.</translation></message>
+<message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformaciones del bag son de más sistemas de los que tiene un robot y se dejaron fuera.</translation></message>
+<message><source>The transforms of the bag form a loop at the frame </source><translation>Las transformaciones del bag forman un bucle en el sistema </translation></message>
+<message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>Las transformaciones del bag forman una cadena de más de %1 sistemas: los de arriba no se usan.</translation></message>
+<message><source>The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. %3 chooses another.</source><translation>La captura contiene %1 vueltas del escáner; se abrió la vuelta %2, contada desde 0. %3 elige otra.</translation></message>
+<message><source> packets came out of order and were put in the order of the scanner's clock.</source><translation> paquetes llegaron desordenados y se pusieron en el orden del reloj del escáner.</translation></message>
+<message><source> packet came out of order and was put in the order of the scanner's clock.</source><translation> paquete llegó desordenado y se puso en el orden del reloj del escáner.</translation></message>
+<message><source> packets are missing in part in the capture: their lines are lost.</source><translation> paquetes faltan en parte en la captura: sus líneas se han perdido.</translation></message>
+<message><source> packet is missing in part in the capture: its lines are lost.</source><translation> paquete falta en parte en la captura: sus líneas se han perdido.</translation></message>
+<message><source> packets are in the capture twice: each was read once.</source><translation> paquetes están dos veces en la captura: cada uno se leyó una vez.</translation></message>
+<message><source> packet is in the capture twice: it was read once.</source><translation> paquete está dos veces en la captura: se leyó una vez.</translation></message>
+<message><source>The capture holds packets of %1 scanners; the one with most of them was opened.</source><translation>La captura contiene paquetes de %1 escáneres; se abrió el que más tiene.</translation></message>
+<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 others of the capture were left out.</source><translation>El escáner envió dos retornos por haz: los más fuertes están aquí, y otros %1 de la captura se dejaron fuera.</translation></message>
+<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 other of the capture was left out.</source><translation>El escáner envió dos retornos por haz: los más fuertes están aquí, y %1 otro de la captura se dejó fuera.</translation></message>
+<message><source>The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.</source><translation>Los haces de un VLP-16 empiezan hasta 11 mm por encima y por debajo de su centro: los puntos están desviados otro tanto.</translation></message>
+<message><source>The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.</source><translation>Los haces de un Ouster empiezan a unos centímetros de su eje, y las distancias son las medidas: los puntos están desviados otro tanto.</translation></message>
+<message><source> lines of the turn are missing in the capture and are shown as lost.</source><translation> líneas de la vuelta faltan en la captura y se muestran como perdidas.</translation></message>
+<message><source> line of the turn is missing in the capture and is shown as lost.</source><translation> línea de la vuelta falta en la captura y se muestra como perdida.</translation></message>
+<message><source> telegrams came late and were put into their lines</source><translation> telegramas llegaron tarde y se pusieron en sus líneas</translation></message>
+<message><source>A telegram came late and was put into its line</source><translation>Un telegrama llegó tarde y se puso en su línea</translation></message>
+<message><source> telegrams came after their sweep had ended</source><translation> telegramas llegaron después del final de su barrido</translation></message>
+<message><source>A telegram came after its sweep had ended</source><translation>Un telegrama llegó después del final de su barrido</translation></message>
+<message><source> telegrams had other beams than the sweep, or were of another layer of the scanner</source><translation> telegramas tenían otros haces que el barrido, o eran de otra capa del escáner</translation></message>
+<message><source>A telegram had other beams than the sweep, or was of another layer of the scanner</source><translation>Un telegrama tenía otros haces que el barrido, o era de otra capa del escáner</translation></message>
+<message><source> telegrams held no ranges</source><translation> telegramas no contenían distancias</translation></message>
+<message><source>A telegram held no ranges</source><translation>Un telegrama no contenía distancias</translation></message>
+<message><source> times the scanner's counters jumped ahead</source><translation> veces los contadores del escáner saltaron hacia delante</translation></message>
+<message><source>The scanner's counters jumped ahead once</source><translation>Los contadores del escáner saltaron hacia delante una vez</translation></message>
+<message><source> times one of the scanner's counters was set back</source><translation> veces se atrasó uno de los contadores del escáner</translation></message>
+<message><source>One of the scanner's counters was set back</source><translation>Uno de los contadores del escáner se atrasó</translation></message>
+<message><source> times the scanner's counters stood still from line to line</source><translation> veces los contadores del escáner se pararon de una línea a otra</translation></message>
+<message><source>The scanner's counters stood still for a line</source><translation>Los contadores del escáner se pararon durante una línea</translation></message>
+<message><source> times the scanner's clock was set while its counters ran on</source><translation> veces el reloj del escáner se ajustó mientras sus contadores seguían</translation></message>
+<message><source>The scanner's clock was set while its counters ran on</source><translation>El reloj del escáner se ajustó mientras sus contadores seguían</translation></message>
+<message><source> times the scanner's clock stood still from line to line</source><translation> veces el reloj del escáner se paró de una línea a otra</translation></message>
+<message><source>The scanner's clock stood still for a line</source><translation>El reloj del escáner se paró durante una línea</translation></message>
+<message><source> times the scanner paused for more than a second</source><translation> veces el escáner hizo una pausa de más de un segundo</translation></message>
+<message><source>The scanner paused for more than a second</source><translation>El escáner hizo una pausa de más de un segundo</translation></message>
+<message><source> times the scanner restarted</source><translation> veces se reinició el escáner</translation></message>
+<message><source>The scanner restarted</source><translation>El escáner se reinició</translation></message>
+<message><source> telegrams brought other echoes than the first one</source><translation> telegramas trajeron otros ecos que el primero</translation></message>
+<message><source>A telegram brought other echoes than the first one</source><translation>Un telegrama trajo otros ecos que el primero</translation></message>
+<message><source> times the telegrams came from another scanner</source><translation> veces los telegramas vinieron de otro escáner</translation></message>
+<message><source>The telegrams come from another scanner</source><translation>Los telegramas vienen de otro escáner</translation></message>
+<message><source> lines were lost between two sweeps</source><translation> líneas se perdieron entre dos barridos</translation></message>
+<message><source>A line was lost between two sweeps</source><translation>Una línea se perdió entre dos barridos</translation></message>
+<message><source> (first at line </source><translation> (primero en la línea </translation></message>
+<message><source> (line </source><translation> (línea </translation></message>
+<message><source>: no lines of this sweep.</source><translation>: no son líneas de este barrido.</translation></message>
+<message><source>: their lines are lost.</source><translation>: sus líneas se han perdido.</translation></message>
+<message><source>, by more lines than its clock allows: whether lines were lost there is not known (%1 by the counters).</source><translation>, en más líneas de las que permite su reloj: no se sabe si ahí se perdieron líneas (%1 según los contadores).</translation></message>
+<message><source>: lost lines there are counted by the other one and the clock.</source><translation>: las líneas perdidas de ahí se cuentan por el otro y el reloj.</translation></message>
+<message><source>: lost lines cannot be counted there.</source><translation>: ahí no se pueden contar las líneas perdidas.</translation></message>
+<message><source>: the times of lines there are reckoned.</source><translation>: las horas de las líneas de ahí son calculadas.</translation></message>
+<message><source>, and its counters know of no lost line.</source><translation>, y sus contadores no conocen ninguna línea perdida.</translation></message>
+<message><source>: lines lost meanwhile are counted by this computer's clock.</source><translation>: las líneas perdidas entretanto se cuentan por el reloj de esta computadora.</translation></message>
+<message><source>: their ranges may be of another echo.</source><translation>: sus distancias pueden ser de otro eco.</translation></message>
+<message><source>: the sweep is not of one device.</source><translation>: el barrido no es de un solo aparato.</translation></message>
+<message><source>this is a GIF picture, not a scan</source><translation>es una imagen GIF, no un escaneo</translation></message>
+<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>es una imagen, un sonido o una película (RIFF), no un escaneo</translation></message>
+<message><source>this is a Photoshop picture, not a scan</source><translation>es una imagen de Photoshop, no un escaneo</translation></message>
+<message><source>this is a gzip archive in another one, not a scan</source><translation>es un archivo gzip dentro de otro, no un escaneo</translation></message>
+<message><source>this is an xz archive, not a scan</source><translation>es un archivo xz, no un escaneo</translation></message>
+<message><source>this is a bzip2 archive, not a scan</source><translation>es un archivo bzip2, no un escaneo</translation></message>
+<message><source>this is a zstd archive, not a scan</source><translation>es un archivo zstd, no un escaneo</translation></message>
+<message><source>this is a 7-Zip archive, not a scan</source><translation>es un archivo 7-Zip, no un escaneo</translation></message>
+<message><source>this is a RAR archive, not a scan</source><translation>es un archivo RAR, no un escaneo</translation></message>
+<message><source>this is an old Office document, not a scan</source><translation>es un documento antiguo de Office, no un escaneo</translation></message>
+<message><source>this is a STEP model, not a scan</source><translation>es un modelo STEP, no un escaneo</translation></message>
+<message><source>this is an SVG picture, not a scan</source><translation>es una imagen SVG, no un escaneo</translation></message>
+<message><source>this is an XML document, not a scan</source><translation>es un documento XML, no un escaneo</translation></message>
+<message><source>this is a text document (RTF), not a scan</source><translation>es un documento de texto (RTF), no un escaneo</translation></message>
+<message><source>this is a PostScript document, not a scan</source><translation>es un documento PostScript, no un escaneo</translation></message>
+<message><source>this is a table of rocks, not a scan</source><translation>es una tabla de rocas, no un escaneo</translation></message>
+<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>es un ráster de alturas (cuadrícula ASCII de Esri), no un escaneo</translation></message>
+<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>es un ráster de alturas (cuadrícula de Surfer), no un escaneo</translation></message>
+<message><source>this is a BMP picture, not a scan</source><translation>es una imagen BMP, no un escaneo</translation></message>
+<message><source>this is an HDF5 file, which is not read</source><translation>es un archivo HDF5, que no se lee</translation></message>
+<message><source>this is a MATLAB file, which is not read</source><translation>es un archivo de MATLAB, que no se lee</translation></message>
+<message><source>this is a Parquet table, which is not read</source><translation>es una tabla Parquet, que no se lee</translation></message>
+<message><source>this is an Arrow table, which is not read</source><translation>es una tabla Arrow, que no se lee</translation></message>
+<message><source>this is a glTF model, which is not read</source><translation>es un modelo glTF, que no se lee</translation></message>
+<message><source>this is an FBX model, which is not read</source><translation>es un modelo FBX, que no se lee</translation></message>
+<message><source>this is a file of VTK, which is not read</source><translation>es un archivo de VTK, que no se lee</translation></message>
+<message><source>this is an OFF mesh, which is not read</source><translation>es una malla OFF, que no se lee</translation></message>
+<message><source>this is a drawing (DXF), which is not read</source><translation>es un dibujo (DXF), que no se lee</translation></message>
+<message><source>this is a FARO scan (FLS), which is not read</source><translation>es un escaneo FARO (FLS), que no se lee</translation></message>
+<message><source>this is a FARO workspace, which is not read</source><translation>es un espacio de trabajo FARO, que no se lee</translation></message>
+<message><source>this is a FARO project, which is not read</source><translation>es un proyecto FARO, que no se lee</translation></message>
+<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>es un flujo RIEGL (RXP), que no se lee</translation></message>
+<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>es un escaneo RIEGL (3DD), que no se lee</translation></message>
+<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>es un escaneo Z+F (ZFS), que no se lee</translation></message>
+<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>es un proyecto Z+F (ZFPRJ), que no se lee</translation></message>
+<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>es un escaneo Z+F (ZFC), que no se lee</translation></message>
+<message><source>this is a Leica LGS project, which is not read</source><translation>es un proyecto Leica LGS, que no se lee</translation></message>
+<message><source>this is a Leica LGSx project, which is not read</source><translation>es un proyecto Leica LGSx, que no se lee</translation></message>
+<message><source>this is an Autodesk ReCap project, which is not read</source><translation>es un proyecto Autodesk ReCap, que no se lee</translation></message>
+<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>es un escaneo Autodesk ReCap, que no se lee</translation></message>
+<message><source>this is a Trimble scan (TZF), which is not read</source><translation>es un escaneo Trimble (TZF), que no se lee</translation></message>
+<message><source>this is a Topcon scan (CL3), which is not read</source><translation>es un escaneo Topcon (CL3), que no se lee</translation></message>
+<message><source>this is a Topcon scan (CLR), which is not read</source><translation>es un escaneo Topcon (CLR), que no se lee</translation></message>
+<message><source>this is a Pointools cloud (POD), which is not read</source><translation>es una nube Pointools (POD), que no se lee</translation></message>
+<message><source>this is a VRML scene, which is not read</source><translation>es una escena VRML, que no se lee</translation></message>
+<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>es una base de datos RIEGL (RDBX), que no se lee</translation></message>
+<message><source>this is a RIEGL database, which is not read</source><translation>es una base de datos RIEGL, que no se lee</translation></message>
+<message><source>this is a Leica Cyclone database, which is not read</source><translation>es una base de datos Leica Cyclone, que no se lee</translation></message>
+<message><source>this is a numpy archive, which is not read</source><translation>es un archivo numpy, que no se lee</translation></message>
+<message><source>this is an Excel workbook, not a table of text</source><translation>es un libro de Excel, no una tabla de texto</translation></message>
+<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>es una hoja de cálculo OpenDocument, no una tabla de texto</translation></message>
+<message><source>this is a Python pickle, which only Python can open</source><translation>es un pickle de Python, que solo Python puede abrir</translation></message>
+<message><source>this is a ROS bag that does not begin like one</source><translation>es un bag de ROS que no empieza como tal</translation></message>
+<message><source>this is a ROS 2 bag that does not begin like one</source><translation>es un bag de ROS 2 que no empieza como tal</translation></message>
+<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>es un archivo binario sin telegrama de un escáner SICK</translation></message>
+<message><source>this is a ROS bag, and </source><translation>es un bag de ROS, y </translation></message>
+<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>esta versión no tiene robots: no lee bags de ROS, ni VLP-16, ni Ouster, ni puente Foxglove</translation></message>
+<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>use una versión con robots (EDGESCAN_ROBOTS)</translation></message>
+<message><source>unpack it (%1) and open the scan in it</source><translation>descomprímalo (%1) y abra el escaneo que contiene</translation></message>
+<message><source>save its points as PLY in MeshLab</source><translation>guarde sus puntos como PLY en MeshLab</translation></message>
+<message><source>choose the scan that it was made from</source><translation>elija el escaneo del que se hizo</translation></message>
+<message><source>save the ranges as .npy or .csv</source><translation>guarde las distancias como .npy o .csv</translation></message>
+<message><source>save the ranges with writematrix(</source><translation>guarde las distancias con writematrix(</translation></message>
+<message><source>save the table as .csv</source><translation>guarde la tabla como .csv</translation></message>
+<message><source>save the sheet as .csv</source><translation>guarde la hoja como .csv</translation></message>
+<message><source>save it as PLY in Blender or MeshLab</source><translation>guárdelo como PLY en Blender o MeshLab</translation></message>
+<message><source>save it as PLY in Blender</source><translation>guárdelo como PLY en Blender</translation></message>
+<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>guarde sus puntos como PLY, o como CSV desde la tabla de ParaView</translation></message>
+<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>expórtelo como E57 o LAS con RiSCAN PRO, o con rdbconvert de RIEGL</translation></message>
+<message><source>export it as E57 or PTX with </source><translation>expórtelo como E57 o PTX con </translation></message>
+<message><source>export it as E57 with </source><translation>expórtelo como E57 con </translation></message>
+<message><source>export it as LAS with Bentley's program</source><translation>expórtelo como LAS con el programa de Bentley</translation></message>
+<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>guarde los puntos como PCD o PLY; una captura de telegramas contiene los bytes tal como llegaron del escáner</translation></message>
+<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>elija el escaneo, o guarde los puntos del dibujo como CSV, LAS o PLY</translation></message>
+<message><source>save the array of ranges or points as .npy</source><translation>guarde la matriz de distancias o puntos como .npy</translation></message>
+<message><source>the file is empty</source><translation>el archivo está vacío</translation></message>
+<message><source>copy it again or choose another</source><translation>cópielo de nuevo o elija otro</translation></message>
+<message><source>the file holds no points</source><translation>el archivo no contiene puntos</translation></message>
+<message><source>the file holds 0 points with a return, out of </source><translation>el archivo contiene 0 puntos con retorno, de </translation></message>
+<message><source>choose another file, or copy it again</source><translation>elija otro archivo, o cópielo de nuevo</translation></message>
+<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la última línea del escaneo está incompleta y la última fila no tiene fin de línea: el archivo se cortó</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>el encabezado anuncia %1 puntos de %2 bytes y el archivo contiene %3 bytes de ellos, que es más</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them</source><translation>el encabezado anuncia %1 puntos de %2 bytes y el archivo contiene %3 bytes de ellos</translation></message>
+<message><source>the header promises %1 vertices and the file holds %2 bytes of them</source><translation>el encabezado anuncia %1 vértices y el archivo contiene %2 bytes de ellos</translation></message>
+<message><source>the header promises %1 vertices and the file ends after </source><translation>el encabezado anuncia %1 vértices y el archivo termina después de </translation></message>
+<message><source>the header promises %1 points and the file ends after </source><translation>el encabezado anuncia %1 puntos y el archivo termina después de </translation></message>
+<message><source>the header promises %1 points and the file holds </source><translation>el encabezado anuncia %1 puntos y el archivo contiene </translation></message>
+<message><source>the header promises %1 points, more than a file of %2 holds of a scan</source><translation>el encabezado anuncia %1 puntos, más de los que contiene de un escaneo un archivo de %2</translation></message>
+<message><source>the header promises more points than any file holds</source><translation>el encabezado anuncia más puntos de los que contiene ningún archivo</translation></message>
+<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>la imagen anuncia más píxeles de los que contiene de un escaneo un archivo de %1</translation></message>
+<message><source>the file ends within its LAS header</source><translation>el archivo termina dentro de su encabezado LAS</translation></message>
+<message><source>the file ends within its numpy header</source><translation>el archivo termina dentro de su encabezado numpy</translation></message>
+<message><source>the file ends before its vertices</source><translation>el archivo termina antes de sus vértices</translation></message>
+<message><source>the file ends before its compressed points</source><translation>el archivo termina antes de sus puntos comprimidos</translation></message>
+<message><source>the file is cut off in its last vertex</source><translation>el archivo está cortado en su último vértice</translation></message>
+<message><source>the compressed points are damaged</source><translation>los puntos comprimidos están dañados</translation></message>
+<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>este archivo LAZ no se puede descomprimir: termina demasiado pronto</translation></message>
+<message><source>this LAZ file cannot be unpacked: </source><translation>este archivo LAZ no se puede descomprimir: </translation></message>
+<message><source>this LAZ file is damaged or cut off</source><translation>este archivo LAZ está dañado o cortado</translation></message>
+<message><source>copy it again, or save it as .las</source><translation>cópielo de nuevo, o guárdelo como .las</translation></message>
+<message><source>save it as LAS 1.2 or 1.4</source><translation>guárdelo como LAS 1.2 o 1.4</translation></message>
+<message><source>this is LAS version %1, and versions up to 1.4 are known</source><translation>es la versión LAS %1, y se conocen versiones hasta 1.4</translation></message>
+<message><source>needs %1 of memory, %2 are free</source><translation>necesita %1 de memoria, hay %2 libres</translation></message>
+<message><source>holds more points than can be put on a grid</source><translation>contiene más puntos de los que caben en una cuadrícula</translation></message>
+<message><source>split the file</source><translation>divida el archivo</translation></message>
+<message><source>the scan of this PTX file holds 0 points</source><translation>el escaneo de este archivo PTX contiene 0 puntos</translation></message>
+<message><source>scan %1 of this PTX file promises %2 columns of %3 points, and the file ends before them</source><translation>el escaneo %1 de este archivo PTX anuncia %2 columnas de %3 puntos, y el archivo termina antes</translation></message>
+<message><source>holds %1 bytes where %2 need </source><translation>contiene %1 bytes donde %2 necesitan </translation></message>
+<message><source>check lines and beams in the .json file</source><translation>revise líneas y haces en el archivo .json</translation></message>
+<message><source>check that the file is complete</source><translation>compruebe que el archivo esté completo</translation></message>
+<message><source>the PLY header has no end_header line</source><translation>el encabezado PLY no tiene línea end_header</translation></message>
+<message><source>the PCD header has no DATA line</source><translation>el encabezado PCD no tiene línea DATA</translation></message>
+<message><source>the PLY file has no vertices</source><translation>el archivo PLY no tiene vértices</translation></message>
+<message><source>this OBJ file has no vertices</source><translation>este archivo OBJ no tiene vértices</translation></message>
+<message><source>this Surpac file has no points</source><translation>este archivo Surpac no tiene puntos</translation></message>
+<message><source>the vertices have no x, y and z</source><translation>los vértices no tienen x, y y z</translation></message>
+<message><source>the PCD file has no fields x, y and z</source><translation>el archivo PCD no tiene campos x, y y z</translation></message>
+<message><source>export the file with coordinates</source><translation>exporte el archivo con coordenadas</translation></message>
+<message><source>this is text without a row of numbers, so no scan</source><translation>es texto sin una fila de números, así que no es un escaneo</translation></message>
+<message><source>choose a scan: %1, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>elija un escaneo: %1, una cuadrícula bruta (.json), una imagen de distancias (.png, .tif), una grabación (.mcap), un bag de ROS o una captura de red (.pcap)</translation></message>
+<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x e y de este archivo son grados de longitud y latitud, según su sistema de coordenadas, y los puntos necesitan metros</translation></message>
+<message><source>export it in a projected coordinate system such as UTM</source><translation>expórtelo en un sistema de coordenadas proyectado como UTM</translation></message>
+<message><source>its heading names %1, and points need x, y and z in metres</source><translation>su encabezado nombra %1, y los puntos necesitan x, y y z en metros</translation></message>
+<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escriba x, y y z, o distancias como tabla con una fila por línea; o </translation></message>
+<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>su encabezado nombra ejes (%1), y no se entienden todos los x, y y z</translation></message>
+<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: </source><translation>diga qué columnas son este (x), norte (y) y elevación (z), por número o nombre: </translation></message>
+<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>hay palabras entre los números de sus filas, y ningún encabezado nombra x, y y z</translation></message>
+<message><source>write a first row with the names of the columns, such as </source><translation>escriba una primera fila con los nombres de las columnas, como </translation></message>
+<message><source> has a decimal comma</source><translation> tiene coma decimal</translation></message>
+<message><source>save the file with decimal points</source><translation>guarde el archivo con puntos decimales</translation></message>
+<message><source>" is not a number</source><translation>" no es un número</translation></message>
+<message><source>correct the line or export the file again</source><translation>corrija la línea o exporte de nuevo el archivo</translation></message>
+<message><source> is below x, y or z and is not a number</source><translation> está bajo x, y o z y no es un número</translation></message>
+<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>guarde el archivo con números simples en estas columnas, sin unidades ni signos</translation></message>
+<message><source>, a number whose thousands are set apart</source><translation>, un número con los miles separados</translation></message>
+<message><source>save the file with plain numbers, without separators of thousands</source><translation>guarde el archivo con números simples, sin separadores de miles</translation></message>
+<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contiene bytes cero, como un archivo que no se escribió hasta el final</translation></message>
+<message><source>copy the file or export it again</source><translation>copie o exporte de nuevo el archivo</translation></message>
+<message><source>its numbers are separated by "%1", which separates none here</source><translation>sus números están separados por «%1», que aquí no separa ninguno</translation></message>
+<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>guarde el archivo con comas, puntos y comas, tabuladores o espacios entre sus números</translation></message>
+<message><source>a table of %1 ranges per line does not say its angles</source><translation>una tabla de %1 distancias por línea no dice sus ángulos</translation></message>
+<message><source>a picture of %1 ranges per line does not say its angles</source><translation>una imagen de %1 distancias por línea no dice sus ángulos</translation></message>
+<message><source>a array of %1 ranges per line does not say its angles</source><translation>una matriz de %1 distancias por línea no dice sus ángulos</translation></message>
+<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; o guárdela con una fila por línea: tiene tantas filas como haces un LMS511</translation></message>
+<message><source> holds %1, which is not a range</source><translation> contiene %1, que no es una distancia</translation></message>
+<message><source>check that these are ranges; points need columns x, y and z</source><translation>compruebe que sean distancias; los puntos necesitan columnas x, y y z</translation></message>
+<message><source> holds %1, so this is not a table of ranges</source><translation> contiene %1, así que no es una tabla de distancias</translation></message>
+<message><source> numbers per line without names are a table of ranges only with its angles; as points, </source><translation> números por línea sin nombres son una tabla de distancias solo con sus ángulos; como puntos, </translation></message>
+<message><source>, or name the columns x, y and z</source><translation>, o nombre las columnas x, y y z</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en gris, y las distancias necesitan 16 bits en gris</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en color, y las distancias necesitan 16 bits en gris</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>elija un escaneo, o una imagen de distancias de 16 bits por píxel</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>es una imagen PNG que no se puede leer: </translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>la imagen TIFF está dañada o es de un tipo que no se puede leer</translation></message>
+<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>una matriz numpy de forma %1 no es ni distancias (líneas, haces) ni puntos (n, 3) o (líneas, haces, 3)</translation></message>
+<message><source>save it in one of these shapes</source><translation>guárdela en una de estas formas</translation></message>
+<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>estos valores necesitan su descripción %1 al lado, y no se puede leer</translation></message>
+<message><source>copy it into the same folder</source><translation>cópiela en la misma carpeta</translation></message>
+<message><source> points with a return, too few to find a scanner's grid</source><translation> puntos con retorno, demasiado pocos para hallar la cuadrícula de un escáner</translation></message>
+<message><source>points have a return, too few to make a grid of them</source><translation>puntos tienen retorno, demasiado pocos para formar una cuadrícula</translation></message>
+<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>los %1 puntos no están en ángulos haz x línea alrededor del origen:</translation></message>
+<message><source> about z </source><translation> alrededor de z </translation></message>
+<message><source> about y </source><translation> alrededor de y </translation></message>
+<message><source> about x </source><translation> alrededor de x </translation></message>
+<message><source>no scan lines can be recognised</source><translation>ninguna línea reconocible</translation></message>
+<message><source> % lie on the best </source><translation> % en los mejores </translation></message>
+<message><source> line angles</source><translation> ángulos de línea</translation></message>
+<message><source> beam angles</source><translation> ángulos de haz</translation></message>
+<message><source> (99 % are needed)</source><translation> (se necesita el 99 %)</translation></message>
+<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra el escaneo tal como lo guardó el escáner, con el origen en el escáner</translation></message>
+<message><source>open the scan as the scanner stored it, or with its record</source><translation>abra el escaneo tal como lo guardó el escáner, o con su registro</translation></message>
+<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos los puntos están a menos de %1 m entre sí y al menos a %2 m del escáner, lo que ningún escáner mide</translation></message>
+<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>los %1 puntos de su cuadrícula están en una sola dirección desde el origen, dentro de %2 grados y hasta %3: el escáner estaba en otro lugar</translation></message>
+<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>los %1 puntos están todos en una sola dirección desde allí, dentro de %2 y a %3 a %4</translation></message>
+<message><source>seen from there the points make no picture: </source><translation>vistos desde allí, los puntos no forman una imagen: </translation></message>
+<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>no se siguen en líneas que giran alrededor de un eje en otro lugar</translation></message>
+<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>sus números se redondearon a %1 cifras, así que los cercanos a %2 van en pasos de %3: las cifras que ubican los puntos se han perdido</translation></message>
+<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escriba de nuevo las coordenadas con todos sus decimales, como números y no en la forma 1.23E+06</translation></message>
+<message><source>this capture holds no scan telegram of a SICK scanner, and </source><translation>esta captura no contiene ningún telegrama de escaneo de un escáner SICK, y </translation></message>
+<message><source>this capture holds %1 packets, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>esta captura contiene %1 paquetes, %2 de ellos TCP, y ningún telegrama de escaneo de un escáner SICK ni paquete de un VLP-16 o un Ouster</translation></message>
+<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capture la conexión al puerto del escáner (2111 o 2112) mientras escanea</translation></message>
+<message><source>this is not a capture of network packets</source><translation>no es una captura de paquetes de red</translation></message>
+<message><source>choose a PCAP or PCAPNG file</source><translation>elija un archivo PCAP o PCAPNG</translation></message>
+<message><source>the capture ends within its header</source><translation>la captura termina dentro de su encabezado</translation></message>
+<message><source>copy the capture again</source><translation>copie de nuevo la captura</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este archivo MCAP no contiene nada que enviara un escáner láser</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file</source><translation>nada de lo que envió un escáner láser se puede leer en este archivo MCAP</translation></message>
+<message><source>choose a recording of a sweep</source><translation>elija la grabación de un barrido</translation></message>
+<message><source>choose another recording</source><translation>elija otra grabación</translation></message>
+<message><source>this recording holds no scan telegram</source><translation>esta grabación no contiene ningún telegrama de escaneo</translation></message>
+<message><source>no scan telegram in this recording can be decoded</source><translation>ningún telegrama de escaneo de esta grabación se puede descodificar</translation></message>
+<message><source>the recording holds one sweep</source><translation>la grabación contiene un barrido</translation></message>
+<message><source>the recording holds %1 sweeps</source><translation>la grabación contiene %1 barridos</translation></message>
+<message><source>a calibration alone gives no place</source><translation>una calibración sola no da un lugar</translation></message>
+<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>una pose necesita la calibración del robot, y la grabación no contiene ninguna</translation></message>
+<message><source>a pose needs the robot's calibration</source><translation>una pose necesita la calibración del robot</translation></message>
+<message><source>give %1 the place in metres that the scan was taken from</source><translation>indique %1, el lugar en metros desde donde se tomó el escaneo</translation></message>
+<message><source>give «</source><translation>indique «</translation></message>
 <message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
 <message><source>LIVE</source><translation>EN VIVO</translation></message>
 <message><source>STALE</source><translation>ANTICUADO</translation></message>

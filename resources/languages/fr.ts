@@ -3,6 +3,536 @@
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
+<message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unité prise en millimètres, comme dans les images de distances.</translation></message>
+<message><source>Unit taken as millimetres</source><translation>Unité prise en millimètres</translation></message>
+<message><source>Unit taken as centimetres</source><translation>Unité prise en centimètres</translation></message>
+<message><source>Unit taken as metres</source><translation>Unité prise en mètres</translation></message>
+<message><source>, from the size of the numbers.</source><translation>, d'après la grandeur des nombres.</translation></message>
+<message><source>, in which every range is a whole number of millimetres.</source><translation>, unité dans laquelle chaque distance est un nombre entier de millimètres.</translation></message>
+<message><source>, in which the numbers fit the sensor position given.</source><translation>, unité dans laquelle les nombres concordent avec la position donnée du capteur.</translation></message>
+<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unité prise d'un commentaire du fichier : %1 mm par unité.</translation></message>
+<message><source>The coordinate system of the file is %1, without its unit: metres were taken. %2 says another one.</source><translation>Le système de coordonnées du fichier est %1, sans son unité : des mètres ont été supposés. %2 en indique une autre.</translation></message>
+<message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>Le système de coordonnées du fichier donne les longueurs en %1 de %2 mm : elles ont été converties.</translation></message>
+<message><source>Heights of the file have another unit than x and y, %1 mm: they were converted.</source><translation>Les hauteurs du fichier ont une autre unité que x et y, %1 mm : elles ont été converties.</translation></message>
+<message><source>The file's coordinates are left-handed and were turned right-handed: y is mirrored.</source><translation>Les coordonnées du fichier forment un repère indirect et ont été rendues directes : y est inversé.</translation></message>
+<message><source>The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.</source><translation>Les coordonnées sont arrondies et chaque point tombe à un nombre entier de millimètres sur son faisceau : ceux-ci ont été pris comme distances.</translation></message>
+<message><source>Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.</source><translation>Dans ce fichier, les nombres jusqu'à %1 ont une résolution d'environ %2 : il a été écrit avec des flottants de 4 octets.</translation></message>
+<message><source>numbers up to %1 in this file have a resolution of about </source><translation>dans ce fichier, les nombres jusqu'à %1 ont une résolution d'environ </translation></message>
+<message><source>the origin, because no sensor position is known (%1 gives it)</source><translation>l'origine, car aucune position du capteur n'est connue (%1 la donne)</translation></message>
+<message><source>the sensor position given, (</source><translation>la position donnée du capteur, (</translation></message>
+<message><source>the sensor position in the file, (</source><translation>la position du capteur dans le fichier, (</translation></message>
+<message><source>The points lie on no scanner grid and were projected about </source><translation>Les points ne sont sur aucune grille de scanner et ont été projetés autour de </translation></message>
+<message><source>The points were projected about </source><translation>Les points ont été projetés autour de </translation></message>
+<message><source>; projected about </source><translation> ; projetés autour de </translation></message>
+<message><source> points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> points lus, vus sur %1 x %2 degrés ; %3 cellules remplies sur %4 (taux de remplissage %5 % ; des cellules autour d'une cellule remplie %6 %), </translation></message>
+<message><source> point attached to a cell with a nearer one</source><translation> point rattaché à une cellule qui en a un plus proche</translation></message>
+<message><source> points attached to a cell with a nearer one</source><translation> points rattachés à une cellule qui en a un plus proche</translation></message>
+<message><source> point far from all others left out</source><translation> point loin de tous les autres laissé de côté</translation></message>
+<message><source> points far from all others left out</source><translation> points loin de tous les autres laissés de côté</translation></message>
+<message><source>The cells have the given %1 degrees, along lines that were recognised in the cloud.</source><translation>Les cellules ont les %1 degrés donnés, le long de lignes reconnues dans le nuage.</translation></message>
+<message><source>The cells have the given %1 degrees.</source><translation>Les cellules ont les %1 degrés donnés.</translation></message>
+<message><source>The cells have %1 degrees, from the spacing of the points, along lines that were recognised in the cloud.</source><translation>Les cellules ont %1 degrés, d'après l'écart des points, le long de lignes reconnues dans le nuage.</translation></message>
+<message><source>The cells have %1 degrees, from the spacing of the points.</source><translation>Les cellules ont %1 degrés, d'après l'écart des points.</translation></message>
+<message><source>Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, or with its record, has the grid of the scan.</source><translation>Les arêtes d'un nuage projeté diffèrent de celles de son scan : un fichier avec les points dans l'ordre du scanner, ou avec sa fiche, a la grille du scan.</translation></message>
+<message><source> points lie farther than %1 from the sensor and were taken as no return: %2 says where it stood.</source><translation> points sont à plus de %1 du capteur et ont été pris comme sans retour : %2 indique où il se trouvait.</translation></message>
+<message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>La place du capteur a été trouvée d'après les distances que le fichier contient avec ses points.</translation></message>
+<message><source>The file puts the sensor %1 away from its points, which are all within %2 of each other (in its own numbers): no scanner measures so, and the place was not used.</source><translation>Le fichier met le capteur à %1 de ses points, qui sont tous à moins de %2 les uns des autres (dans ses propres nombres) : aucun scanner ne mesure ainsi, et cette place n'a pas été utilisée.</translation></message>
+<message><source>The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.</source><translation>L'axe des lignes du scan est à %1 (dans les nombres du fichier) de la position connue du capteur.</translation></message>
+<message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>La liste n'était pas une grille complète en ordre : %1 lignes x %2 faisceaux ont été retrouvés d'après les angles de ses points.</translation></message>
+<message><source> lines repeated the line before and were left out.</source><translation> lignes répétaient la ligne précédente et ont été laissées de côté.</translation></message>
+<message><source> points stood in the list before, as when a driver stores lines twice, and were taken once.</source><translation> points étaient déjà dans la liste, comme quand un pilote enregistre des lignes deux fois, et ont été pris une fois.</translation></message>
+<message><source> lines or beams without any point were put back empty, to keep the steps even.</source><translation> lignes ou faisceaux sans aucun point ont été remis vides, pour garder des pas égaux.</translation></message>
+<message><source> points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.</source><translation> points n'appartiennent à aucune cellule unique de la grille (sur l'axe de rotation, ou hors de la grille) et ont été laissés de côté.</translation></message>
+<message><source> points lay in a cell with a nearer one, which was taken.</source><translation> points étaient dans une cellule avec un point plus proche, qui a été pris.</translation></message>
+<message><source>The line angles are uneven: steps from %1 to %2 degrees, kept as they are.</source><translation>Les angles des lignes sont inégaux : pas de %1 à %2 degrés, gardés tels quels.</translation></message>
+<message><source>The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.</source><translation>Les lignes tournent autour de l'axe y du fichier, devenu z : x est le z du fichier, y son x, z son y.</translation></message>
+<message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Chaque ligne n'a qu'un faisceau sur %1, à tour de rôle : %2 lignes qui se suivent ont été mises côte à côte.</translation></message>
+<message><source>The columns of lines and beams hold no grid and were not used.</source><translation>Les colonnes des lignes et des faisceaux ne forment pas de grille et n'ont pas été utilisées.</translation></message>
+<message><source>Lines and beams were exchanged: only that way the lines make fans about one axis.</source><translation>Les lignes et les faisceaux ont été échangés : c'est seulement ainsi que les lignes forment des éventails autour d'un axe.</translation></message>
+<message><source>The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.</source><translation>Les rangées du fichier, telles quelles, ne forment pas d'éventails autour d'un axe : %1, et c'est seulement ainsi que les lignes forment des éventails.</translation></message>
+<message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>La grille a autant de lignes et de faisceaux que les points en nomment, %1 x %2 : une ligne ou un faisceau derrière le dernier point n'est pas dans le fichier.</translation></message>
+<message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>La liste ne contient que des retours : une ligne ou un faisceau du bord sans aucun retour n'y est pas.</translation></message>
+<message><source> of %1 cells of the grid that was found have no point and count as no return.</source><translation> cellules sur %1 de la grille trouvée n'ont pas de point et comptent comme sans retour.</translation></message>
+<message><source> of the %1 points of the file have no cell of their own.</source><translation> des %1 points du fichier n'ont pas de cellule à eux.</translation></message>
+<message><source> cells hold status codes of an LMS2xx from %1 on instead of a range and were taken as such.</source><translation> cellules contiennent des codes d'état d'un LMS2xx à partir de %1 au lieu d'une distance et ont été prises comme telles.</translation></message>
+<message><source> points were filled and not measured, as filled_sd_mm says: they were taken as no return.</source><translation> points ont été comblés et non mesurés, comme le dit filled_sd_mm : ils ont été pris comme sans retour.</translation></message>
+<message><source> point was filled and not measured, as filled_sd_mm says: it was taken as no return.</source><translation> point a été comblé et non mesuré, comme le dit filled_sd_mm : il a été pris comme sans retour.</translation></message>
+<message><source> points with infinite or absurdly large coordinates were taken as no return.</source><translation> points aux coordonnées infinies ou absurdement grandes ont été pris comme sans retour.</translation></message>
+<message><source> point with infinite or absurdly large coordinates was taken as no return.</source><translation> point aux coordonnées infinies ou absurdement grandes a été pris comme sans retour.</translation></message>
+<message><source> infinite ranges were taken as no return.</source><translation> distances infinies ont été prises comme sans retour.</translation></message>
+<message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distances inférieures à 0, toutes le même nombre, ont été prises comme sans retour.</translation></message>
+<message><source> ranges longer than any scanner reaches were taken as no return.</source><translation> distances plus longues que la portée de tout scanner ont été prises comme sans retour.</translation></message>
+<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distances sont le range_max de leurs messages, se répètent et ont été prises comme sans retour.</translation></message>
+<message><source> points are one and the same,</source><translation> points sont un seul et même point,</translation></message>
+<message><source> points are %1 (in the numbers of the file) from the sensor</source><translation> points sont à %1 (dans les nombres du fichier) du capteur</translation></message>
+<message><source> cells hold %1 in the numbers of the file</source><translation> cellules contiennent %1 dans les nombres du fichier</translation></message>
+<message><source> ranges of the topic are </source><translation> distances du topic sont </translation></message>
+<message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return (%1 takes it as measured).</source><translation>, ce qui se répète exactement et est loin du reste, comme rien de mesuré : pris comme sans retour (%1 le prend comme mesuré).</translation></message>
+<message><source> points are later returns of a pulse, as the file says: the first returns make the grid</source><translation> points sont des retours ultérieurs d'une impulsion, selon le fichier : les premiers retours font la grille</translation></message>
+<message><source> point is a later return of a pulse, as the file says: the first returns make the grid</source><translation> point est un retour ultérieur d'une impulsion, selon le fichier : les premiers retours font la grille</translation></message>
+<message><source> others were attached to their cells</source><translation> autres ont été rattachés à leurs cellules</translation></message>
+<message><source> other was attached to its cell</source><translation> autre a été rattaché à sa cellule</translation></message>
+<message><source> others have no cell of their own and were left out</source><translation> autres n'ont pas de cellule à eux et ont été laissés de côté</translation></message>
+<message><source> other has no cell of its own and was left out</source><translation> autre n'a pas de cellule à lui et a été laissé de côté</translation></message>
+<message><source> points share their row and column with a nearer one, which was taken (several returns of one beam).</source><translation> points partagent leur rangée et leur colonne avec un plus proche, qui a été pris (plusieurs retours d'un faisceau).</translation></message>
+<message><source> point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation> point partage sa rangée et sa colonne avec un plus proche, qui a été pris (plusieurs retours d'un faisceau).</translation></message>
+<message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Aucune cellule de ce scan n'a de distance mesurée : vérifiez le fichier, le topic et les limites de distance.</translation></message>
+<message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Les points sont dans un autre repère que celui du scanner. Leurs lignes tournent autour d'un axe, à %1, %2, %3 m, et le miroir est à %4 mm de l'axe</translation></message>
+<message><source>; the grid has the scale </source><translation> ; la grille a l'échelle </translation></message>
+<message><source>. The points fit lines and beams within </source><translation>. Les points concordent avec lignes et faisceaux à moins de </translation></message>
+<message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>C'est plus que ce qu'explique l'arrondi des nombres, %1 mm : des distances peuvent être fausses, et des arêtes différer de celles du scan. La fiche du fichier, ou le scan tel que mesuré, les a exactement.</translation></message>
+<message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matrice du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
+<message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La pose du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
+<message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>Le fichier %1 met le scanner à %2, %3, %4 m, ce qui n'est pas un lieu sur terre ; le scan reste donc dans le repère du scanner.</translation></message>
+<message><source>The place is the one written in the %1 file: whether that is the mine grid, who registered it knows.</source><translation>La place est celle écrite dans le fichier %1 : si c'est la grille de la mine, celui qui l'a recalé le sait.</translation></message>
+<message><source>The matrix of the %1 file was not used: its points are in another frame than the scanner's.</source><translation>La matrice du fichier %1 n'a pas été utilisée : ses points sont dans un autre repère que celui du scanner.</translation></message>
+<message><source>The record next to the file was written for another one, so the grid in it was not used.</source><translation>La fiche à côté du fichier a été écrite pour un autre ; sa grille n'a donc pas été utilisée.</translation></message>
+<message><source>The record next to the file describes no grid, so the grid in it was not used.</source><translation>La fiche à côté du fichier ne décrit pas de grille ; elle n'a donc pas été utilisée.</translation></message>
+<message><source>The record next to the file cannot be read (%1), so the grid in it was not used.</source><translation>La fiche à côté du fichier est illisible (%1) ; sa grille n'a donc pas été utilisée.</translation></message>
+<message><source>The record next to the file %1, so the grid in it was not used.</source><translation>La fiche à côté du fichier ne convient pas (%1) ; sa grille n'a donc pas été utilisée.</translation></message>
+<message><source> has no effect: the points have a grid; leave it out.</source><translation> est sans effet : les points ont une grille ; ne l'indiquez pas.</translation></message>
+<message><source> has no effect: the format %1 does not have it; leave it out.</source><translation> est sans effet : le format %1 ne l'a pas ; ne l'indiquez pas.</translation></message>
+<message><source> has no effect: %1; leave it out.</source><translation> est sans effet : %1 ; ne l'indiquez pas.</translation></message>
+<message><source> replaces %1, which the file gives.</source><translation> remplace %1, que le fichier donne.</translation></message>
+<message><source> replaces the calibration in </source><translation> remplace l'étalonnage dans </translation></message>
+<message><source>Not measured at the angles that the file gives: </source><translation>Non mesuré aux angles que le fichier donne : </translation></message>
+<message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation> ; les arêtes en travers des lignes sont dentelées : %1 met ces lignes côte à côte en une seule.</translation></message>
+<message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation> ; EdgeScan+ en tient compte, mais pas le nuage : %1 corrige les angles.</translation></message>
+<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be, %4 times its uncertainty</source><translation>les faisceaux de %1 lignes à tour de rôle sont %2 et %3 degrés en avant de leur place, %4 fois l'incertitude</translation></message>
+<message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>les faisceaux impairs sont %1 degrés en avant des pairs, %2 fois l'incertitude</translation></message>
+<message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>les faisceaux impairs sont %1 degrés en arrière des pairs, %2 fois l'incertitude</translation></message>
+<message><source>, and the stepper slipped at </source><translation>, et le moteur pas à pas a glissé à </translation></message>
+<message><source>the stepper slipped at </source><translation>le moteur pas à pas a glissé à </translation></message>
+<message><source> lines (first at line %1, by up to %2 degrees</source><translation> lignes (d'abord à la ligne %1, de %2 degrés au plus</translation></message>
+<message><source> line (first at line %1, by up to %2 degrees</source><translation> ligne (à la ligne %1, de %2 degrés au plus</translation></message>
+<message><source> times the usual unevenness of its steps</source><translation> fois l'inégalité habituelle de ses pas</translation></message>
+<message><source> At %1 of the first and last lines the stepper still swung back: folds there are left out.</source><translation> À %1 des premières et dernières lignes, le moteur pas à pas oscillait encore : les plis y sont laissés de côté.</translation></message>
+<message><source>Not straightened: the scan has no lines with angles.</source><translation>Non redressé : le scan n'a pas de lignes avec des angles.</translation></message>
+<message><source>Straightened: no interlaced beams and no slips were found; the angles stay.</source><translation>Redressé : ni faisceaux entrelacés ni glissements trouvés ; les angles restent.</translation></message>
+<message><source>, and were put side by side: %1 lines make one.</source><translation>, et ont été mis côte à côte : %1 lignes en font une.</translation></message>
+<message><source>Straightened: </source><translation>Redressé : </translation></message>
+<message><source> slips were seen in every second beam only, and are left as they are.</source><translation> glissements n'ont été vus que dans un faisceau sur deux et restent tels quels.</translation></message>
+<message><source> slip was seen in every second beam only, and is left as it is.</source><translation> glissement n'a été vu que dans un faisceau sur deux et reste tel quel.</translation></message>
+<message><source>OUT OF SPEC: the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>HORS TOLÉRANCE : les poses déplacent la base à %1 m/s entre deux lignes, plus vite que toute machine sous terre.</translation></message>
+<message><source>Both are one scan: the files are the same.</source><translation>Les deux sont un seul scan : les fichiers sont identiques.</translation></message>
+<message><source>Near and far leave no depth between them: the gray image is blank and has no edge.</source><translation>Près et loin ne laissent aucune profondeur entre eux : l'image grise est vide et sans arête.</translation></message>
+<message><source> edge cells lie on filled ranges and are not in this file; %1 writes them.</source><translation> cellules d'arête sont sur des distances comblées et ne sont pas dans ce fichier ; %1 les écrit.</translation></message>
+<message><source>The last row has no line end: the file may have been cut off there; compare it with the original.</source><translation>La dernière rangée n'a pas de fin de ligne : le fichier y a peut-être été coupé ; comparez-le à l'original.</translation></message>
+<message><source>No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and z.</source><translation>Aucun en-tête ne nomme les colonnes : les deux premières ont été prises pour rangée et colonne de la grille, la troisième à la cinquième pour x, y et z.</translation></message>
+<message><source>No heading names the columns: the second to the fourth were taken for x, y and z, as the first holds whole numbers only.</source><translation>Aucun en-tête ne nomme les colonnes : de la deuxième à la quatrième ont été prises pour x, y et z, car la première contient seulement des nombres entiers.</translation></message>
+<message><source>No heading names the columns: the third to the fifth were taken for x, y and z, as the first two hold whole numbers only.</source><translation>Aucun en-tête ne nomme les colonnes : de la troisième à la cinquième ont été prises pour x, y et z, car les deux premières contiennent seulement des nombres entiers.</translation></message>
+<message><source>No heading names the columns: the fourth to the sixth were taken for x, y and z, as the first three hold whole numbers only.</source><translation>Aucun en-tête ne nomme les colonnes : de la quatrième à la sixième ont été prises pour x, y et z, car les trois premières contiennent seulement des nombres entiers.</translation></message>
+<message><source>No heading names the columns: the fifth to the seventh were taken for x, y and z, as the first four hold whole numbers only.</source><translation>Aucun en-tête ne nomme les colonnes : de la cinquième à la septième ont été prises pour x, y et z, car les quatre premières contiennent seulement des nombres entiers.</translation></message>
+<message><source>The header names no x, y and z: the first three columns were taken for them (</source><translation>L'en-tête ne nomme pas x, y et z : les trois premières colonnes ont été prises pour eux (</translation></message>
+<message><source>The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.</source><translation>L'en-tête ne nomme pas autant de colonnes qu'il y en a (%1) : les trois premières ont été prises pour x, y et z.</translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with angles taken as </source><translation>Les points ont été calculés des colonnes d'angles et de distances, angles pris en </translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with angles in </source><translation>Les points ont été calculés des colonnes d'angles et de distances, angles en </translation></message>
+<message><source>degrees, azimuths </source><translation>degrés, azimuts </translation></message>
+<message><source>radians, azimuths </source><translation>radians, azimuts </translation></message>
+<message><source>counter-clockwise from x</source><translation>dans le sens antihoraire depuis x</translation></message>
+<message><source>clockwise from y</source><translation>dans le sens horaire depuis y</translation></message>
+<message><source> and heights from the zenith.</source><translation> et hauteurs depuis le zénith.</translation></message>
+<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Les angles des faisceaux ont été pris de l'en-tête : de %1 à %2 degrés.</translation></message>
+<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Les angles des lignes ont été pris de la première colonne : de %1 à %2 degrés.</translation></message>
+<message><source>The table does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>Le tableau ne dit pas ses angles : ceux d'un LMS511 ont été pris là où aucun n'a été donné (faisceaux à partir de -5 degrés par 1/6 de degré, lignes à partir de 0 par 0.18 degré, axe spin).</translation></message>
+<message><source>The picture does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>L'image ne dit pas ses angles : ceux d'un LMS511 ont été pris là où aucun n'a été donné (faisceaux à partir de -5 degrés par 1/6 de degré, lignes à partir de 0 par 0.18 degré, axe spin).</translation></message>
+<message><source>The array does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>Le tableau de numpy ne dit pas ses angles : ceux d'un LMS511 ont été pris là où aucun n'a été donné (faisceaux à partir de -5 degrés par 1/6 de degré, lignes à partir de 0 par 0.18 degré, axe spin).</translation></message>
+<message><source> columns are no ranges by the header and not read: </source><translation> colonnes n'ont pas de distances d'après l'en-tête et ne sont pas lues : </translation></message>
+<message><source> column is no ranges by the header and not read: </source><translation> colonne n'a pas de distances d'après l'en-tête et n'est pas lue : </translation></message>
+<message><source> bytes behind the points were not read.</source><translation> octets derrière les points n'ont pas été lus.</translation></message>
+<message><source> byte behind the points was not read.</source><translation> octet derrière les points n'a pas été lu.</translation></message>
+<message><source> bytes behind the picture were not read.</source><translation> octets derrière l'image n'ont pas été lus.</translation></message>
+<message><source> byte behind the picture was not read.</source><translation> octet derrière l'image n'a pas été lu.</translation></message>
+<message><source> bytes behind the array were not read.</source><translation> octets derrière le tableau n'ont pas été lus.</translation></message>
+<message><source> byte behind the array was not read.</source><translation> octet derrière le tableau n'a pas été lu.</translation></message>
+<message><source> bytes behind the last record were not read.</source><translation> octets derrière le dernier enregistrement n'ont pas été lus.</translation></message>
+<message><source> byte behind the last record was not read.</source><translation> octet derrière le dernier enregistrement n'a pas été lu.</translation></message>
+<message><source> bytes behind the end that the header gives were not read.</source><translation> octets derrière la fin que donne l'en-tête n'ont pas été lus.</translation></message>
+<message><source> byte behind the end that the header gives was not read.</source><translation> octet derrière la fin que donne l'en-tête n'a pas été lu.</translation></message>
+<message><source> bytes behind the end of the database were not read.</source><translation> octets derrière la fin de la base de données n'ont pas été lus.</translation></message>
+<message><source> byte behind the end of the database was not read.</source><translation> octet derrière la fin de la base de données n'a pas été lu.</translation></message>
+<message><source> bytes behind the end of the recording were not read</source><translation> octets derrière la fin de l'enregistrement n'ont pas été lus</translation></message>
+<message><source> behind the %1 points that the header promises were not read.</source><translation> derrière les %1 points que l'en-tête annonce n'ont pas été lus.</translation></message>
+<message><source>The first %1 scans of the file hold no points.</source><translation>Les %1 premiers scans du fichier ne contiennent pas de points.</translation></message>
+<message><source>The first scan of the file holds no points.</source><translation>Le premier scan du fichier ne contient pas de points.</translation></message>
+<message><source>The file holds %1 scans; this is number %2, %3 chooses another.</source><translation>Le fichier contient %1 scans ; celui-ci est le numéro %2, %3 en choisit un autre.</translation></message>
+<message><source>The first %1 of these scans hold no point with a return.</source><translation>Les %1 premiers de ces scans n'ont aucun point avec un retour.</translation></message>
+<message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>Les rangées et colonnes que le fichier donne à ses points ne forment pas de grille et n'ont pas été utilisées.</translation></message>
+<message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>Le fichier ne dit pas dans quel sens vont les lignes : ses colonnes ont été prises comme lignes, ses rangées comme faisceaux.</translation></message>
+<message><source> points are marked as invalid in the file and count as no return.</source><translation> points sont marqués comme non valides dans le fichier et comptent comme sans retour.</translation></message>
+<message><source> point is marked as invalid in the file and counts as no return.</source><translation> point est marqué comme non valide dans le fichier et compte comme sans retour.</translation></message>
+<message><source> points are marked as withheld in the file and count as no return.</source><translation> points sont marqués comme exclus dans le fichier et comptent comme sans retour.</translation></message>
+<message><source> point is marked as withheld in the file and counts as no return.</source><translation> point est marqué comme exclu dans le fichier et compte comme sans retour.</translation></message>
+<message><source>What else a point of this file has is not read: </source><translation>Ce qu'un point de ce fichier a d'autre n'est pas lu : </translation></message>
+<message><source>The pictures of this file (%1) are not read.</source><translation>Les images de ce fichier (%1) ne sont pas lues.</translation></message>
+<message><source>The picture is animated; the first frame was read.</source><translation>L'image est animée ; la première vue a été lue.</translation></message>
+<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>L'image ne finit pas par IEND : le fichier a été coupé après ses pixels.</translation></message>
+<message><source> pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation> pixels ne contiennent pas de distance (négatifs, pas un nombre, ou trop loin) et ont été pris comme sans retour.</translation></message>
+<message><source> pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation> pixel ne contient pas de distance (négatif, pas un nombre, ou trop loin) et a été pris comme sans retour.</translation></message>
+<message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>L'image demande à être tournée ou retournée à l'affichage (orientation %1) : ses rangées ont été prises comme lignes telles qu'elles sont stockées.</translation></message>
+<message><source>The file holds %1 pictures (pages); the first was read.</source><translation>Le fichier contient %1 images (pages) ; la première a été lue.</translation></message>
+<message><source>The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. A grid, cell states or a place in the mine that they held are lost; copy the file again.</source><translation>La fin du fichier est endommagée ou manque : %1 enregistrements sur %2 derrière les points sont illisibles. Une grille, des états de cellules ou une place dans la mine qu'ils contenaient sont perdus ; copiez à nouveau le fichier.</translation></message>
+<message><source>The waveforms of this file were not read.</source><translation>Les formes d'onde de ce fichier n'ont pas été lues.</translation></message>
+<message><source>The first three of %1 columns were taken as x, y and z; the others are not read.</source><translation>Les trois premières de %1 colonnes ont été prises comme x, y et z ; les autres ne sont pas lues.</translation></message>
+<message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>Le fichier contient plus d'un tableau (numpy.save plus d'une fois) ; le premier a été lu.</translation></message>
+<message><source> lines hold no words of OBJ and were not read, the first is line </source><translation> lignes n'ont pas de mots d'OBJ et n'ont pas été lues, la première est la ligne </translation></message>
+<message><source> line holds no words of OBJ and was not read, the first is line </source><translation> ligne n'a pas de mots d'OBJ et n'a pas été lue, la première est la ligne </translation></message>
+<message><source>The lists that each vertex of this file has were not read.</source><translation>Les listes que chaque sommet de ce fichier possède n'ont pas été lues.</translation></message>
+<message><source>Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.</source><translation>Chaque sommet a un octet que l'en-tête ne nomme pas, comme PCL l'écrit derrière les couleurs : il a été sauté.</translation></message>
+<message><source>Only the vertices were read, not what follows them: </source><translation>Seuls les sommets ont été lus, pas ce qui les suit : </translation></message>
+<message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matrice de l'en-tête a la place du scanner dans sa dernière colonne et non dans sa dernière rangée : elle a été lue par colonnes.</translation></message>
+<message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La ligne 3 de l'en-tête met le scanner à %1 m de la place que donne sa matrice : la matrice a été utilisée.</translation></message>
+<message><source>Behind the last of these scans there is text that is none.</source><translation>Derrière le dernier de ces scans il y a du texte qui n'en est pas un.</translation></message>
+<message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Le fichier de données %1 manque ; %2 a été lu à sa place.</translation></message>
+<message><source>The file does not end with END: it may have been cut off; compare it with the original.</source><translation>Le fichier ne finit pas par END : il a peut-être été coupé ; comparez-le à l'original.</translation></message>
+<message><source>Descriptions of points (D1 and further) are not read.</source><translation>Les descriptions des points (D1 et suivantes) ne sont pas lues.</translation></message>
+<message><source> lines behind END were not read.</source><translation> lignes derrière END n'ont pas été lues.</translation></message>
+<message><source> line behind END was not read.</source><translation> ligne derrière END n'a pas été lue.</translation></message>
+<message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>Le texte a deux octets par caractère (UTF-16) et a été lu ainsi.</translation></message>
+<message><source> bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> octets nuls (NUL) suivent la dernière rangée, comme après une coupure de courant : les rangées non écrites manquent.</translation></message>
+<message><source> byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> octet nul (NUL) suit la dernière rangée, comme après une coupure de courant : les rangées non écrites manquent.</translation></message>
+<message><source>The capture was cut off: everything up to the cut is here.</source><translation>La capture a été coupée : tout jusqu'à la coupure est là.</translation></message>
+<message><source>The recording was cut off: everything up to the cut is here.</source><translation>L'enregistrement a été coupé : tout jusqu'à la coupure est là.</translation></message>
+<message><source>The bag was cut off: everything up to the cut is here.</source><translation>Le bag a été coupé : tout jusqu'à la coupure est là.</translation></message>
+<message><source> packets have a time before 1970 or after 2262 and count as of 1970.</source><translation> paquets ont une heure avant 1970 ou après 2262 et comptent comme de 1970.</translation></message>
+<message><source> packet has a time before 1970 or after 2262 and count as of 1970.</source><translation> paquet a une heure avant 1970 ou après 2262 et compte comme de 1970.</translation></message>
+<message><source> bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost.</source><translation> octets envoyés par le scanner manquent dans la capture (%1) : les télégrammes y sont perdus.</translation></message>
+<message><source> byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.</source><translation> octet envoyé par le scanner manque dans la capture (%1) : les télégrammes y sont perdus.</translation></message>
+<message><source> bytes that the scanner sent belong to no whole telegram.</source><translation> octets envoyés par le scanner n'appartiennent à aucun télégramme entier.</translation></message>
+<message><source> byte that the scanner sent belongs to no whole telegram.</source><translation> octet envoyé par le scanner n'appartient à aucun télégramme entier.</translation></message>
+<message><source> bytes of the stream belong to no whole telegram.</source><translation> octets du flux n'appartiennent à aucun télégramme entier.</translation></message>
+<message><source> byte of the stream belongs to no whole telegram.</source><translation> octet du flux n'appartient à aucun télégramme entier.</translation></message>
+<message><source> packets came out of order and %1 brought bytes again; they were put in order.</source><translation> paquets sont arrivés dans le désordre et %1 ont apporté des octets à nouveau ; ils ont été remis en ordre.</translation></message>
+<message><source> packet came out of order and %1 brought bytes again; they were put in order.</source><translation> paquet est arrivé dans le désordre et %1 ont apporté des octets à nouveau ; ils ont été remis en ordre.</translation></message>
+<message><source> fragments of IP packets were not put together.</source><translation> fragments de paquets IP n'ont pas été assemblés.</translation></message>
+<message><source> fragment of IP packets were not put together.</source><translation> fragment de paquets IP n'a pas été assemblé.</translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened, and </source><translation>La capture contient %1 flux ; celui de %2 avec %3 télégrammes de scan a été ouvert, et </translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened.</source><translation>La capture contient %1 flux ; celui de %2 avec %3 télégrammes de scan a été ouvert.</translation></message>
+<message><source> other senders have some too.</source><translation> autres émetteurs en ont aussi.</translation></message>
+<message><source> other sender has some too.</source><translation> autre émetteur en a aussi.</translation></message>
+<message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>L'enregistrement décrit une autre grille que celle de ses télégrammes : les télégrammes comptent.</translation></message>
+<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>« %1 » de l'enregistrement est « %2 », ce qui ne peut pas être utilisé</translation></message>
+<message><source> readings of inclinometer or TALIN cannot be used.</source><translation> mesures d'inclinomètre ou de TALIN sont inutilisables.</translation></message>
+<message><source> reading of inclinometer or TALIN cannot be used.</source><translation> mesure d'inclinomètre ou de TALIN est inutilisable.</translation></message>
+<message><source>The recording holds readings of TALIN and does not say where the boom pointed (boom_azimuth_deg).</source><translation>L'enregistrement contient des mesures de TALIN et ne dit pas où pointait la flèche (boom_azimuth_deg).</translation></message>
+<message><source>The recording holds poses and not how the robot is built: %1 places the scan.</source><translation>L'enregistrement contient des poses mais pas la construction du robot : %1 place le scan.</translation></message>
+<message><source>The recording's pose cannot be used: </source><translation>La pose de l'enregistrement est inutilisable : </translation></message>
+<message><source> times in the recording are after %1 and were read as this time.</source><translation> heures de l'enregistrement sont après %1 et ont été lues comme cette heure.</translation></message>
+<message><source> scan telegrams could not be decoded: </source><translation> télégrammes de scan n'ont pas pu être décodés : </translation></message>
+<message><source> scan telegrams since the start could not be decoded, so their lines are lost: </source><translation> télégrammes de scan depuis le début n'ont pas pu être décodés, leurs lignes sont donc perdues : </translation></message>
+<message><source> bytes since the start were not a telegram and were skipped.</source><translation> octets depuis le début n'étaient pas un télégramme et ont été sautés.</translation></message>
+<message><source> messages hold bytes that are not a whole telegram: what was in them is lost.</source><translation> messages contiennent des octets qui ne sont pas un télégramme entier : leur contenu est perdu.</translation></message>
+<message><source> message holds bytes that are not a whole telegram: what was in it is lost.</source><translation> message contient des octets qui ne sont pas un télégramme entier : son contenu est perdu.</translation></message>
+<message><source> more places are damaged or were left out</source><translation> autres endroits sont endommagés ou ont été laissés de côté</translation></message>
+<message><source>bytes %1 to %2 are damaged and were left out</source><translation>les octets %1 à %2 sont endommagés et ont été laissés de côté</translation></message>
+<message><source>the chunk at byte %1 was left out: </source><translation>le bloc à l'octet %1 a été laissé de côté : </translation></message>
+<message><source>the file says that it holds %1 messages and %2 could be read</source><translation>le fichier annonce %1 messages et %2 ont pu être lus</translation></message>
+<message><source>The bag is cut off or damaged at byte %1: the last %2 bytes were not read.</source><translation>Le bag est coupé ou endommagé à l'octet %1 : les %2 derniers octets n'ont pas été lus.</translation></message>
+<message><source>The bag is cut off or damaged at byte %1: the last %2 byte was not read.</source><translation>Le bag est coupé ou endommagé à l'octet %1 : le dernier octet (%2) n'a pas été lu.</translation></message>
+<message><source> chunks are damaged and were left out (</source><translation> blocs sont endommagés et ont été laissés de côté (</translation></message>
+<message><source> chunk is damaged and was left out (</source><translation> bloc est endommagé et a été laissé de côté (</translation></message>
+<message><source> messages belong to no topic of the bag and were left out.</source><translation> messages n'appartiennent à aucun topic du bag et ont été laissés de côté.</translation></message>
+<message><source> message belongs to no topic of the bag and was left out.</source><translation> message n'appartient à aucun topic du bag et a été laissé de côté.</translation></message>
+<message><source> messages are compressed and damaged and were left out.</source><translation> messages sont compressés et endommagés et ont été laissés de côté.</translation></message>
+<message><source> message is compressed and damaged and was left out.</source><translation> message est compressé et endommagé et a été laissé de côté.</translation></message>
+<message><source>The database is cut off or damaged (%1): messages behind the first %2 were not read.</source><translation>La base de données est coupée ou endommagée (%1) : les messages après les %2 premiers n'ont pas été lus.</translation></message>
+<message><source>The log %1 of the recorder could not be read: its messages are not in the scan.</source><translation>Le journal %1 de l'enregistreur n'a pas pu être lu : ses messages ne sont pas dans le scan.</translation></message>
+<message><source>The recorder was not ended: its newest messages were read from </source><translation>L'enregistreur n'a pas été arrêté : ses derniers messages ont été lus de </translation></message>
+<message><source>The recorder was ended within a change: the database was read as it was before it, by </source><translation>L'enregistreur a été arrêté pendant une modification : la base de données a été lue comme avant elle, par </translation></message>
+<message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>Le journal %1 de l'enregistreur finit par %2 pages incomplètes : leurs messages ne sont pas dans le scan.</translation></message>
+<message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>Le journal %1 appartient à plusieurs bases de données et n'a pas été lu : la dernière modification peut être partielle.</translation></message>
+<message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La partie %1 du bag n'a pas pu être lue (%2) : ses messages ne sont pas dans le scan.</translation></message>
+<message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>La partie %1 du bag manque : ses messages ne sont pas dans le scan.</translation></message>
+<message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nomme %1, dont le nom n'est pas celui d'un fichier de messages (.mcap, .db3, .bag) : il n'a pas été lu.</translation></message>
+<message><source> messages of the topic %1 are in the bag twice: each was read once.</source><translation> messages du topic %1 sont deux fois dans le bag : chacun a été lu une fois.</translation></message>
+<message><source> messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.</source><translation> messages du topic sont deux fois dans le bag, avec la même heure et les mêmes distances : chacun a été lu une fois.</translation></message>
+<message><source> message of the topic is in the bag twice, with the same stamp and ranges: it was read once.</source><translation> message du topic est deux fois dans le bag, avec la même heure et les mêmes distances : il a été lu une fois.</translation></message>
+<message><source> messages of the topic were left out: </source><translation> messages du topic ont été laissés de côté : </translation></message>
+<message><source> message of the topic was left out: </source><translation> message du topic a été laissé de côté : </translation></message>
+<message><source>GUESS: the topic %1 was taken; %2 chooses another: </source><translation>SUPPOSITION : le topic %1 a été pris ; %2 en choisit un autre : </translation></message>
+<message><source>GUESS: the angle of each line comes from the transform of the frame %1 in </source><translation>SUPPOSITION : l'angle de chaque ligne vient de la transformation du repère %1 dans </translation></message>
+<message><source>GUESS: the angle of each line comes from the joint </source><translation>SUPPOSITION : l'angle de chaque ligne vient de l'articulation </translation></message>
+<message><source>GUESS: the angle of each line comes from </source><translation>SUPPOSITION : l'angle de chaque ligne vient de </translation></message>
+<message><source>GUESS: the poses of the topic %1 are those of the frame </source><translation>SUPPOSITION : les poses du topic %1 sont celles du repère </translation></message>
+<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPPOSITION : le repère %1 du bag est pris comme grille de la mine, x vers l'est, y vers le nord et z vers le haut.</translation></message>
+<message><source>The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.</source><translation>Le bag ne contient pas la définition de ses messages : celle de ROS 2 de 2022 a été SUPPOSÉE.</translation></message>
+<message><source> messages have a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> messages ont un time_increment impossible : les faisceaux d'une ligne comptent comme mesurés en même temps.</translation></message>
+<message><source> message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> message a un time_increment impossible : les faisceaux d'une ligne comptent comme mesurés en même temps.</translation></message>
+<message><source> lines came out of order and were put in the order of their stamps</source><translation> lignes sont arrivées dans le désordre et ont été remises dans l'ordre de leurs heures</translation></message>
+<message><source> line came out of order and was put in the order of its stamp</source><translation> ligne est arrivée dans le désordre et a été remise dans l'ordre de son heure</translation></message>
+<message><source>angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>angle_max n'est pas là où angle_min et angle_increment mettent le dernier faisceau : angle_increment a été utilisé, et les faisceaux peuvent être inversés ou tournés.</translation></message>
+<message><source> messages of joints are damaged and were left out.</source><translation> messages d'articulations sont endommagés et ont été laissés de côté.</translation></message>
+<message><source> message of joints is damaged and was left out.</source><translation> message d'articulations est endommagé et a été laissé de côté.</translation></message>
+<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (</source><translation>Une articulation ne dit pas comment le laser y est monté. SUPPOSÉ : l'axe (</translation></message>
+<message><source>sweep, by the name of the joint)</source><translation>sweep, d'après le nom de l'articulation)</translation></message>
+<message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>L'axe est à %1 degrés du plan de l'éventail : les points sont décalés d'autant.</translation></message>
+<message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>Le laser est à %1 mm de son axe : les distances sont telles que mesurées, et les points comme s'il était sur l'axe.</translation></message>
+<message><source> lines were measured before the first or after the last angle and were left out.</source><translation> lignes ont été mesurées avant le premier ou après le dernier angle et ont été laissées de côté.</translation></message>
+<message><source> line was measured before the first or after the last angle and was left out.</source><translation> ligne a été mesurée avant le premier ou après le dernier angle et a été laissée de côté.</translation></message>
+<message><source> lines were measured while the laser did not turn and were left out.</source><translation> lignes ont été mesurées pendant que le laser ne tournait pas et ont été laissées de côté.</translation></message>
+<message><source> line was measured while the laser did not turn and was left out.</source><translation> ligne a été mesurée pendant que le laser ne tournait pas et a été laissée de côté.</translation></message>
+<message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. %3 chooses another.</source><translation>Le topic contient %1 balayages ; le balayage %2, compté à partir de 0, a été ouvert. %3 en choisit un autre.</translation></message>
+<message><source>The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. %3 chooses another.</source><translation>Le topic %1 contient un nuage par message ; le message %2, compté à partir de 0, a été ouvert. %3 en choisit un autre.</translation></message>
+<message><source>The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.</source><translation>Le nuage vient d'un scanner à plusieurs faisceaux : ses anneaux sont les faisceaux, et ses tirs les lignes.</translation></message>
+<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Les transformations mettent le scanner à %1, %2, %3 m, où il n'y a rien sur terre : le scan reste dans le repère du scanner.</translation></message>
+<message><source> messages of transforms are damaged and were left out.</source><translation> messages de transformations sont endommagés et ont été laissés de côté.</translation></message>
+<message><source> transforms of the bag have no rotation, no name or no finite numbers and were left out.</source><translation> transformations du bag n'ont pas de rotation, pas de nom ou pas de nombres finis et ont été laissées de côté.</translation></message>
+<message><source> transforms name another parent for their frame than the first one and were left out.</source><translation> transformations nomment un autre parent de leur repère que la première et ont été laissées de côté.</translation></message>
+<message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformations du bag concernent plus de repères qu'aucun robot n'en a et ont été laissées de côté.</translation></message>
+<message><source>The transforms of the bag form a loop at the frame </source><translation>Les transformations du bag forment une boucle au repère </translation></message>
+<message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>Les transformations du bag forment une chaîne de plus de %1 repères : ceux du dessus ne sont pas utilisés.</translation></message>
+<message><source>The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. %3 chooses another.</source><translation>La capture contient %1 tours du scanner ; le tour %2, compté à partir de 0, a été ouvert. %3 en choisit un autre.</translation></message>
+<message><source> packets came out of order and were put in the order of the scanner's clock.</source><translation> paquets sont arrivés dans le désordre et ont été remis dans l'ordre de l'horloge du scanner.</translation></message>
+<message><source> packet came out of order and was put in the order of the scanner's clock.</source><translation> paquet est arrivé dans le désordre et a été remis dans l'ordre de l'horloge du scanner.</translation></message>
+<message><source> packets are missing in part in the capture: their lines are lost.</source><translation> paquets manquent en partie dans la capture : leurs lignes sont perdues.</translation></message>
+<message><source> packet is missing in part in the capture: its lines are lost.</source><translation> paquet manque en partie dans la capture : ses lignes sont perdues.</translation></message>
+<message><source> packets are in the capture twice: each was read once.</source><translation> paquets sont deux fois dans la capture : chacun a été lu une fois.</translation></message>
+<message><source> packet is in the capture twice: it was read once.</source><translation> paquet est deux fois dans la capture : il a été lu une fois.</translation></message>
+<message><source>The capture holds packets of %1 scanners; the one with most of them was opened.</source><translation>La capture contient des paquets de %1 scanners ; celui qui en a le plus a été ouvert.</translation></message>
+<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 others of the capture were left out.</source><translation>Le scanner a envoyé deux retours par faisceau : les plus forts sont là, et %1 autres de la capture ont été laissés de côté.</translation></message>
+<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 other of the capture was left out.</source><translation>Le scanner a envoyé deux retours par faisceau : les plus forts sont là, et %1 autre de la capture a été laissé de côté.</translation></message>
+<message><source>The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.</source><translation>Les faisceaux d'un VLP-16 commencent jusqu'à 11 mm au-dessus et au-dessous de son milieu : les points sont décalés d'autant.</translation></message>
+<message><source>The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.</source><translation>Les faisceaux d'un Ouster commencent à quelques centimètres de son axe, et les distances sont telles que mesurées : les points sont décalés d'autant.</translation></message>
+<message><source> lines of the turn are missing in the capture and are shown as lost.</source><translation> lignes du tour manquent dans la capture et sont montrées comme perdues.</translation></message>
+<message><source> line of the turn is missing in the capture and is shown as lost.</source><translation> ligne du tour manque dans la capture et est montrée comme perdue.</translation></message>
+<message><source> telegrams came late and were put into their lines</source><translation> télégrammes sont arrivés en retard et ont été mis dans leurs lignes</translation></message>
+<message><source>A telegram came late and was put into its line</source><translation>Un télégramme est arrivé en retard et a été mis dans sa ligne</translation></message>
+<message><source> telegrams came after their sweep had ended</source><translation> télégrammes sont arrivés après la fin de leur balayage</translation></message>
+<message><source>A telegram came after its sweep had ended</source><translation>Un télégramme est arrivé après la fin de son balayage</translation></message>
+<message><source> telegrams had other beams than the sweep, or were of another layer of the scanner</source><translation> télégrammes avaient d'autres faisceaux que le balayage, ou étaient d'une autre couche du scanner</translation></message>
+<message><source>A telegram had other beams than the sweep, or was of another layer of the scanner</source><translation>Un télégramme avait d'autres faisceaux que le balayage, ou était d'une autre couche du scanner</translation></message>
+<message><source> telegrams held no ranges</source><translation> télégrammes ne contenaient pas de distances</translation></message>
+<message><source>A telegram held no ranges</source><translation>Un télégramme ne contenait pas de distances</translation></message>
+<message><source> times the scanner's counters jumped ahead</source><translation> fois les compteurs du scanner ont sauté en avant</translation></message>
+<message><source>The scanner's counters jumped ahead once</source><translation>Les compteurs du scanner ont sauté en avant une fois</translation></message>
+<message><source> times one of the scanner's counters was set back</source><translation> fois un des compteurs du scanner a été remis en arrière</translation></message>
+<message><source>One of the scanner's counters was set back</source><translation>Un des compteurs du scanner a été remis en arrière</translation></message>
+<message><source> times the scanner's counters stood still from line to line</source><translation> fois les compteurs du scanner se sont arrêtés d'une ligne à l'autre</translation></message>
+<message><source>The scanner's counters stood still for a line</source><translation>Les compteurs du scanner se sont arrêtés pendant une ligne</translation></message>
+<message><source> times the scanner's clock was set while its counters ran on</source><translation> fois l'horloge du scanner a été réglée pendant que ses compteurs continuaient</translation></message>
+<message><source>The scanner's clock was set while its counters ran on</source><translation>L'horloge du scanner a été réglée pendant que ses compteurs continuaient</translation></message>
+<message><source> times the scanner's clock stood still from line to line</source><translation> fois l'horloge du scanner s'est arrêtée d'une ligne à l'autre</translation></message>
+<message><source>The scanner's clock stood still for a line</source><translation>L'horloge du scanner s'est arrêtée pendant une ligne</translation></message>
+<message><source> times the scanner paused for more than a second</source><translation> fois le scanner s'est arrêté plus d'une seconde</translation></message>
+<message><source>The scanner paused for more than a second</source><translation>Le scanner s'est arrêté plus d'une seconde</translation></message>
+<message><source> times the scanner restarted</source><translation> fois le scanner a redémarré</translation></message>
+<message><source>The scanner restarted</source><translation>Le scanner a redémarré</translation></message>
+<message><source> telegrams brought other echoes than the first one</source><translation> télégrammes ont apporté d'autres échos que le premier</translation></message>
+<message><source>A telegram brought other echoes than the first one</source><translation>Un télégramme a apporté d'autres échos que le premier</translation></message>
+<message><source> times the telegrams came from another scanner</source><translation> fois les télégrammes sont venus d'un autre scanner</translation></message>
+<message><source>The telegrams come from another scanner</source><translation>Les télégrammes viennent d'un autre scanner</translation></message>
+<message><source> lines were lost between two sweeps</source><translation> lignes ont été perdues entre deux balayages</translation></message>
+<message><source>A line was lost between two sweeps</source><translation>Une ligne a été perdue entre deux balayages</translation></message>
+<message><source> (first at line </source><translation> (d'abord à la ligne </translation></message>
+<message><source> (line </source><translation> (ligne </translation></message>
+<message><source>: no lines of this sweep.</source><translation> : pas de lignes de ce balayage.</translation></message>
+<message><source>: their lines are lost.</source><translation> : leurs lignes sont perdues.</translation></message>
+<message><source>, by more lines than its clock allows: whether lines were lost there is not known (%1 by the counters).</source><translation>, de plus de lignes que son horloge ne le permet : si des lignes y ont été perdues n'est pas connu (%1 d'après les compteurs).</translation></message>
+<message><source>: lost lines there are counted by the other one and the clock.</source><translation> : les lignes perdues y sont comptées par l'autre et l'horloge.</translation></message>
+<message><source>: lost lines cannot be counted there.</source><translation> : les lignes perdues ne peuvent pas y être comptées.</translation></message>
+<message><source>: the times of lines there are reckoned.</source><translation> : les heures des lignes y sont calculées.</translation></message>
+<message><source>, and its counters know of no lost line.</source><translation>, et ses compteurs ne connaissent aucune ligne perdue.</translation></message>
+<message><source>: lines lost meanwhile are counted by this computer's clock.</source><translation> : les lignes perdues entre-temps sont comptées par l'horloge de cet ordinateur.</translation></message>
+<message><source>: their ranges may be of another echo.</source><translation> : leurs distances peuvent être d'un autre écho.</translation></message>
+<message><source>: the sweep is not of one device.</source><translation> : le balayage n'est pas d'un seul appareil.</translation></message>
+<message><source>this is a GIF picture, not a scan</source><translation>c'est une image GIF, pas un scan</translation></message>
+<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>c'est une image, un son ou un film (RIFF), pas un scan</translation></message>
+<message><source>this is a Photoshop picture, not a scan</source><translation>c'est une image Photoshop, pas un scan</translation></message>
+<message><source>this is a gzip archive in another one, not a scan</source><translation>c'est une archive gzip dans une autre, pas un scan</translation></message>
+<message><source>this is an xz archive, not a scan</source><translation>c'est une archive xz, pas un scan</translation></message>
+<message><source>this is a bzip2 archive, not a scan</source><translation>c'est une archive bzip2, pas un scan</translation></message>
+<message><source>this is a zstd archive, not a scan</source><translation>c'est une archive zstd, pas un scan</translation></message>
+<message><source>this is a 7-Zip archive, not a scan</source><translation>c'est une archive 7-Zip, pas un scan</translation></message>
+<message><source>this is a RAR archive, not a scan</source><translation>c'est une archive RAR, pas un scan</translation></message>
+<message><source>this is an old Office document, not a scan</source><translation>c'est un ancien document Office, pas un scan</translation></message>
+<message><source>this is a STEP model, not a scan</source><translation>c'est un modèle STEP, pas un scan</translation></message>
+<message><source>this is an SVG picture, not a scan</source><translation>c'est une image SVG, pas un scan</translation></message>
+<message><source>this is an XML document, not a scan</source><translation>c'est un document XML, pas un scan</translation></message>
+<message><source>this is a text document (RTF), not a scan</source><translation>c'est un document texte (RTF), pas un scan</translation></message>
+<message><source>this is a PostScript document, not a scan</source><translation>c'est un document PostScript, pas un scan</translation></message>
+<message><source>this is a table of rocks, not a scan</source><translation>c'est un tableau de roches, pas un scan</translation></message>
+<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>c'est un raster de hauteurs (grille ASCII Esri), pas un scan</translation></message>
+<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>c'est un raster de hauteurs (grille Surfer), pas un scan</translation></message>
+<message><source>this is a BMP picture, not a scan</source><translation>c'est une image BMP, pas un scan</translation></message>
+<message><source>this is an HDF5 file, which is not read</source><translation>c'est un fichier HDF5, qui n'est pas lu</translation></message>
+<message><source>this is a MATLAB file, which is not read</source><translation>c'est un fichier MATLAB, qui n'est pas lu</translation></message>
+<message><source>this is a Parquet table, which is not read</source><translation>c'est un tableau Parquet, qui n'est pas lu</translation></message>
+<message><source>this is an Arrow table, which is not read</source><translation>c'est un tableau Arrow, qui n'est pas lu</translation></message>
+<message><source>this is a glTF model, which is not read</source><translation>c'est un modèle glTF, qui n'est pas lu</translation></message>
+<message><source>this is an FBX model, which is not read</source><translation>c'est un modèle FBX, qui n'est pas lu</translation></message>
+<message><source>this is a file of VTK, which is not read</source><translation>c'est un fichier de VTK, qui n'est pas lu</translation></message>
+<message><source>this is an OFF mesh, which is not read</source><translation>c'est un maillage OFF, qui n'est pas lu</translation></message>
+<message><source>this is a drawing (DXF), which is not read</source><translation>c'est un dessin (DXF), qui n'est pas lu</translation></message>
+<message><source>this is a FARO scan (FLS), which is not read</source><translation>c'est un scan FARO (FLS), qui n'est pas lu</translation></message>
+<message><source>this is a FARO workspace, which is not read</source><translation>c'est un espace de travail FARO, qui n'est pas lu</translation></message>
+<message><source>this is a FARO project, which is not read</source><translation>c'est un projet FARO, qui n'est pas lu</translation></message>
+<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>c'est un flux RIEGL (RXP), qui n'est pas lu</translation></message>
+<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>c'est un scan RIEGL (3DD), qui n'est pas lu</translation></message>
+<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>c'est un scan Z+F (ZFS), qui n'est pas lu</translation></message>
+<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>c'est un projet Z+F (ZFPRJ), qui n'est pas lu</translation></message>
+<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>c'est un scan Z+F (ZFC), qui n'est pas lu</translation></message>
+<message><source>this is a Leica LGS project, which is not read</source><translation>c'est un projet Leica LGS, qui n'est pas lu</translation></message>
+<message><source>this is a Leica LGSx project, which is not read</source><translation>c'est un projet Leica LGSx, qui n'est pas lu</translation></message>
+<message><source>this is an Autodesk ReCap project, which is not read</source><translation>c'est un projet Autodesk ReCap, qui n'est pas lu</translation></message>
+<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>c'est un scan Autodesk ReCap, qui n'est pas lu</translation></message>
+<message><source>this is a Trimble scan (TZF), which is not read</source><translation>c'est un scan Trimble (TZF), qui n'est pas lu</translation></message>
+<message><source>this is a Topcon scan (CL3), which is not read</source><translation>c'est un scan Topcon (CL3), qui n'est pas lu</translation></message>
+<message><source>this is a Topcon scan (CLR), which is not read</source><translation>c'est un scan Topcon (CLR), qui n'est pas lu</translation></message>
+<message><source>this is a Pointools cloud (POD), which is not read</source><translation>c'est un nuage Pointools (POD), qui n'est pas lu</translation></message>
+<message><source>this is a VRML scene, which is not read</source><translation>c'est une scène VRML, qui n'est pas lue</translation></message>
+<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>c'est une base de données RIEGL (RDBX), qui n'est pas lue</translation></message>
+<message><source>this is a RIEGL database, which is not read</source><translation>c'est une base de données RIEGL, qui n'est pas lue</translation></message>
+<message><source>this is a Leica Cyclone database, which is not read</source><translation>c'est une base de données Leica Cyclone, qui n'est pas lue</translation></message>
+<message><source>this is a numpy archive, which is not read</source><translation>c'est une archive numpy, qui n'est pas lue</translation></message>
+<message><source>this is an Excel workbook, not a table of text</source><translation>c'est un classeur Excel, pas un tableau de texte</translation></message>
+<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>c'est une feuille de calcul OpenDocument, pas un tableau de texte</translation></message>
+<message><source>this is a Python pickle, which only Python can open</source><translation>c'est un pickle Python, que seul Python peut ouvrir</translation></message>
+<message><source>this is a ROS bag that does not begin like one</source><translation>c'est un bag ROS qui n'en a pas le début</translation></message>
+<message><source>this is a ROS 2 bag that does not begin like one</source><translation>c'est un bag ROS 2 qui n'en a pas le début</translation></message>
+<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>c'est un fichier binaire sans télégramme d'un scanner SICK</translation></message>
+<message><source>this is a ROS bag, and </source><translation>c'est un bag ROS, et </translation></message>
+<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>cette version est sans robots : elle ne lit ni bags ROS, ni VLP-16, ni Ouster, ni pont Foxglove</translation></message>
+<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>utilisez une version avec robots (EDGESCAN_ROBOTS)</translation></message>
+<message><source>unpack it (%1) and open the scan in it</source><translation>décompressez-la (%1) et ouvrez le scan qu'elle contient</translation></message>
+<message><source>save its points as PLY in MeshLab</source><translation>enregistrez ses points en PLY dans MeshLab</translation></message>
+<message><source>choose the scan that it was made from</source><translation>choisissez le scan dont il vient</translation></message>
+<message><source>save the ranges as .npy or .csv</source><translation>enregistrez les distances en .npy ou .csv</translation></message>
+<message><source>save the ranges with writematrix(</source><translation>enregistrez les distances avec writematrix(</translation></message>
+<message><source>save the table as .csv</source><translation>enregistrez le tableau en .csv</translation></message>
+<message><source>save the sheet as .csv</source><translation>enregistrez la feuille en .csv</translation></message>
+<message><source>save it as PLY in Blender or MeshLab</source><translation>enregistrez-le en PLY dans Blender ou MeshLab</translation></message>
+<message><source>save it as PLY in Blender</source><translation>enregistrez-le en PLY dans Blender</translation></message>
+<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>enregistrez ses points en PLY, ou en CSV depuis le tableau de ParaView</translation></message>
+<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>exportez-le en E57 ou LAS avec RiSCAN PRO, ou avec rdbconvert de RIEGL</translation></message>
+<message><source>export it as E57 or PTX with </source><translation>exportez-le en E57 ou PTX avec </translation></message>
+<message><source>export it as E57 with </source><translation>exportez-le en E57 avec </translation></message>
+<message><source>export it as LAS with Bentley's program</source><translation>exportez-le en LAS avec le programme de Bentley</translation></message>
+<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>enregistrez les points en PCD ou PLY ; une capture de télégrammes contient les octets tels que reçus du scanner</translation></message>
+<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>choisissez le scan, ou enregistrez les points du dessin en CSV, LAS ou PLY</translation></message>
+<message><source>save the array of ranges or points as .npy</source><translation>enregistrez le tableau de distances ou de points en .npy</translation></message>
+<message><source>the file is empty</source><translation>le fichier est vide</translation></message>
+<message><source>copy it again or choose another</source><translation>copiez-le à nouveau ou choisissez-en un autre</translation></message>
+<message><source>the file holds no points</source><translation>le fichier ne contient pas de points</translation></message>
+<message><source>the file holds 0 points with a return, out of </source><translation>le fichier contient 0 point avec un retour, sur </translation></message>
+<message><source>choose another file, or copy it again</source><translation>choisissez un autre fichier, ou copiez-le à nouveau</translation></message>
+<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la dernière ligne du scan est incomplète et la dernière rangée n'a pas de fin de ligne : le fichier a été coupé</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>l'en-tête annonce %1 points de %2 octets et le fichier en contient %3 octets, ce qui est plus</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them</source><translation>l'en-tête annonce %1 points de %2 octets et le fichier en contient %3 octets</translation></message>
+<message><source>the header promises %1 vertices and the file holds %2 bytes of them</source><translation>l'en-tête annonce %1 sommets et le fichier en contient %2 octets</translation></message>
+<message><source>the header promises %1 vertices and the file ends after </source><translation>l'en-tête annonce %1 sommets et le fichier finit après </translation></message>
+<message><source>the header promises %1 points and the file ends after </source><translation>l'en-tête annonce %1 points et le fichier finit après </translation></message>
+<message><source>the header promises %1 points and the file holds </source><translation>l'en-tête annonce %1 points et le fichier en contient </translation></message>
+<message><source>the header promises %1 points, more than a file of %2 holds of a scan</source><translation>l'en-tête annonce %1 points, plus qu'un fichier de %2 n'en contient d'un scan</translation></message>
+<message><source>the header promises more points than any file holds</source><translation>l'en-tête annonce plus de points qu'aucun fichier n'en contient</translation></message>
+<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>l'image annonce plus de pixels qu'un fichier de %1 n'en contient d'un scan</translation></message>
+<message><source>the file ends within its LAS header</source><translation>le fichier finit dans son en-tête LAS</translation></message>
+<message><source>the file ends within its numpy header</source><translation>le fichier finit dans son en-tête numpy</translation></message>
+<message><source>the file ends before its vertices</source><translation>le fichier finit avant ses sommets</translation></message>
+<message><source>the file ends before its compressed points</source><translation>le fichier finit avant ses points compressés</translation></message>
+<message><source>the file is cut off in its last vertex</source><translation>le fichier est coupé dans son dernier sommet</translation></message>
+<message><source>the compressed points are damaged</source><translation>les points compressés sont endommagés</translation></message>
+<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>ce fichier LAZ ne peut pas être décompressé : il finit trop tôt</translation></message>
+<message><source>this LAZ file cannot be unpacked: </source><translation>ce fichier LAZ ne peut pas être décompressé : </translation></message>
+<message><source>this LAZ file is damaged or cut off</source><translation>ce fichier LAZ est endommagé ou coupé</translation></message>
+<message><source>copy it again, or save it as .las</source><translation>copiez-le à nouveau, ou enregistrez-le en .las</translation></message>
+<message><source>save it as LAS 1.2 or 1.4</source><translation>enregistrez-le en LAS 1.2 ou 1.4</translation></message>
+<message><source>this is LAS version %1, and versions up to 1.4 are known</source><translation>c'est la version LAS %1, et les versions jusqu'à 1.4 sont connues</translation></message>
+<message><source>needs %1 of memory, %2 are free</source><translation>demande %1 de mémoire, %2 sont libres</translation></message>
+<message><source>holds more points than can be put on a grid</source><translation>contient plus de points qu'une grille ne peut en recevoir</translation></message>
+<message><source>split the file</source><translation>divisez le fichier</translation></message>
+<message><source>the scan of this PTX file holds 0 points</source><translation>le scan de ce fichier PTX contient 0 point</translation></message>
+<message><source>scan %1 of this PTX file promises %2 columns of %3 points, and the file ends before them</source><translation>le scan %1 de ce fichier PTX annonce %2 colonnes de %3 points, et le fichier finit avant</translation></message>
+<message><source>holds %1 bytes where %2 need </source><translation>contient %1 octets là où %2 en demandent </translation></message>
+<message><source>check lines and beams in the .json file</source><translation>vérifiez les lignes et faisceaux dans le fichier .json</translation></message>
+<message><source>check that the file is complete</source><translation>vérifiez que le fichier est complet</translation></message>
+<message><source>the PLY header has no end_header line</source><translation>l'en-tête PLY n'a pas de ligne end_header</translation></message>
+<message><source>the PCD header has no DATA line</source><translation>l'en-tête PCD n'a pas de ligne DATA</translation></message>
+<message><source>the PLY file has no vertices</source><translation>le fichier PLY n'a pas de sommets</translation></message>
+<message><source>this OBJ file has no vertices</source><translation>ce fichier OBJ n'a pas de sommets</translation></message>
+<message><source>this Surpac file has no points</source><translation>ce fichier Surpac n'a pas de points</translation></message>
+<message><source>the vertices have no x, y and z</source><translation>les sommets n'ont pas x, y et z</translation></message>
+<message><source>the PCD file has no fields x, y and z</source><translation>le fichier PCD n'a pas de champs x, y et z</translation></message>
+<message><source>export the file with coordinates</source><translation>exportez le fichier avec des coordonnées</translation></message>
+<message><source>this is text without a row of numbers, so no scan</source><translation>c'est du texte sans rangée de nombres, donc pas un scan</translation></message>
+<message><source>choose a scan: %1, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>choisissez un scan : %1, une grille brute (.json), une image de distances (.png, .tif), un enregistrement (.mcap), un bag ROS ou une capture réseau (.pcap)</translation></message>
+<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x et y de ce fichier sont des degrés de longitude et de latitude, selon son système de coordonnées, et il faut des mètres</translation></message>
+<message><source>export it in a projected coordinate system such as UTM</source><translation>exportez-le dans un système de coordonnées projeté comme UTM</translation></message>
+<message><source>its heading names %1, and points need x, y and z in metres</source><translation>son en-tête nomme %1, et les points demandent x, y et z en mètres</translation></message>
+<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>écrivez x, y et z, ou les distances en tableau avec une rangée par ligne ; ou </translation></message>
+<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>son en-tête nomme des axes (%1), et x, y et z ne sont pas tous compris</translation></message>
+<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: </source><translation>dites quelles colonnes sont est (x), nord (y) et altitude (z), par numéro ou par nom : </translation></message>
+<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>il y a des mots parmi les nombres de ses rangées, et aucun en-tête ne nomme x, y et z</translation></message>
+<message><source>write a first row with the names of the columns, such as </source><translation>écrivez une première rangée avec les noms des colonnes, comme </translation></message>
+<message><source> has a decimal comma</source><translation> a une virgule décimale</translation></message>
+<message><source>save the file with decimal points</source><translation>enregistrez le fichier avec des points décimaux</translation></message>
+<message><source>" is not a number</source><translation>" n'est pas un nombre</translation></message>
+<message><source>correct the line or export the file again</source><translation>corrigez la ligne ou exportez à nouveau le fichier</translation></message>
+<message><source> is below x, y or z and is not a number</source><translation> est sous x, y ou z et n'est pas un nombre</translation></message>
+<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>enregistrez le fichier avec de simples nombres dans ces colonnes, sans unités ni signes</translation></message>
+<message><source>, a number whose thousands are set apart</source><translation>, un nombre dont les milliers sont séparés</translation></message>
+<message><source>save the file with plain numbers, without separators of thousands</source><translation>enregistrez le fichier avec de simples nombres, sans séparateurs de milliers</translation></message>
+<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contient des octets nuls, comme un fichier qui n'a pas été écrit jusqu'au bout</translation></message>
+<message><source>copy the file or export it again</source><translation>copiez ou exportez à nouveau le fichier</translation></message>
+<message><source>its numbers are separated by "%1", which separates none here</source><translation>ses nombres sont séparés par « %1 », qui n'en sépare aucun ici</translation></message>
+<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>enregistrez le fichier avec des virgules, points-virgules, tabulations ou espaces entre ses nombres</translation></message>
+<message><source>a table of %1 ranges per line does not say its angles</source><translation>un tableau de %1 distances par ligne ne dit pas ses angles</translation></message>
+<message><source>a picture of %1 ranges per line does not say its angles</source><translation>une image de %1 distances par ligne ne dit pas ses angles</translation></message>
+<message><source>a array of %1 ranges per line does not say its angles</source><translation>un tableau numpy de %1 distances par ligne ne dit pas ses angles</translation></message>
+<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation> ; ou enregistrez-le avec une rangée par ligne : il a autant de rangées qu'un LMS511 a de faisceaux</translation></message>
+<message><source> holds %1, which is not a range</source><translation> contient %1, qui n'est pas une distance</translation></message>
+<message><source>check that these are ranges; points need columns x, y and z</source><translation>vérifiez que ce sont des distances ; des points demandent des colonnes x, y et z</translation></message>
+<message><source> holds %1, so this is not a table of ranges</source><translation> contient %1, ce n'est donc pas un tableau de distances</translation></message>
+<message><source> numbers per line without names are a table of ranges only with its angles; as points, </source><translation> nombres par ligne sans noms ne sont un tableau de distances qu'avec ses angles ; comme points, </translation></message>
+<message><source>, or name the columns x, y and z</source><translation>, ou nommez les colonnes x, y et z</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits gris, et les distances demandent 16 bits gris</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits en couleurs, et les distances demandent 16 bits gris</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>choisissez un scan, ou une image de distances de 16 bits par pixel</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>c'est une image PNG illisible : </translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>l'image TIFF est endommagée ou d'un type illisible</translation></message>
+<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>un tableau numpy de forme %1 n'est ni des distances (lignes, faisceaux) ni des points (n, 3) ou (lignes, faisceaux, 3)</translation></message>
+<message><source>save it in one of these shapes</source><translation>enregistrez-le dans une de ces formes</translation></message>
+<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>ces valeurs demandent leur description %1 à côté d'elles, et elle est illisible</translation></message>
+<message><source>copy it into the same folder</source><translation>copiez-la dans le même dossier</translation></message>
+<message><source> points with a return, too few to find a scanner's grid</source><translation> points avec un retour, trop peu pour trouver la grille d'un scanner</translation></message>
+<message><source>points have a return, too few to make a grid of them</source><translation>points ont un retour, trop peu pour en faire une grille</translation></message>
+<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>les %1 points ne sont pas sur des angles faisceau x ligne autour de l'origine :</translation></message>
+<message><source> about z </source><translation> autour de z </translation></message>
+<message><source> about y </source><translation> autour de y </translation></message>
+<message><source> about x </source><translation> autour de x </translation></message>
+<message><source>no scan lines can be recognised</source><translation>aucune ligne reconnaissable</translation></message>
+<message><source> % lie on the best </source><translation> % sur les meilleurs </translation></message>
+<message><source> line angles</source><translation> angles de ligne</translation></message>
+<message><source> beam angles</source><translation> angles de faisceau</translation></message>
+<message><source> (99 % are needed)</source><translation> (il en faut 99 %)</translation></message>
+<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>ouvrez le scan tel que le scanner l'a enregistré, avec l'origine au scanner</translation></message>
+<message><source>open the scan as the scanner stored it, or with its record</source><translation>ouvrez le scan tel que le scanner l'a enregistré, ou avec sa fiche</translation></message>
+<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>tous les points sont à moins de %1 m les uns des autres et à %2 m au moins du scanner, ce qu'aucun scanner ne mesure</translation></message>
+<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>les %1 points de sa grille sont dans une seule direction depuis l'origine, dans %2 degrés et jusqu'à %3 : le scanner était ailleurs</translation></message>
+<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>les %1 points sont tous dans une seule direction depuis là, dans %2 et à %3 à %4</translation></message>
+<message><source>seen from there the points make no picture: </source><translation>vus de là, les points ne font pas d'image : </translation></message>
+<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>ils ne se suivent pas en lignes qui tournent autour d'un axe ailleurs</translation></message>
+<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>ses nombres ont été arrondis à %1 chiffres, si bien que ceux proches de %2 avancent par pas de %3 : les chiffres qui placent les points sont perdus</translation></message>
+<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>réécrivez les coordonnées avec toutes leurs décimales, en nombres et non sous la forme 1.23E+06</translation></message>
+<message><source>this capture holds no scan telegram of a SICK scanner, and </source><translation>cette capture ne contient aucun télégramme de scan d'un scanner SICK, et </translation></message>
+<message><source>this capture holds %1 packets, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>cette capture contient %1 paquets, dont %2 TCP, mais aucun télégramme de scan d'un scanner SICK ni paquet d'un VLP-16 ou d'un Ouster</translation></message>
+<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capturez la connexion au port du scanner (2111 ou 2112) pendant qu'il scanne</translation></message>
+<message><source>this is not a capture of network packets</source><translation>ce n'est pas une capture de paquets réseau</translation></message>
+<message><source>choose a PCAP or PCAPNG file</source><translation>choisissez un fichier PCAP ou PCAPNG</translation></message>
+<message><source>the capture ends within its header</source><translation>la capture finit dans son en-tête</translation></message>
+<message><source>copy the capture again</source><translation>copiez à nouveau la capture</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>ce fichier MCAP ne contient rien qu'un scanner laser ait envoyé</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file</source><translation>rien de ce qu'un scanner laser a envoyé n'est lisible dans ce fichier MCAP</translation></message>
+<message><source>choose a recording of a sweep</source><translation>choisissez l'enregistrement d'un balayage</translation></message>
+<message><source>choose another recording</source><translation>choisissez un autre enregistrement</translation></message>
+<message><source>this recording holds no scan telegram</source><translation>cet enregistrement ne contient aucun télégramme de scan</translation></message>
+<message><source>no scan telegram in this recording can be decoded</source><translation>aucun télégramme de scan de cet enregistrement ne peut être décodé</translation></message>
+<message><source>the recording holds one sweep</source><translation>l'enregistrement contient un balayage</translation></message>
+<message><source>the recording holds %1 sweeps</source><translation>l'enregistrement contient %1 balayages</translation></message>
+<message><source>a calibration alone gives no place</source><translation>un étalonnage seul ne donne pas de place</translation></message>
+<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>une pose demande l'étalonnage du robot, et l'enregistrement n'en contient pas</translation></message>
+<message><source>a pose needs the robot's calibration</source><translation>une pose demande l'étalonnage du robot</translation></message>
+<message><source>give %1 the place in metres that the scan was taken from</source><translation>indiquez %1, la place en mètres d'où le scan a été pris</translation></message>
+<message><source>give «</source><translation>indiquez «</translation></message>
 <message><source>CONNECTING</source><translation>CONNEXION</translation></message>
 <message><source>LIVE</source><translation>EN DIRECT</translation></message>
 <message><source>STALE</source><translation>PÉRIMÉ</translation></message>

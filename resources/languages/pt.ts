@@ -3,6 +3,536 @@
 <TS version="2.1" language="pt" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
+<message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidade tomada como milímetros, como nas imagens de distâncias.</translation></message>
+<message><source>Unit taken as millimetres</source><translation>Unidade tomada como milímetros</translation></message>
+<message><source>Unit taken as centimetres</source><translation>Unidade tomada como centímetros</translation></message>
+<message><source>Unit taken as metres</source><translation>Unidade tomada como metros</translation></message>
+<message><source>, from the size of the numbers.</source><translation>, pelo tamanho dos números.</translation></message>
+<message><source>, in which every range is a whole number of millimetres.</source><translation>, unidade em que cada distância é um número inteiro de milímetros.</translation></message>
+<message><source>, in which the numbers fit the sensor position given.</source><translation>, unidade em que os números encaixam na posição indicada do sensor.</translation></message>
+<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidade tomada de um comentário do arquivo: %1 mm por unidade.</translation></message>
+<message><source>The coordinate system of the file is %1, without its unit: metres were taken. %2 says another one.</source><translation>O sistema de coordenadas do arquivo é %1, sem a sua unidade: foram tomados metros. %2 indica outra.</translation></message>
+<message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>O sistema de coordenadas do arquivo dá os comprimentos em %1 de %2 mm: foram convertidos.</translation></message>
+<message><source>Heights of the file have another unit than x and y, %1 mm: they were converted.</source><translation>As alturas do arquivo têm outra unidade que x e y, %1 mm: foram convertidas.</translation></message>
+<message><source>The file's coordinates are left-handed and were turned right-handed: y is mirrored.</source><translation>As coordenadas do arquivo são levógiras e foram tornadas dextrógiras: y está espelhado.</translation></message>
+<message><source>The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.</source><translation>As coordenadas estão arredondadas e cada ponto cai num número inteiro de milímetros ao longo do seu feixe: estes foram tomados como distâncias.</translation></message>
+<message><source>Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.</source><translation>Neste arquivo, os números até %1 têm uma resolução de cerca de %2: foi escrito com números flutuantes de 4 bytes.</translation></message>
+<message><source>numbers up to %1 in this file have a resolution of about </source><translation>neste arquivo, os números até %1 têm uma resolução de cerca de </translation></message>
+<message><source>the origin, because no sensor position is known (%1 gives it)</source><translation>a origem, porque nenhuma posição do sensor é conhecida (%1 a dá)</translation></message>
+<message><source>the sensor position given, (</source><translation>a posição indicada do sensor, (</translation></message>
+<message><source>the sensor position in the file, (</source><translation>a posição do sensor no arquivo, (</translation></message>
+<message><source>The points lie on no scanner grid and were projected about </source><translation>Os pontos não estão em nenhuma grade de scanner e foram projetados tomando como centro </translation></message>
+<message><source>The points were projected about </source><translation>Os pontos foram projetados tomando como centro </translation></message>
+<message><source>; projected about </source><translation>; projetados tomando como centro </translation></message>
+<message><source> points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> pontos lidos, vistos em %1 x %2 graus; %3 de %4 células preenchidas (grau de preenchimento %5 %; das células em torno de uma preenchida %6 %), </translation></message>
+<message><source> point attached to a cell with a nearer one</source><translation> ponto ligado a uma célula que tem um mais próximo</translation></message>
+<message><source> points attached to a cell with a nearer one</source><translation> pontos ligados a uma célula que tem um mais próximo</translation></message>
+<message><source> point far from all others left out</source><translation> ponto longe de todos os outros deixado de fora</translation></message>
+<message><source> points far from all others left out</source><translation> pontos longe de todos os outros deixados de fora</translation></message>
+<message><source>The cells have the given %1 degrees, along lines that were recognised in the cloud.</source><translation>As células têm os %1 graus indicados, ao longo de linhas reconhecidas na nuvem.</translation></message>
+<message><source>The cells have the given %1 degrees.</source><translation>As células têm os %1 graus indicados.</translation></message>
+<message><source>The cells have %1 degrees, from the spacing of the points, along lines that were recognised in the cloud.</source><translation>As células têm %1 graus, pelo espaçamento dos pontos, ao longo de linhas reconhecidas na nuvem.</translation></message>
+<message><source>The cells have %1 degrees, from the spacing of the points.</source><translation>As células têm %1 graus, pelo espaçamento dos pontos.</translation></message>
+<message><source>Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, or with its record, has the grid of the scan.</source><translation>As arestas de uma nuvem projetada diferem das da sua varredura: um arquivo com os pontos na ordem do scanner, ou com o seu registro, tem a grade da varredura.</translation></message>
+<message><source> points lie farther than %1 from the sensor and were taken as no return: %2 says where it stood.</source><translation> pontos estão a mais de %1 do sensor e foram tomados como sem retorno: %2 indica onde ele estava.</translation></message>
+<message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>O lugar do sensor foi encontrado a partir das distâncias que o arquivo contém com os seus pontos.</translation></message>
+<message><source>The file puts the sensor %1 away from its points, which are all within %2 of each other (in its own numbers): no scanner measures so, and the place was not used.</source><translation>O arquivo põe o sensor a %1 dos seus pontos, que estão todos a menos de %2 uns dos outros (nos seus próprios números): nenhum scanner mede assim, e esse lugar não foi usado.</translation></message>
+<message><source>The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.</source><translation>O eixo das linhas da varredura está a %1 (nos números do arquivo) da posição conhecida do sensor.</translation></message>
+<message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>A lista não era uma grade completa em ordem: %1 linhas x %2 feixes foram recuperados a partir dos ângulos dos seus pontos.</translation></message>
+<message><source> lines repeated the line before and were left out.</source><translation> linhas repetiam a linha anterior e foram deixadas de fora.</translation></message>
+<message><source> points stood in the list before, as when a driver stores lines twice, and were taken once.</source><translation> pontos já estavam na lista, como quando um driver grava linhas duas vezes, e foram tomados uma vez.</translation></message>
+<message><source> lines or beams without any point were put back empty, to keep the steps even.</source><translation> linhas ou feixes sem nenhum ponto foram repostos vazios, para manter passos iguais.</translation></message>
+<message><source> points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.</source><translation> pontos não pertencem a uma única célula da grade (no eixo de rotação, ou fora da grade) e foram deixados de fora.</translation></message>
+<message><source> points lay in a cell with a nearer one, which was taken.</source><translation> pontos estavam numa célula com um mais próximo, que foi tomado.</translation></message>
+<message><source>The line angles are uneven: steps from %1 to %2 degrees, kept as they are.</source><translation>Os ângulos das linhas são desiguais: passos de %1 a %2 graus, mantidos como estão.</translation></message>
+<message><source>The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.</source><translation>As linhas giram em torno do eixo y do arquivo, que passou a z: x é o z do arquivo, y o seu x, z o seu y.</translation></message>
+<message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Cada linha só tem um feixe em cada %1, por turno: %2 linhas seguidas foram postas lado a lado.</translation></message>
+<message><source>The columns of lines and beams hold no grid and were not used.</source><translation>As colunas de linhas e feixes não contêm nenhuma grade e não foram usadas.</translation></message>
+<message><source>Lines and beams were exchanged: only that way the lines make fans about one axis.</source><translation>Linhas e feixes foram trocados: só assim as linhas formam leques em torno de um eixo.</translation></message>
+<message><source>The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.</source><translation>As fileiras do arquivo, tal como estão, não formam leques em torno de um eixo: %1, e só assim as linhas formam leques.</translation></message>
+<message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>A grade tem tantas linhas e feixes quantos os pontos nomeiam, %1 x %2: uma linha ou um feixe atrás do último ponto não está no arquivo.</translation></message>
+<message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>A lista só contém retornos: uma linha ou um feixe da borda sem nenhum retorno não está nela.</translation></message>
+<message><source> of %1 cells of the grid that was found have no point and count as no return.</source><translation> de %1 células da grade encontrada não têm ponto e contam como sem retorno.</translation></message>
+<message><source> of the %1 points of the file have no cell of their own.</source><translation> dos %1 pontos do arquivo não têm célula própria.</translation></message>
+<message><source> cells hold status codes of an LMS2xx from %1 on instead of a range and were taken as such.</source><translation> células contêm códigos de estado de um LMS2xx a partir de %1 em vez de uma distância e foram tomadas como tais.</translation></message>
+<message><source> points were filled and not measured, as filled_sd_mm says: they were taken as no return.</source><translation> pontos foram preenchidos e não medidos, como diz filled_sd_mm: foram tomados como sem retorno.</translation></message>
+<message><source> point was filled and not measured, as filled_sd_mm says: it was taken as no return.</source><translation> ponto foi preenchido e não medido, como diz filled_sd_mm: foi tomado como sem retorno.</translation></message>
+<message><source> points with infinite or absurdly large coordinates were taken as no return.</source><translation> pontos com coordenadas infinitas ou absurdamente grandes foram tomados como sem retorno.</translation></message>
+<message><source> point with infinite or absurdly large coordinates was taken as no return.</source><translation> ponto com coordenadas infinitas ou absurdamente grandes foi tomado como sem retorno.</translation></message>
+<message><source> infinite ranges were taken as no return.</source><translation> distâncias infinitas foram tomadas como sem retorno.</translation></message>
+<message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distâncias abaixo de 0, todas o mesmo número, foram tomadas como sem retorno.</translation></message>
+<message><source> ranges longer than any scanner reaches were taken as no return.</source><translation> distâncias mais longas que o alcance de qualquer scanner foram tomadas como sem retorno.</translation></message>
+<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distâncias são o range_max das suas mensagens, repetem-se e foram tomadas como sem retorno.</translation></message>
+<message><source> points are one and the same,</source><translation> pontos são um e o mesmo,</translation></message>
+<message><source> points are %1 (in the numbers of the file) from the sensor</source><translation> pontos estão a %1 (nos números do arquivo) do sensor</translation></message>
+<message><source> cells hold %1 in the numbers of the file</source><translation> células contêm %1 nos números do arquivo</translation></message>
+<message><source> ranges of the topic are </source><translation> distâncias do tópico são </translation></message>
+<message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return (%1 takes it as measured).</source><translation>, o que se repete exatamente e está longe do resto, como nada medido: tomado como sem retorno (%1 toma-o como medido).</translation></message>
+<message><source> points are later returns of a pulse, as the file says: the first returns make the grid</source><translation> pontos são retornos posteriores de um pulso, segundo o arquivo: os primeiros retornos formam a grade</translation></message>
+<message><source> point is a later return of a pulse, as the file says: the first returns make the grid</source><translation> ponto é um retorno posterior de um pulso, segundo o arquivo: os primeiros retornos formam a grade</translation></message>
+<message><source> others were attached to their cells</source><translation> outros foram ligados às suas células</translation></message>
+<message><source> other was attached to its cell</source><translation> outro foi ligado à sua célula</translation></message>
+<message><source> others have no cell of their own and were left out</source><translation> outros não têm célula própria e foram deixados de fora</translation></message>
+<message><source> other has no cell of its own and was left out</source><translation> outro não tem célula própria e foi deixado de fora</translation></message>
+<message><source> points share their row and column with a nearer one, which was taken (several returns of one beam).</source><translation> pontos partilham a sua fileira e coluna com um mais próximo, que foi tomado (vários retornos de um feixe).</translation></message>
+<message><source> point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation> ponto partilha a sua fileira e coluna com um mais próximo, que foi tomado (vários retornos de um feixe).</translation></message>
+<message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Nenhuma célula desta varredura tem uma distância medida: verifique o arquivo, o tópico e os limites de distância.</translation></message>
+<message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Os pontos estão noutro referencial que o do scanner. As suas linhas giram em torno de um eixo, em %1, %2, %3 m, e o espelho está a %4 mm do eixo</translation></message>
+<message><source>; the grid has the scale </source><translation>; a grade tem a escala </translation></message>
+<message><source>. The points fit lines and beams within </source><translation>. Os pontos encaixam em linhas e feixes dentro de </translation></message>
+<message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>É mais do que o arredondamento dos números explica, %1 mm: distâncias podem estar erradas e arestas diferir das da varredura. O registro do arquivo, ou a varredura tal como foi medida, tem-nas exatas.</translation></message>
+<message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>A matriz do arquivo não é uma rotação e translação, portanto a varredura fica no referencial do scanner.</translation></message>
+<message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>A pose do arquivo não é uma rotação e translação, portanto a varredura fica no referencial do scanner.</translation></message>
+<message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>O arquivo %1 põe o scanner em %2, %3, %4 m, que não é um lugar na terra, portanto a varredura fica no referencial do scanner.</translation></message>
+<message><source>The place is the one written in the %1 file: whether that is the mine grid, who registered it knows.</source><translation>O lugar é o escrito no arquivo %1: se isso é a grade da mina, sabe-o quem o registrou.</translation></message>
+<message><source>The matrix of the %1 file was not used: its points are in another frame than the scanner's.</source><translation>A matriz do arquivo %1 não foi usada: os seus pontos estão noutro referencial que o do scanner.</translation></message>
+<message><source>The record next to the file was written for another one, so the grid in it was not used.</source><translation>O registro junto do arquivo foi escrito para outro, portanto a sua grade não foi usada.</translation></message>
+<message><source>The record next to the file describes no grid, so the grid in it was not used.</source><translation>O registro junto do arquivo não descreve nenhuma grade, portanto não foi usado.</translation></message>
+<message><source>The record next to the file cannot be read (%1), so the grid in it was not used.</source><translation>O registro junto do arquivo não pode ser lido (%1), portanto a sua grade não foi usada.</translation></message>
+<message><source>The record next to the file %1, so the grid in it was not used.</source><translation>O registro junto do arquivo não serve (%1), portanto a sua grade não foi usada.</translation></message>
+<message><source> has no effect: the points have a grid; leave it out.</source><translation> não tem efeito: os pontos têm uma grade; não o indique.</translation></message>
+<message><source> has no effect: the format %1 does not have it; leave it out.</source><translation> não tem efeito: o formato %1 não o tem; não o indique.</translation></message>
+<message><source> has no effect: %1; leave it out.</source><translation> não tem efeito: %1; não o indique.</translation></message>
+<message><source> replaces %1, which the file gives.</source><translation> substitui %1, que o arquivo dá.</translation></message>
+<message><source> replaces the calibration in </source><translation> substitui a calibração em </translation></message>
+<message><source>Not measured at the angles that the file gives: </source><translation>Não medido nos ângulos que o arquivo dá: </translation></message>
+<message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation>; as arestas que cruzam as linhas ficam dentadas: %1 põe estas linhas lado a lado como uma.</translation></message>
+<message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation>; EdgeScan+ leva isso em conta, mas a nuvem não: %1 corrige os ângulos.</translation></message>
+<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be, %4 times its uncertainty</source><translation>os feixes de %1 linhas por turno estão %2 e %3 graus à frente do seu lugar, %4 vezes a sua incerteza</translation></message>
+<message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>os feixes ímpares estão %1 graus à frente dos pares, %2 vezes a sua incerteza</translation></message>
+<message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>os feixes ímpares estão %1 graus atrás dos pares, %2 vezes a sua incerteza</translation></message>
+<message><source>, and the stepper slipped at </source><translation>, e o motor de passo escorregou em </translation></message>
+<message><source>the stepper slipped at </source><translation>o motor de passo escorregou em </translation></message>
+<message><source> lines (first at line %1, by up to %2 degrees</source><translation> linhas (primeiro na linha %1, até %2 graus</translation></message>
+<message><source> line (first at line %1, by up to %2 degrees</source><translation> linha (na linha %1, até %2 graus</translation></message>
+<message><source> times the usual unevenness of its steps</source><translation> vezes a desigualdade habitual dos seus passos</translation></message>
+<message><source> At %1 of the first and last lines the stepper still swung back: folds there are left out.</source><translation> Em %1 das primeiras e últimas linhas o motor de passo ainda oscilava: as dobras ali são deixadas de fora.</translation></message>
+<message><source>Not straightened: the scan has no lines with angles.</source><translation>Não endireitado: a varredura não tem linhas com ângulos.</translation></message>
+<message><source>Straightened: no interlaced beams and no slips were found; the angles stay.</source><translation>Endireitado: não se acharam feixes entrelaçados nem escorregamentos; os ângulos ficam.</translation></message>
+<message><source>, and were put side by side: %1 lines make one.</source><translation>, e foram postos lado a lado: %1 linhas formam uma.</translation></message>
+<message><source>Straightened: </source><translation>Endireitado: </translation></message>
+<message><source> slips were seen in every second beam only, and are left as they are.</source><translation> escorregamentos foram vistos só num feixe em cada dois e ficam como estão.</translation></message>
+<message><source> slip was seen in every second beam only, and is left as it is.</source><translation> escorregamento foi visto só num feixe em cada dois e fica como está.</translation></message>
+<message><source>OUT OF SPEC: the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>FORA DE TOLERÂNCIA: as poses movem a base a %1 m/s entre duas linhas, mais rápido que qualquer máquina no subsolo.</translation></message>
+<message><source>Both are one scan: the files are the same.</source><translation>Ambos são uma só varredura: os arquivos são iguais.</translation></message>
+<message><source>Near and far leave no depth between them: the gray image is blank and has no edge.</source><translation>Perto e longe não deixam profundidade entre si: a imagem cinza está vazia e não tem arestas.</translation></message>
+<message><source> edge cells lie on filled ranges and are not in this file; %1 writes them.</source><translation> células de aresta estão em distâncias preenchidas e não estão neste arquivo; %1 as escreve.</translation></message>
+<message><source>The last row has no line end: the file may have been cut off there; compare it with the original.</source><translation>A última fileira não tem fim de linha: o arquivo pode estar cortado ali; compare-o com o original.</translation></message>
+<message><source>No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and z.</source><translation>Nenhum cabeçalho nomeia as colunas: as duas primeiras foram tomadas como fileira e coluna da grade, da terceira à quinta como x, y e z.</translation></message>
+<message><source>No heading names the columns: the second to the fourth were taken for x, y and z, as the first holds whole numbers only.</source><translation>Nenhum cabeçalho nomeia as colunas: da segunda à quarta foram tomadas como x, y e z, pois a primeira contém só números inteiros.</translation></message>
+<message><source>No heading names the columns: the third to the fifth were taken for x, y and z, as the first two hold whole numbers only.</source><translation>Nenhum cabeçalho nomeia as colunas: da terceira à quinta foram tomadas como x, y e z, pois as duas primeiras contêm só números inteiros.</translation></message>
+<message><source>No heading names the columns: the fourth to the sixth were taken for x, y and z, as the first three hold whole numbers only.</source><translation>Nenhum cabeçalho nomeia as colunas: da quarta à sexta foram tomadas como x, y e z, pois as três primeiras contêm só números inteiros.</translation></message>
+<message><source>No heading names the columns: the fifth to the seventh were taken for x, y and z, as the first four hold whole numbers only.</source><translation>Nenhum cabeçalho nomeia as colunas: da quinta à sétima foram tomadas como x, y e z, pois as quatro primeiras contêm só números inteiros.</translation></message>
+<message><source>The header names no x, y and z: the first three columns were taken for them (</source><translation>O cabeçalho não nomeia x, y e z: foram tomadas as três primeiras colunas (</translation></message>
+<message><source>The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.</source><translation>O cabeçalho não nomeia tantas colunas quantas há (%1): as três primeiras foram tomadas como x, y e z.</translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with angles taken as </source><translation>Os pontos foram calculados das colunas de ângulos e distâncias, com ângulos tomados como </translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with angles in </source><translation>Os pontos foram calculados das colunas de ângulos e distâncias, com ângulos em </translation></message>
+<message><source>degrees, azimuths </source><translation>graus, azimutes </translation></message>
+<message><source>radians, azimuths </source><translation>radianos, azimutes </translation></message>
+<message><source>counter-clockwise from x</source><translation>no sentido anti-horário desde x</translation></message>
+<message><source>clockwise from y</source><translation>no sentido horário desde y</translation></message>
+<message><source> and heights from the zenith.</source><translation> e alturas desde o zênite.</translation></message>
+<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Os ângulos dos feixes foram tomados do cabeçalho: de %1 a %2 graus.</translation></message>
+<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Os ângulos das linhas foram tomados da primeira coluna: de %1 a %2 graus.</translation></message>
+<message><source>The table does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>A tabela não diz os seus ângulos: foram tomados os de um LMS511 onde nenhum foi indicado (feixes desde -5 graus a cada 1/6 de grau, linhas desde 0 a cada 0.18 grau, eixo spin).</translation></message>
+<message><source>The picture does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>A imagem não diz os seus ângulos: foram tomados os de um LMS511 onde nenhum foi indicado (feixes desde -5 graus a cada 1/6 de grau, linhas desde 0 a cada 0.18 grau, eixo spin).</translation></message>
+<message><source>The array does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>A matriz de numpy não diz os seus ângulos: foram tomados os de um LMS511 onde nenhum foi indicado (feixes desde -5 graus a cada 1/6 de grau, linhas desde 0 a cada 0.18 grau, eixo spin).</translation></message>
+<message><source> columns are no ranges by the header and not read: </source><translation> colunas não são de distâncias segundo o cabeçalho e não são lidas: </translation></message>
+<message><source> column is no ranges by the header and not read: </source><translation> coluna não é de distâncias segundo o cabeçalho e não é lida: </translation></message>
+<message><source> bytes behind the points were not read.</source><translation> bytes depois dos pontos não foram lidos.</translation></message>
+<message><source> byte behind the points was not read.</source><translation> byte depois dos pontos não foi lido.</translation></message>
+<message><source> bytes behind the picture were not read.</source><translation> bytes depois da imagem não foram lidos.</translation></message>
+<message><source> byte behind the picture was not read.</source><translation> byte depois da imagem não foi lido.</translation></message>
+<message><source> bytes behind the array were not read.</source><translation> bytes depois da matriz não foram lidos.</translation></message>
+<message><source> byte behind the array was not read.</source><translation> byte depois da matriz não foi lido.</translation></message>
+<message><source> bytes behind the last record were not read.</source><translation> bytes depois do último registro não foram lidos.</translation></message>
+<message><source> byte behind the last record was not read.</source><translation> byte depois do último registro não foi lido.</translation></message>
+<message><source> bytes behind the end that the header gives were not read.</source><translation> bytes depois do fim que o cabeçalho dá não foram lidos.</translation></message>
+<message><source> byte behind the end that the header gives was not read.</source><translation> byte depois do fim que o cabeçalho dá não foi lido.</translation></message>
+<message><source> bytes behind the end of the database were not read.</source><translation> bytes depois do fim do banco de dados não foram lidos.</translation></message>
+<message><source> byte behind the end of the database was not read.</source><translation> byte depois do fim do banco de dados não foi lido.</translation></message>
+<message><source> bytes behind the end of the recording were not read</source><translation> bytes depois do fim da gravação não foram lidos</translation></message>
+<message><source> behind the %1 points that the header promises were not read.</source><translation> depois dos %1 pontos que o cabeçalho anuncia não foram lidos.</translation></message>
+<message><source>The first %1 scans of the file hold no points.</source><translation>As primeiras %1 varreduras do arquivo não contêm pontos.</translation></message>
+<message><source>The first scan of the file holds no points.</source><translation>A primeira varredura do arquivo não contém pontos.</translation></message>
+<message><source>The file holds %1 scans; this is number %2, %3 chooses another.</source><translation>O arquivo contém %1 varreduras; esta é a número %2, %3 escolhe outra.</translation></message>
+<message><source>The first %1 of these scans hold no point with a return.</source><translation>As primeiras %1 destas varreduras não têm nenhum ponto com retorno.</translation></message>
+<message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>As fileiras e colunas que o arquivo dá aos seus pontos não formam uma grade e não foram usadas.</translation></message>
+<message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>O arquivo não diz em que sentido vão as linhas: as suas colunas foram tomadas como linhas, as suas fileiras como feixes.</translation></message>
+<message><source> points are marked as invalid in the file and count as no return.</source><translation> pontos estão marcados como inválidos no arquivo e contam como sem retorno.</translation></message>
+<message><source> point is marked as invalid in the file and counts as no return.</source><translation> ponto está marcado como inválido no arquivo e conta como sem retorno.</translation></message>
+<message><source> points are marked as withheld in the file and count as no return.</source><translation> pontos estão marcados como excluídos no arquivo e contam como sem retorno.</translation></message>
+<message><source> point is marked as withheld in the file and counts as no return.</source><translation> ponto está marcado como excluído no arquivo e conta como sem retorno.</translation></message>
+<message><source>What else a point of this file has is not read: </source><translation>O resto que um ponto deste arquivo tem não é lido: </translation></message>
+<message><source>The pictures of this file (%1) are not read.</source><translation>As imagens deste arquivo (%1) não são lidas.</translation></message>
+<message><source>The picture is animated; the first frame was read.</source><translation>A imagem é animada; foi lido o primeiro quadro.</translation></message>
+<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>A imagem não termina com IEND: o arquivo foi cortado depois dos seus pixels.</translation></message>
+<message><source> pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation> pixels não contêm distância (negativos, não numéricos ou longe demais) e foram tomados como sem retorno.</translation></message>
+<message><source> pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation> pixel não contém distância (negativo, não numérico ou longe demais) e foi tomado como sem retorno.</translation></message>
+<message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>A imagem pede para ser girada ou espelhada ao ser mostrada (orientação %1): as suas fileiras foram tomadas como linhas tal como estão gravadas.</translation></message>
+<message><source>The file holds %1 pictures (pages); the first was read.</source><translation>O arquivo contém %1 imagens (páginas); foi lida a primeira.</translation></message>
+<message><source>The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. A grid, cell states or a place in the mine that they held are lost; copy the file again.</source><translation>O fim do arquivo está danificado ou falta: %1 de %2 registros depois dos pontos não podem ser lidos. Uma grade, estados de células ou um lugar na mina que continham estão perdidos; copie de novo o arquivo.</translation></message>
+<message><source>The waveforms of this file were not read.</source><translation>As formas de onda deste arquivo não foram lidas.</translation></message>
+<message><source>The first three of %1 columns were taken as x, y and z; the others are not read.</source><translation>As três primeiras de %1 colunas foram tomadas como x, y e z; as outras não são lidas.</translation></message>
+<message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>O arquivo contém mais de uma matriz (numpy.save mais de uma vez); foi lida a primeira.</translation></message>
+<message><source> lines hold no words of OBJ and were not read, the first is line </source><translation> linhas não têm palavras de OBJ e não foram lidas, a primeira é a linha </translation></message>
+<message><source> line holds no words of OBJ and was not read, the first is line </source><translation> linha não tem palavras de OBJ e não foi lida, a primeira é a linha </translation></message>
+<message><source>The lists that each vertex of this file has were not read.</source><translation>As listas que cada vértice deste arquivo tem não foram lidas.</translation></message>
+<message><source>Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.</source><translation>Cada vértice tem um byte que o cabeçalho não nomeia, como o PCL o escreve depois das cores: foi saltado.</translation></message>
+<message><source>Only the vertices were read, not what follows them: </source><translation>Só foram lidos os vértices, não o que os segue: </translation></message>
+<message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>A matriz do cabeçalho tem o lugar do scanner na última coluna e não na última fileira: foi lida por colunas.</translation></message>
+<message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>A linha 3 do cabeçalho põe o scanner a %1 m do lugar que a sua matriz dá: foi usada a matriz.</translation></message>
+<message><source>Behind the last of these scans there is text that is none.</source><translation>Depois da última destas varreduras há texto que não é uma.</translation></message>
+<message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta o arquivo de dados %1; em seu lugar foi lido %2.</translation></message>
+<message><source>The file does not end with END: it may have been cut off; compare it with the original.</source><translation>O arquivo não termina com END: pode estar cortado; compare-o com o original.</translation></message>
+<message><source>Descriptions of points (D1 and further) are not read.</source><translation>As descrições dos pontos (D1 e seguintes) não são lidas.</translation></message>
+<message><source> lines behind END were not read.</source><translation> linhas depois de END não foram lidas.</translation></message>
+<message><source> line behind END was not read.</source><translation> linha depois de END não foi lida.</translation></message>
+<message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>O texto tem dois bytes por caractere (UTF-16) e foi lido assim.</translation></message>
+<message><source> bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> bytes zero (NUL) seguem a última fileira, como os deixa uma queda de energia: faltam as fileiras que não foram escritas.</translation></message>
+<message><source> byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> byte zero (NUL) segue a última fileira, como os deixa uma queda de energia: faltam as fileiras que não foram escritas.</translation></message>
+<message><source>The capture was cut off: everything up to the cut is here.</source><translation>A captura foi cortada: tudo até o corte está aqui.</translation></message>
+<message><source>The recording was cut off: everything up to the cut is here.</source><translation>A gravação foi cortada: tudo até o corte está aqui.</translation></message>
+<message><source>The bag was cut off: everything up to the cut is here.</source><translation>O bag foi cortado: tudo até o corte está aqui.</translation></message>
+<message><source> packets have a time before 1970 or after 2262 and count as of 1970.</source><translation> pacotes têm uma hora antes de 1970 ou depois de 2262 e contam como de 1970.</translation></message>
+<message><source> packet has a time before 1970 or after 2262 and count as of 1970.</source><translation> pacote tem uma hora antes de 1970 ou depois de 2262 e conta como de 1970.</translation></message>
+<message><source> bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost.</source><translation> bytes que o scanner enviou faltam na captura (%1): os telegramas ali estão perdidos.</translation></message>
+<message><source> byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.</source><translation> byte que o scanner enviou falta na captura (%1): os telegramas ali estão perdidos.</translation></message>
+<message><source> bytes that the scanner sent belong to no whole telegram.</source><translation> bytes que o scanner enviou não pertencem a nenhum telegrama inteiro.</translation></message>
+<message><source> byte that the scanner sent belongs to no whole telegram.</source><translation> byte que o scanner enviou não pertence a nenhum telegrama inteiro.</translation></message>
+<message><source> bytes of the stream belong to no whole telegram.</source><translation> bytes do fluxo não pertencem a nenhum telegrama inteiro.</translation></message>
+<message><source> byte of the stream belongs to no whole telegram.</source><translation> byte do fluxo não pertence a nenhum telegrama inteiro.</translation></message>
+<message><source> packets came out of order and %1 brought bytes again; they were put in order.</source><translation> pacotes chegaram fora de ordem e %1 trouxeram bytes de novo; foram postos em ordem.</translation></message>
+<message><source> packet came out of order and %1 brought bytes again; they were put in order.</source><translation> pacote chegou fora de ordem e %1 trouxeram bytes de novo; foram postos em ordem.</translation></message>
+<message><source> fragments of IP packets were not put together.</source><translation> fragmentos de pacotes IP não foram juntados.</translation></message>
+<message><source> fragment of IP packets were not put together.</source><translation> fragmento de pacotes IP não foi juntado.</translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened, and </source><translation>A captura contém %1 fluxos; foi aberto o de %2 com %3 telegramas de varredura, e </translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened.</source><translation>A captura contém %1 fluxos; foi aberto o de %2 com %3 telegramas de varredura.</translation></message>
+<message><source> other senders have some too.</source><translation> outros emissores também têm.</translation></message>
+<message><source> other sender has some too.</source><translation> outro emissor também tem.</translation></message>
+<message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>A gravação descreve outra grade que a dos seus telegramas: contam os telegramas.</translation></message>
+<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» da gravação é «%2», que não pode ser usado</translation></message>
+<message><source> readings of inclinometer or TALIN cannot be used.</source><translation> leituras do inclinômetro ou de TALIN não podem ser usadas.</translation></message>
+<message><source> reading of inclinometer or TALIN cannot be used.</source><translation> leitura do inclinômetro ou de TALIN não pode ser usada.</translation></message>
+<message><source>The recording holds readings of TALIN and does not say where the boom pointed (boom_azimuth_deg).</source><translation>A gravação contém leituras de TALIN e não diz para onde apontava a lança (boom_azimuth_deg).</translation></message>
+<message><source>The recording holds poses and not how the robot is built: %1 places the scan.</source><translation>A gravação contém poses mas não como o robô é construído: %1 posiciona a varredura.</translation></message>
+<message><source>The recording's pose cannot be used: </source><translation>A pose da gravação não pode ser usada: </translation></message>
+<message><source> times in the recording are after %1 and were read as this time.</source><translation> horas da gravação são posteriores a %1 e foram lidas como essa hora.</translation></message>
+<message><source> scan telegrams could not be decoded: </source><translation> telegramas de varredura não puderam ser decodificados: </translation></message>
+<message><source> scan telegrams since the start could not be decoded, so their lines are lost: </source><translation> telegramas de varredura desde o início não puderam ser decodificados, portanto as suas linhas estão perdidas: </translation></message>
+<message><source> bytes since the start were not a telegram and were skipped.</source><translation> bytes desde o início não eram um telegrama e foram saltados.</translation></message>
+<message><source> messages hold bytes that are not a whole telegram: what was in them is lost.</source><translation> mensagens contêm bytes que não são um telegrama inteiro: o seu conteúdo está perdido.</translation></message>
+<message><source> message holds bytes that are not a whole telegram: what was in it is lost.</source><translation> mensagem contém bytes que não são um telegrama inteiro: o seu conteúdo está perdido.</translation></message>
+<message><source> more places are damaged or were left out</source><translation> outros lugares estão danificados ou foram deixados de fora</translation></message>
+<message><source>bytes %1 to %2 are damaged and were left out</source><translation>os bytes %1 a %2 estão danificados e foram deixados de fora</translation></message>
+<message><source>the chunk at byte %1 was left out: </source><translation>o bloco no byte %1 foi deixado de fora: </translation></message>
+<message><source>the file says that it holds %1 messages and %2 could be read</source><translation>o arquivo diz que contém %1 mensagens e foi possível ler %2</translation></message>
+<message><source>The bag is cut off or damaged at byte %1: the last %2 bytes were not read.</source><translation>O bag está cortado ou danificado no byte %1: os últimos %2 bytes não foram lidos.</translation></message>
+<message><source>The bag is cut off or damaged at byte %1: the last %2 byte was not read.</source><translation>O bag está cortado ou danificado no byte %1: o último byte (%2) não foi lido.</translation></message>
+<message><source> chunks are damaged and were left out (</source><translation> blocos estão danificados e foram deixados de fora (</translation></message>
+<message><source> chunk is damaged and was left out (</source><translation> bloco está danificado e foi deixado de fora (</translation></message>
+<message><source> messages belong to no topic of the bag and were left out.</source><translation> mensagens não pertencem a nenhum tópico do bag e foram deixadas de fora.</translation></message>
+<message><source> message belongs to no topic of the bag and was left out.</source><translation> mensagem não pertence a nenhum tópico do bag e foi deixada de fora.</translation></message>
+<message><source> messages are compressed and damaged and were left out.</source><translation> mensagens estão comprimidas e danificadas e foram deixadas de fora.</translation></message>
+<message><source> message is compressed and damaged and was left out.</source><translation> mensagem está comprimida e danificada e foi deixada de fora.</translation></message>
+<message><source>The database is cut off or damaged (%1): messages behind the first %2 were not read.</source><translation>O banco de dados está cortado ou danificado (%1): as mensagens depois das primeiras %2 não foram lidas.</translation></message>
+<message><source>The log %1 of the recorder could not be read: its messages are not in the scan.</source><translation>O registro %1 do gravador não pôde ser lido: as suas mensagens não estão na varredura.</translation></message>
+<message><source>The recorder was not ended: its newest messages were read from </source><translation>O gravador não foi encerrado: as suas mensagens mais recentes foram lidas de </translation></message>
+<message><source>The recorder was ended within a change: the database was read as it was before it, by </source><translation>O gravador foi encerrado no meio de uma alteração: o banco de dados foi lido como estava antes, por </translation></message>
+<message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>O registro %1 do gravador termina com %2 páginas incompletas: as suas mensagens não estão na varredura.</translation></message>
+<message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>O registro %1 pertence a vários bancos de dados e não foi lido: a última alteração pode estar pela metade.</translation></message>
+<message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>A parte %1 do bag não pôde ser lida (%2): as suas mensagens não estão na varredura.</translation></message>
+<message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta a parte %1 do bag: as suas mensagens não estão na varredura.</translation></message>
+<message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nomeia %1, cujo nome não é o de um arquivo de mensagens (.mcap, .db3, .bag): não foi lido.</translation></message>
+<message><source> messages of the topic %1 are in the bag twice: each was read once.</source><translation> mensagens do tópico %1 estão duas vezes no bag: cada uma foi lida uma vez.</translation></message>
+<message><source> messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.</source><translation> mensagens do tópico estão duas vezes no bag, com a mesma hora e as mesmas distâncias: cada uma foi lida uma vez.</translation></message>
+<message><source> message of the topic is in the bag twice, with the same stamp and ranges: it was read once.</source><translation> mensagem do tópico está duas vezes no bag, com a mesma hora e as mesmas distâncias: foi lida uma vez.</translation></message>
+<message><source> messages of the topic were left out: </source><translation> mensagens do tópico foram deixadas de fora: </translation></message>
+<message><source> message of the topic was left out: </source><translation> mensagem do tópico foi deixada de fora: </translation></message>
+<message><source>GUESS: the topic %1 was taken; %2 chooses another: </source><translation>SUPOSIÇÃO: foi tomado o tópico %1; %2 escolhe outro: </translation></message>
+<message><source>GUESS: the angle of each line comes from the transform of the frame %1 in </source><translation>SUPOSIÇÃO: o ângulo de cada linha vem da transformação do referencial %1 em </translation></message>
+<message><source>GUESS: the angle of each line comes from the joint </source><translation>SUPOSIÇÃO: o ângulo de cada linha vem da junta </translation></message>
+<message><source>GUESS: the angle of each line comes from </source><translation>SUPOSIÇÃO: o ângulo de cada linha vem de </translation></message>
+<message><source>GUESS: the poses of the topic %1 are those of the frame </source><translation>SUPOSIÇÃO: as poses do tópico %1 são as do referencial </translation></message>
+<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSIÇÃO: o referencial %1 do bag é tomado como grade da mina, com x para leste, y para norte e z para cima.</translation></message>
+<message><source>The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.</source><translation>O bag não contém a definição das suas mensagens: foi SUPOSTA a do ROS 2 de 2022.</translation></message>
+<message><source> messages have a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> mensagens têm um time_increment impossível: os feixes de uma linha contam como medidos ao mesmo tempo.</translation></message>
+<message><source> message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> mensagem tem um time_increment impossível: os feixes de uma linha contam como medidos ao mesmo tempo.</translation></message>
+<message><source> lines came out of order and were put in the order of their stamps</source><translation> linhas chegaram fora de ordem e foram postas na ordem das suas horas</translation></message>
+<message><source> line came out of order and was put in the order of its stamp</source><translation> linha chegou fora de ordem e foi posta na ordem da sua hora</translation></message>
+<message><source>angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>angle_max não está onde angle_min e angle_increment põem o último feixe: foi usado angle_increment, e os feixes podem estar espelhados ou girados.</translation></message>
+<message><source> messages of joints are damaged and were left out.</source><translation> mensagens de juntas estão danificadas e foram deixadas de fora.</translation></message>
+<message><source> message of joints is damaged and was left out.</source><translation> mensagem de juntas está danificada e foi deixada de fora.</translation></message>
+<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (</source><translation>Uma junta não diz como o laser está montado nela. SUPOSTO: o eixo (</translation></message>
+<message><source>sweep, by the name of the joint)</source><translation>sweep, pelo nome da junta)</translation></message>
+<message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>O eixo está %1 graus fora do plano do leque: os pontos estão desviados outro tanto.</translation></message>
+<message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>O laser está a %1 mm do seu eixo: as distâncias são as medidas, e os pontos como se estivesse no eixo.</translation></message>
+<message><source> lines were measured before the first or after the last angle and were left out.</source><translation> linhas foram medidas antes do primeiro ângulo ou depois do último e foram deixadas de fora.</translation></message>
+<message><source> line was measured before the first or after the last angle and was left out.</source><translation> linha foi medida antes do primeiro ângulo ou depois do último e foi deixada de fora.</translation></message>
+<message><source> lines were measured while the laser did not turn and were left out.</source><translation> linhas foram medidas enquanto o laser não girava e foram deixadas de fora.</translation></message>
+<message><source> line was measured while the laser did not turn and was left out.</source><translation> linha foi medida enquanto o laser não girava e foi deixada de fora.</translation></message>
+<message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. %3 chooses another.</source><translation>O tópico contém %1 varreduras; foi aberta a varredura %2, contada a partir de 0. %3 escolhe outra.</translation></message>
+<message><source>The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. %3 chooses another.</source><translation>O tópico %1 contém uma nuvem em cada mensagem; foi aberta a mensagem %2, contada a partir de 0. %3 escolhe outra.</translation></message>
+<message><source>The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.</source><translation>A nuvem é de um scanner de vários feixes: os seus anéis são os feixes, e os seus disparos as linhas.</translation></message>
+<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>As transformações põem o scanner em %1, %2, %3 m, onde não há nada na terra: a varredura fica no referencial do scanner.</translation></message>
+<message><source> messages of transforms are damaged and were left out.</source><translation> mensagens de transformações estão danificadas e foram deixadas de fora.</translation></message>
+<message><source> transforms of the bag have no rotation, no name or no finite numbers and were left out.</source><translation> transformações do bag não têm rotação, nome ou números finitos e foram deixadas de fora.</translation></message>
+<message><source> transforms name another parent for their frame than the first one and were left out.</source><translation> transformações nomeiam outro pai do seu referencial que a primeira e foram deixadas de fora.</translation></message>
+<message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformações do bag são de mais referenciais do que um robô tem e foram deixadas de fora.</translation></message>
+<message><source>The transforms of the bag form a loop at the frame </source><translation>As transformações do bag formam um laço no referencial </translation></message>
+<message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>As transformações do bag formam uma cadeia de mais de %1 referenciais: os de cima não são usados.</translation></message>
+<message><source>The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. %3 chooses another.</source><translation>A captura contém %1 voltas do scanner; foi aberta a volta %2, contada a partir de 0. %3 escolhe outra.</translation></message>
+<message><source> packets came out of order and were put in the order of the scanner's clock.</source><translation> pacotes chegaram fora de ordem e foram postos na ordem do relógio do scanner.</translation></message>
+<message><source> packet came out of order and was put in the order of the scanner's clock.</source><translation> pacote chegou fora de ordem e foi posto na ordem do relógio do scanner.</translation></message>
+<message><source> packets are missing in part in the capture: their lines are lost.</source><translation> pacotes faltam em parte na captura: as suas linhas estão perdidas.</translation></message>
+<message><source> packet is missing in part in the capture: its lines are lost.</source><translation> pacote falta em parte na captura: as suas linhas estão perdidas.</translation></message>
+<message><source> packets are in the capture twice: each was read once.</source><translation> pacotes estão duas vezes na captura: cada um foi lido uma vez.</translation></message>
+<message><source> packet is in the capture twice: it was read once.</source><translation> pacote está duas vezes na captura: foi lido uma vez.</translation></message>
+<message><source>The capture holds packets of %1 scanners; the one with most of them was opened.</source><translation>A captura contém pacotes de %1 scanners; foi aberto o que tem mais.</translation></message>
+<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 others of the capture were left out.</source><translation>O scanner enviou dois retornos por feixe: os mais fortes estão aqui, e %1 outros da captura foram deixados de fora.</translation></message>
+<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 other of the capture was left out.</source><translation>O scanner enviou dois retornos por feixe: os mais fortes estão aqui, e %1 outro da captura foi deixado de fora.</translation></message>
+<message><source>The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.</source><translation>Os feixes de um VLP-16 começam até 11 mm acima e abaixo do seu meio: os pontos estão desviados outro tanto.</translation></message>
+<message><source>The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.</source><translation>Os feixes de um Ouster começam a alguns centímetros do seu eixo, e as distâncias são as medidas: os pontos estão desviados outro tanto.</translation></message>
+<message><source> lines of the turn are missing in the capture and are shown as lost.</source><translation> linhas da volta faltam na captura e são mostradas como perdidas.</translation></message>
+<message><source> line of the turn is missing in the capture and is shown as lost.</source><translation> linha da volta falta na captura e é mostrada como perdida.</translation></message>
+<message><source> telegrams came late and were put into their lines</source><translation> telegramas chegaram tarde e foram postos nas suas linhas</translation></message>
+<message><source>A telegram came late and was put into its line</source><translation>Um telegrama chegou tarde e foi posto na sua linha</translation></message>
+<message><source> telegrams came after their sweep had ended</source><translation> telegramas chegaram depois do fim da sua varredura</translation></message>
+<message><source>A telegram came after its sweep had ended</source><translation>Um telegrama chegou depois do fim da sua varredura</translation></message>
+<message><source> telegrams had other beams than the sweep, or were of another layer of the scanner</source><translation> telegramas tinham outros feixes que a varredura, ou eram de outra camada do scanner</translation></message>
+<message><source>A telegram had other beams than the sweep, or was of another layer of the scanner</source><translation>Um telegrama tinha outros feixes que a varredura, ou era de outra camada do scanner</translation></message>
+<message><source> telegrams held no ranges</source><translation> telegramas não continham distâncias</translation></message>
+<message><source>A telegram held no ranges</source><translation>Um telegrama não continha distâncias</translation></message>
+<message><source> times the scanner's counters jumped ahead</source><translation> vezes os contadores do scanner saltaram para a frente</translation></message>
+<message><source>The scanner's counters jumped ahead once</source><translation>Os contadores do scanner saltaram para a frente uma vez</translation></message>
+<message><source> times one of the scanner's counters was set back</source><translation> vezes um dos contadores do scanner foi atrasado</translation></message>
+<message><source>One of the scanner's counters was set back</source><translation>Um dos contadores do scanner foi atrasado</translation></message>
+<message><source> times the scanner's counters stood still from line to line</source><translation> vezes os contadores do scanner pararam de uma linha para outra</translation></message>
+<message><source>The scanner's counters stood still for a line</source><translation>Os contadores do scanner pararam durante uma linha</translation></message>
+<message><source> times the scanner's clock was set while its counters ran on</source><translation> vezes o relógio do scanner foi ajustado enquanto os seus contadores seguiam</translation></message>
+<message><source>The scanner's clock was set while its counters ran on</source><translation>O relógio do scanner foi ajustado enquanto os seus contadores seguiam</translation></message>
+<message><source> times the scanner's clock stood still from line to line</source><translation> vezes o relógio do scanner parou de uma linha para outra</translation></message>
+<message><source>The scanner's clock stood still for a line</source><translation>O relógio do scanner parou durante uma linha</translation></message>
+<message><source> times the scanner paused for more than a second</source><translation> vezes o scanner fez uma pausa de mais de um segundo</translation></message>
+<message><source>The scanner paused for more than a second</source><translation>O scanner fez uma pausa de mais de um segundo</translation></message>
+<message><source> times the scanner restarted</source><translation> vezes o scanner reiniciou</translation></message>
+<message><source>The scanner restarted</source><translation>O scanner reiniciou</translation></message>
+<message><source> telegrams brought other echoes than the first one</source><translation> telegramas trouxeram outros ecos que o primeiro</translation></message>
+<message><source>A telegram brought other echoes than the first one</source><translation>Um telegrama trouxe outros ecos que o primeiro</translation></message>
+<message><source> times the telegrams came from another scanner</source><translation> vezes os telegramas vieram de outro scanner</translation></message>
+<message><source>The telegrams come from another scanner</source><translation>Os telegramas vêm de outro scanner</translation></message>
+<message><source> lines were lost between two sweeps</source><translation> linhas perderam-se entre duas varreduras</translation></message>
+<message><source>A line was lost between two sweeps</source><translation>Uma linha perdeu-se entre duas varreduras</translation></message>
+<message><source> (first at line </source><translation> (primeiro na linha </translation></message>
+<message><source> (line </source><translation> (linha </translation></message>
+<message><source>: no lines of this sweep.</source><translation>: não são linhas desta varredura.</translation></message>
+<message><source>: their lines are lost.</source><translation>: as suas linhas estão perdidas.</translation></message>
+<message><source>, by more lines than its clock allows: whether lines were lost there is not known (%1 by the counters).</source><translation>, em mais linhas do que o seu relógio permite: não se sabe se ali se perderam linhas (%1 segundo os contadores).</translation></message>
+<message><source>: lost lines there are counted by the other one and the clock.</source><translation>: as linhas perdidas ali são contadas pelo outro e pelo relógio.</translation></message>
+<message><source>: lost lines cannot be counted there.</source><translation>: ali não se podem contar as linhas perdidas.</translation></message>
+<message><source>: the times of lines there are reckoned.</source><translation>: as horas das linhas ali são calculadas.</translation></message>
+<message><source>, and its counters know of no lost line.</source><translation>, e os seus contadores não conhecem nenhuma linha perdida.</translation></message>
+<message><source>: lines lost meanwhile are counted by this computer's clock.</source><translation>: as linhas perdidas entretanto são contadas pelo relógio deste computador.</translation></message>
+<message><source>: their ranges may be of another echo.</source><translation>: as suas distâncias podem ser de outro eco.</translation></message>
+<message><source>: the sweep is not of one device.</source><translation>: a varredura não é de um só aparelho.</translation></message>
+<message><source>this is a GIF picture, not a scan</source><translation>isto é uma imagem GIF, não uma varredura</translation></message>
+<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>isto é uma imagem, um som ou um filme (RIFF), não uma varredura</translation></message>
+<message><source>this is a Photoshop picture, not a scan</source><translation>isto é uma imagem do Photoshop, não uma varredura</translation></message>
+<message><source>this is a gzip archive in another one, not a scan</source><translation>isto é um arquivo gzip dentro de outro, não uma varredura</translation></message>
+<message><source>this is an xz archive, not a scan</source><translation>isto é um arquivo xz, não uma varredura</translation></message>
+<message><source>this is a bzip2 archive, not a scan</source><translation>isto é um arquivo bzip2, não uma varredura</translation></message>
+<message><source>this is a zstd archive, not a scan</source><translation>isto é um arquivo zstd, não uma varredura</translation></message>
+<message><source>this is a 7-Zip archive, not a scan</source><translation>isto é um arquivo 7-Zip, não uma varredura</translation></message>
+<message><source>this is a RAR archive, not a scan</source><translation>isto é um arquivo RAR, não uma varredura</translation></message>
+<message><source>this is an old Office document, not a scan</source><translation>isto é um documento antigo do Office, não uma varredura</translation></message>
+<message><source>this is a STEP model, not a scan</source><translation>isto é um modelo STEP, não uma varredura</translation></message>
+<message><source>this is an SVG picture, not a scan</source><translation>isto é uma imagem SVG, não uma varredura</translation></message>
+<message><source>this is an XML document, not a scan</source><translation>isto é um documento XML, não uma varredura</translation></message>
+<message><source>this is a text document (RTF), not a scan</source><translation>isto é um documento de texto (RTF), não uma varredura</translation></message>
+<message><source>this is a PostScript document, not a scan</source><translation>isto é um documento PostScript, não uma varredura</translation></message>
+<message><source>this is a table of rocks, not a scan</source><translation>isto é uma tabela de rochas, não uma varredura</translation></message>
+<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>isto é um raster de alturas (grade ASCII da Esri), não uma varredura</translation></message>
+<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>isto é um raster de alturas (grade do Surfer), não uma varredura</translation></message>
+<message><source>this is a BMP picture, not a scan</source><translation>isto é uma imagem BMP, não uma varredura</translation></message>
+<message><source>this is an HDF5 file, which is not read</source><translation>isto é um arquivo HDF5, que não é lido</translation></message>
+<message><source>this is a MATLAB file, which is not read</source><translation>isto é um arquivo do MATLAB, que não é lido</translation></message>
+<message><source>this is a Parquet table, which is not read</source><translation>isto é um arquivo Parquet, que não é lido</translation></message>
+<message><source>this is an Arrow table, which is not read</source><translation>isto é um arquivo Arrow, que não é lido</translation></message>
+<message><source>this is a glTF model, which is not read</source><translation>isto é um modelo glTF, que não é lido</translation></message>
+<message><source>this is an FBX model, which is not read</source><translation>isto é um modelo FBX, que não é lido</translation></message>
+<message><source>this is a file of VTK, which is not read</source><translation>isto é um arquivo do VTK, que não é lido</translation></message>
+<message><source>this is an OFF mesh, which is not read</source><translation>isto é um modelo OFF, que não é lido</translation></message>
+<message><source>this is a drawing (DXF), which is not read</source><translation>isto é um desenho (DXF), que não é lido</translation></message>
+<message><source>this is a FARO scan (FLS), which is not read</source><translation>isto é um arquivo FARO (FLS), que não é lido</translation></message>
+<message><source>this is a FARO workspace, which is not read</source><translation>isto é um espaço de trabalho FARO, que não é lido</translation></message>
+<message><source>this is a FARO project, which is not read</source><translation>isto é um projeto FARO, que não é lido</translation></message>
+<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>isto é um fluxo RIEGL (RXP), que não é lido</translation></message>
+<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>isto é um arquivo RIEGL (3DD), que não é lido</translation></message>
+<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>isto é um arquivo Z+F (ZFS), que não é lido</translation></message>
+<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>isto é um projeto Z+F (ZFPRJ), que não é lido</translation></message>
+<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>isto é um arquivo Z+F (ZFC), que não é lido</translation></message>
+<message><source>this is a Leica LGS project, which is not read</source><translation>isto é um projeto Leica LGS, que não é lido</translation></message>
+<message><source>this is a Leica LGSx project, which is not read</source><translation>isto é um projeto Leica LGSx, que não é lido</translation></message>
+<message><source>this is an Autodesk ReCap project, which is not read</source><translation>isto é um projeto Autodesk ReCap, que não é lido</translation></message>
+<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>isto é um arquivo Autodesk ReCap, que não é lido</translation></message>
+<message><source>this is a Trimble scan (TZF), which is not read</source><translation>isto é um arquivo Trimble (TZF), que não é lido</translation></message>
+<message><source>this is a Topcon scan (CL3), which is not read</source><translation>isto é um arquivo Topcon (CL3), que não é lido</translation></message>
+<message><source>this is a Topcon scan (CLR), which is not read</source><translation>isto é um arquivo Topcon (CLR), que não é lido</translation></message>
+<message><source>this is a Pointools cloud (POD), which is not read</source><translation>isto é um arquivo Pointools (POD), que não é lido</translation></message>
+<message><source>this is a VRML scene, which is not read</source><translation>isto é uma cena VRML, que não é lida</translation></message>
+<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>isto é uma base de dados RIEGL (RDBX), que não é lida</translation></message>
+<message><source>this is a RIEGL database, which is not read</source><translation>isto é uma base de dados RIEGL, que não é lida</translation></message>
+<message><source>this is a Leica Cyclone database, which is not read</source><translation>isto é uma base de dados Leica Cyclone, que não é lida</translation></message>
+<message><source>this is a numpy archive, which is not read</source><translation>isto é uma coleção numpy, que não é lida</translation></message>
+<message><source>this is an Excel workbook, not a table of text</source><translation>isto é uma pasta do Excel, não uma tabela de texto</translation></message>
+<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>isto é uma planilha OpenDocument, não uma tabela de texto</translation></message>
+<message><source>this is a Python pickle, which only Python can open</source><translation>isto é um pickle do Python, que só o Python pode abrir</translation></message>
+<message><source>this is a ROS bag that does not begin like one</source><translation>isto é um bag do ROS que não começa como tal</translation></message>
+<message><source>this is a ROS 2 bag that does not begin like one</source><translation>isto é um bag do ROS 2 que não começa como tal</translation></message>
+<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>isto é um arquivo binário sem telegrama de um scanner SICK</translation></message>
+<message><source>this is a ROS bag, and </source><translation>isto é um bag do ROS, e </translation></message>
+<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>esta versão não tem robôs: não lê bags do ROS, nem VLP-16, nem Ouster, nem ponte Foxglove</translation></message>
+<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>use uma versão com robôs (EDGESCAN_ROBOTS)</translation></message>
+<message><source>unpack it (%1) and open the scan in it</source><translation>descompacte-o (%1) e abra a varredura que contém</translation></message>
+<message><source>save its points as PLY in MeshLab</source><translation>salve os seus pontos como PLY no MeshLab</translation></message>
+<message><source>choose the scan that it was made from</source><translation>escolha a varredura da qual foi feito</translation></message>
+<message><source>save the ranges as .npy or .csv</source><translation>salve as distâncias como .npy ou .csv</translation></message>
+<message><source>save the ranges with writematrix(</source><translation>salve as distâncias com writematrix(</translation></message>
+<message><source>save the table as .csv</source><translation>salve a tabela como .csv</translation></message>
+<message><source>save the sheet as .csv</source><translation>salve a planilha como .csv</translation></message>
+<message><source>save it as PLY in Blender or MeshLab</source><translation>salve-o como PLY no Blender ou MeshLab</translation></message>
+<message><source>save it as PLY in Blender</source><translation>salve-o como PLY no Blender</translation></message>
+<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>salve os seus pontos como PLY, ou como CSV da tabela do ParaView</translation></message>
+<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>exporte-o como E57 ou LAS com RiSCAN PRO, ou com rdbconvert da RIEGL</translation></message>
+<message><source>export it as E57 or PTX with </source><translation>exporte-o como E57 ou PTX com </translation></message>
+<message><source>export it as E57 with </source><translation>exporte-o como E57 com </translation></message>
+<message><source>export it as LAS with Bentley's program</source><translation>exporte-o como LAS com o programa da Bentley</translation></message>
+<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>salve os pontos como PCD ou PLY; uma captura de telegramas contém os bytes tal como vieram do scanner</translation></message>
+<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>escolha a varredura, ou salve os pontos do desenho como CSV, LAS ou PLY</translation></message>
+<message><source>save the array of ranges or points as .npy</source><translation>salve a matriz de distâncias ou pontos como .npy</translation></message>
+<message><source>the file is empty</source><translation>o arquivo está vazio</translation></message>
+<message><source>copy it again or choose another</source><translation>copie-o de novo ou escolha outro</translation></message>
+<message><source>the file holds no points</source><translation>o arquivo não contém pontos</translation></message>
+<message><source>the file holds 0 points with a return, out of </source><translation>o arquivo contém 0 pontos com retorno, de </translation></message>
+<message><source>choose another file, or copy it again</source><translation>escolha outro arquivo, ou copie-o de novo</translation></message>
+<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>a última linha da varredura está incompleta e a última fileira não tem fim de linha: o arquivo foi cortado</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>o cabeçalho anuncia %1 pontos de %2 bytes e o arquivo contém %3 bytes deles, o que é mais</translation></message>
+<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them</source><translation>o cabeçalho anuncia %1 pontos de %2 bytes e o arquivo contém %3 bytes deles</translation></message>
+<message><source>the header promises %1 vertices and the file holds %2 bytes of them</source><translation>o cabeçalho anuncia %1 vértices e o arquivo contém %2 bytes deles</translation></message>
+<message><source>the header promises %1 vertices and the file ends after </source><translation>o cabeçalho anuncia %1 vértices e o arquivo termina depois de </translation></message>
+<message><source>the header promises %1 points and the file ends after </source><translation>o cabeçalho anuncia %1 pontos e o arquivo termina depois de </translation></message>
+<message><source>the header promises %1 points and the file holds </source><translation>o cabeçalho anuncia %1 pontos e o arquivo contém </translation></message>
+<message><source>the header promises %1 points, more than a file of %2 holds of a scan</source><translation>o cabeçalho anuncia %1 pontos, mais do que um arquivo de %2 contém de uma varredura</translation></message>
+<message><source>the header promises more points than any file holds</source><translation>o cabeçalho anuncia mais pontos do que qualquer arquivo contém</translation></message>
+<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>a imagem anuncia mais pixels do que um arquivo de %1 contém de uma varredura</translation></message>
+<message><source>the file ends within its LAS header</source><translation>o arquivo termina dentro do seu cabeçalho LAS</translation></message>
+<message><source>the file ends within its numpy header</source><translation>o arquivo termina dentro do seu cabeçalho numpy</translation></message>
+<message><source>the file ends before its vertices</source><translation>o arquivo termina antes dos seus vértices</translation></message>
+<message><source>the file ends before its compressed points</source><translation>o arquivo termina antes dos seus pontos comprimidos</translation></message>
+<message><source>the file is cut off in its last vertex</source><translation>o arquivo está cortado no seu último vértice</translation></message>
+<message><source>the compressed points are damaged</source><translation>os pontos comprimidos estão danificados</translation></message>
+<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>este arquivo LAZ não pode ser descompactado: termina cedo demais</translation></message>
+<message><source>this LAZ file cannot be unpacked: </source><translation>este arquivo LAZ não pode ser descompactado: </translation></message>
+<message><source>this LAZ file is damaged or cut off</source><translation>este arquivo LAZ está danificado ou cortado</translation></message>
+<message><source>copy it again, or save it as .las</source><translation>copie-o de novo, ou salve-o como .las</translation></message>
+<message><source>save it as LAS 1.2 or 1.4</source><translation>salve-o como LAS 1.2 ou 1.4</translation></message>
+<message><source>this is LAS version %1, and versions up to 1.4 are known</source><translation>isto é a versão LAS %1, e são conhecidas versões até 1.4</translation></message>
+<message><source>needs %1 of memory, %2 are free</source><translation>precisa de %1 de memória, há %2 livres</translation></message>
+<message><source>holds more points than can be put on a grid</source><translation>contém mais pontos do que cabem numa grade</translation></message>
+<message><source>split the file</source><translation>divida o arquivo</translation></message>
+<message><source>the scan of this PTX file holds 0 points</source><translation>a varredura deste arquivo PTX contém 0 pontos</translation></message>
+<message><source>scan %1 of this PTX file promises %2 columns of %3 points, and the file ends before them</source><translation>a varredura %1 deste arquivo PTX anuncia %2 colunas de %3 pontos, e o arquivo termina antes</translation></message>
+<message><source>holds %1 bytes where %2 need </source><translation>contém %1 bytes onde %2 precisam de </translation></message>
+<message><source>check lines and beams in the .json file</source><translation>verifique linhas e feixes no arquivo .json</translation></message>
+<message><source>check that the file is complete</source><translation>verifique se o arquivo está completo</translation></message>
+<message><source>the PLY header has no end_header line</source><translation>o cabeçalho PLY não tem linha end_header</translation></message>
+<message><source>the PCD header has no DATA line</source><translation>o cabeçalho PCD não tem linha DATA</translation></message>
+<message><source>the PLY file has no vertices</source><translation>o arquivo PLY não tem vértices</translation></message>
+<message><source>this OBJ file has no vertices</source><translation>este arquivo OBJ não tem vértices</translation></message>
+<message><source>this Surpac file has no points</source><translation>este arquivo Surpac não tem pontos</translation></message>
+<message><source>the vertices have no x, y and z</source><translation>os vértices não têm x, y e z</translation></message>
+<message><source>the PCD file has no fields x, y and z</source><translation>o arquivo PCD não tem campos x, y e z</translation></message>
+<message><source>export the file with coordinates</source><translation>exporte o arquivo com coordenadas</translation></message>
+<message><source>this is text without a row of numbers, so no scan</source><translation>isto é texto sem uma fileira de números, portanto não é uma varredura</translation></message>
+<message><source>choose a scan: %1, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>escolha uma varredura: %1, uma grade bruta (.json), uma imagem de distâncias (.png, .tif), uma gravação (.mcap), um bag do ROS ou uma captura de rede (.pcap)</translation></message>
+<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x e y deste arquivo são graus de longitude e latitude, segundo o seu sistema de coordenadas, e os pontos precisam de metros</translation></message>
+<message><source>export it in a projected coordinate system such as UTM</source><translation>exporte-o num sistema de coordenadas projetado como UTM</translation></message>
+<message><source>its heading names %1, and points need x, y and z in metres</source><translation>o seu cabeçalho nomeia %1, e os pontos precisam de x, y e z em metros</translation></message>
+<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escreva x, y e z, ou distâncias como tabela com uma fileira por linha; ou </translation></message>
+<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>o seu cabeçalho nomeia eixos (%1), e nem todos os x, y e z são entendidos</translation></message>
+<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: </source><translation>diga quais colunas são leste (x), norte (y) e elevação (z), por número ou nome: </translation></message>
+<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>há palavras entre os números das suas fileiras, e nenhum cabeçalho nomeia x, y e z</translation></message>
+<message><source>write a first row with the names of the columns, such as </source><translation>escreva uma primeira fileira com os nomes das colunas, como </translation></message>
+<message><source> has a decimal comma</source><translation> tem vírgula decimal</translation></message>
+<message><source>save the file with decimal points</source><translation>salve o arquivo com pontos decimais</translation></message>
+<message><source>" is not a number</source><translation>" não é um número</translation></message>
+<message><source>correct the line or export the file again</source><translation>corrija a linha ou exporte de novo o arquivo</translation></message>
+<message><source> is below x, y or z and is not a number</source><translation> está sob x, y ou z e não é um número</translation></message>
+<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>salve o arquivo com números simples nestas colunas, sem unidades nem sinais</translation></message>
+<message><source>, a number whose thousands are set apart</source><translation>, um número com os milhares separados</translation></message>
+<message><source>save the file with plain numbers, without separators of thousands</source><translation>salve o arquivo com números simples, sem separadores de milhares</translation></message>
+<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contém bytes zero, como um arquivo que não foi escrito até o fim</translation></message>
+<message><source>copy the file or export it again</source><translation>copie ou exporte de novo o arquivo</translation></message>
+<message><source>its numbers are separated by "%1", which separates none here</source><translation>os seus números estão separados por «%1», que aqui não separa nenhum</translation></message>
+<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>salve o arquivo com vírgulas, pontos e vírgulas, tabulações ou espaços entre os seus números</translation></message>
+<message><source>a table of %1 ranges per line does not say its angles</source><translation>uma tabela de %1 distâncias por linha não diz os seus ângulos</translation></message>
+<message><source>a picture of %1 ranges per line does not say its angles</source><translation>uma imagem de %1 distâncias por linha não diz os seus ângulos</translation></message>
+<message><source>a array of %1 ranges per line does not say its angles</source><translation>uma matriz de %1 distâncias por linha não diz os seus ângulos</translation></message>
+<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; ou salve-a com uma fileira por linha: tem tantas fileiras quantos feixes um LMS511</translation></message>
+<message><source> holds %1, which is not a range</source><translation> contém %1, que não é uma distância</translation></message>
+<message><source>check that these are ranges; points need columns x, y and z</source><translation>verifique se são distâncias; os pontos precisam de colunas x, y e z</translation></message>
+<message><source> holds %1, so this is not a table of ranges</source><translation> contém %1, portanto não é uma tabela de distâncias</translation></message>
+<message><source> numbers per line without names are a table of ranges only with its angles; as points, </source><translation> números por linha sem nomes são uma tabela de distâncias só com os seus ângulos; como pontos, </translation></message>
+<message><source>, or name the columns x, y and z</source><translation>, ou nomeie as colunas x, y e z</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cinza, e as distâncias precisam de 16 bits em cinza</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cores, e as distâncias precisam de 16 bits em cinza</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>escolha uma varredura, ou uma imagem de distâncias de 16 bits por pixel</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>isto é uma imagem PNG que não pode ser lida: </translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>a imagem TIFF está danificada ou é de um tipo que não pode ser lido</translation></message>
+<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>uma matriz numpy de forma %1 não é nem distâncias (linhas, feixes) nem pontos (n, 3) ou (linhas, feixes, 3)</translation></message>
+<message><source>save it in one of these shapes</source><translation>salve-a numa destas formas</translation></message>
+<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>estes valores precisam da sua descrição %1 ao lado, e ela não pode ser lida</translation></message>
+<message><source>copy it into the same folder</source><translation>copie-a para a mesma pasta</translation></message>
+<message><source> points with a return, too few to find a scanner's grid</source><translation> pontos com retorno, poucos demais para encontrar a grade de um scanner</translation></message>
+<message><source>points have a return, too few to make a grid of them</source><translation>pontos têm retorno, poucos demais para formar uma grade</translation></message>
+<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>os %1 pontos não estão em ângulos feixe x linha em torno da origem:</translation></message>
+<message><source> about z </source><translation> em torno de z </translation></message>
+<message><source> about y </source><translation> em torno de y </translation></message>
+<message><source> about x </source><translation> em torno de x </translation></message>
+<message><source>no scan lines can be recognised</source><translation>nenhuma linha reconhecível</translation></message>
+<message><source> % lie on the best </source><translation> % nos melhores </translation></message>
+<message><source> line angles</source><translation> ângulos de linha</translation></message>
+<message><source> beam angles</source><translation> ângulos de feixe</translation></message>
+<message><source> (99 % are needed)</source><translation> (são precisos 99 %)</translation></message>
+<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra a varredura tal como o scanner a gravou, com a origem no scanner</translation></message>
+<message><source>open the scan as the scanner stored it, or with its record</source><translation>abra a varredura tal como o scanner a gravou, ou com o seu registro</translation></message>
+<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos os pontos estão a menos de %1 m uns dos outros e a pelo menos %2 m do scanner, o que nenhum scanner mede</translation></message>
+<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>os %1 pontos da sua grade estão numa só direção a partir da origem, dentro de %2 graus e até %3: o scanner estava noutro lugar</translation></message>
+<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>os %1 pontos estão todos numa só direção a partir dali, dentro de %2 e a %3 a %4</translation></message>
+<message><source>seen from there the points make no picture: </source><translation>vistos dali, os pontos não formam uma imagem: </translation></message>
+<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>não se seguem em linhas que giram em torno de um eixo noutro lugar</translation></message>
+<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>os seus números foram arredondados a %1 algarismos, e os próximos de %2 avançam em passos de %3: os algarismos que posicionam os pontos perderam-se</translation></message>
+<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escreva de novo as coordenadas com todas as casas decimais, como números e não na forma 1.23E+06</translation></message>
+<message><source>this capture holds no scan telegram of a SICK scanner, and </source><translation>esta captura não contém nenhum telegrama de varredura de um scanner SICK, e </translation></message>
+<message><source>this capture holds %1 packets, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>esta captura contém %1 pacotes, %2 deles TCP, e nenhum telegrama de varredura de um scanner SICK nem pacote de um VLP-16 ou de um Ouster</translation></message>
+<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capture a conexão à porta do scanner (2111 ou 2112) enquanto ele varre</translation></message>
+<message><source>this is not a capture of network packets</source><translation>isto não é uma captura de pacotes de rede</translation></message>
+<message><source>choose a PCAP or PCAPNG file</source><translation>escolha um arquivo PCAP ou PCAPNG</translation></message>
+<message><source>the capture ends within its header</source><translation>a captura termina dentro do seu cabeçalho</translation></message>
+<message><source>copy the capture again</source><translation>copie de novo a captura</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este arquivo MCAP não contém nada enviado por um scanner a laser</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file</source><translation>nada do que um scanner a laser enviou pode ser lido neste arquivo MCAP</translation></message>
+<message><source>choose a recording of a sweep</source><translation>escolha a gravação de uma varredura</translation></message>
+<message><source>choose another recording</source><translation>escolha outra gravação</translation></message>
+<message><source>this recording holds no scan telegram</source><translation>esta gravação não contém nenhum telegrama de varredura</translation></message>
+<message><source>no scan telegram in this recording can be decoded</source><translation>nenhum telegrama de varredura desta gravação pode ser decodificado</translation></message>
+<message><source>the recording holds one sweep</source><translation>a gravação contém uma varredura</translation></message>
+<message><source>the recording holds %1 sweeps</source><translation>a gravação contém %1 varreduras</translation></message>
+<message><source>a calibration alone gives no place</source><translation>uma calibração sozinha não dá um lugar</translation></message>
+<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>uma pose precisa da calibração do robô, e a gravação não contém nenhuma</translation></message>
+<message><source>a pose needs the robot's calibration</source><translation>uma pose precisa da calibração do robô</translation></message>
+<message><source>give %1 the place in metres that the scan was taken from</source><translation>indique %1, o lugar em metros de onde a varredura foi feita</translation></message>
+<message><source>give «</source><translation>indique «</translation></message>
 <message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
 <message><source>LIVE</source><translation>AO VIVO</translation></message>
 <message><source>STALE</source><translation>DESATUALIZADO</translation></message>

@@ -4,6 +4,7 @@
 #include "core/scan/georef/place_form.h"
 #include "core/scan/grid/assumed_mounting.h"
 #include "core/scan/grid/reading_options.h"
+#include "ui/base/core_notes.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -77,7 +80,7 @@ constexpr std::array kScanNames{
     QT_TRANSLATE_NOOP("QObject", "demo draw-bell"),
 };
 
-// Parts of sentences, the longer ones first where one holds another.
+// Parts of sentences of a live scanner, of connecting, of opening and of poses; core_notes.h has those about a file.
 constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "INCOMPLETE: %1 lines are there, how many there were is not known."),
     QT_TRANSLATE_NOOP("QObject", "INCOMPLETE %1 lines"),
@@ -314,6 +317,15 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kPlaces{{
 constexpr std::array kFieldsOfReading{"beam-start", "beam-step", "line-start", "line-step", "unit", "grid-step",  "axis",
                                       "sensor",     "project",   "scan",       "columns",   "pose", "calibration"};
 
+/// All parts of sentences, the longer ones first: one may hold another.
+std::vector<const char*> sentenceParts() {
+    std::vector<const char*> parts(kParts.begin(), kParts.end());
+    parts.insert(parts.end(), kNotes.begin(), kNotes.end());
+    parts.insert(parts.end(), kRefusals.begin(), kRefusals.end());
+    std::ranges::stable_sort(parts, std::ranges::greater(), [](const char* part) { return std::strlen(part); });
+    return parts;
+}
+
 QRegularExpression matchOf(const char* source, bool whole) {
     QString text = QRegularExpression::escape(QString::fromUtf8(source));
     static const QRegularExpression place("\\\\?%[1-9]");
@@ -344,7 +356,8 @@ QString withoutFlags(QString text) {
     // A flag, its value, and the place in the window that some texts name themselves.
     static const QRegularExpression flag("(?<![\\w-])--([a-z][a-z-]*)((?: [A-Z][A-Z,.a-z]*(?:\\.json)?)?)( \\([^)]* > [^)]*\\))?");
     for (auto found = flag.match(text); found.hasMatch(); found = flag.match(text)) {
-        const QString place = found.captured(3).isEmpty() ? placeOf(found.captured(1)) : found.captured(3).mid(2).chopped(1);
+        const QString named = found.captured(3).mid(2).chopped(1);
+        const QString place = named.isEmpty() ? placeOf(found.captured(1)) : QObject::tr(exactBytes(named).c_str());
         text.replace(found.capturedStart(), found.capturedLength(), place);
     }
     return text;
@@ -376,13 +389,15 @@ CoreTexts::CoreTexts(std::span<const char* const> sources, bool whole) : whole_(
 
 QString CoreTexts::translated(QString text, QString (*inner)(const QString&)) const {
     for (const auto& [source, match] : texts_) {
-        const auto found = match.match(text);
-        if (!found.hasMatch()) continue;
-        QString part = QObject::tr(source);
-        for (int n = found.lastCapturedIndex(); n >= 1; --n)
-            part.replace("%" + QString::number(n), inner == nullptr ? found.captured(n) : inner(found.captured(n)));
-        if (whole_) return part;
-        text.replace(found.capturedStart(), found.capturedLength(), part);
+        int at = 0; // behind what is translated already
+        for (auto found = match.match(text); found.hasMatch(); found = match.match(text, at)) {
+            QString part = QObject::tr(source);
+            for (int n = found.lastCapturedIndex(); n >= 1; --n)
+                part.replace("%" + QString::number(n), inner == nullptr ? found.captured(n) : inner(found.captured(n)));
+            if (whole_) return part;
+            text.replace(found.capturedStart(), found.capturedLength(), part);
+            at = found.capturedStart() + part.size();
+        }
     }
     return text;
 }
@@ -405,7 +420,7 @@ QString scanName(const std::string& name, int mostCharacters) {
 }
 
 QString coreSentence(const QString& text) {
-    static const CoreTexts parts(kParts, false);
+    static const CoreTexts parts(sentenceParts(), false);
     return parts.translated(withoutKeys(withoutFlags(text)));
 }
 
