@@ -4,6 +4,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/edges/gray/gray.h"
+#include "core/edges/rock_borders/rock_borders.h"
 #include "core/edges/settings/method_traits.h"
 
 #include <algorithm>
