@@ -598,6 +598,69 @@ private slots:
         QCOMPARE(inspect::registrationText(how), std::string("lined up by their poses"));
     }
 
+    // What opening a file says is in the sources of the core; the longest text of each call must be part of a pattern that is translated.
+    void everyNoteOfTheCoreHasAPattern() {
+        Catalogue catalogue;
+        QVERIFY(catalogue.read(kTexts + "/fr.ts"));
+        const QString patterns = QStringList(catalogue.texts().keys()).join('\n');
+        // verify.cpp speaks to the command line only.
+        const QStringList elsewhere{"when it was written.", "Every pixel is the same; the bytes are packed by another zlib."};
+        static const QRegularExpression call(
+            R"(\b(?:(?:warnings_?|remarks_?|said)(?:\.|->)(?:push_back|emplace_back|insert)|warn|warnOfCount|tell)\()");
+        static const QRegularExpression part(R"re("((?:[^"\\\n]|\\.)*)"|[()])re"), joint(R"("\s*\n\s*")");
+        static const QRegularExpression flag(R"(--[a-z][a-z-]*(?: [A-Z][A-Z,.a-z]*)?(?: \([^)]* > [^)]*\))?)");
+        constexpr int kShortest = 20; // letters; shorter ones are parts of sentences that say little
+        int calls = 0;
+        QStringList left;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(test::sourceFolder()) / "core")) {
+            if (entry.path().extension() != ".cpp") continue;
+            const auto file = readWholeFile(entry.path());
+            QVERIFY(bool(file));
+            const QString source = QString::fromUtf8(textOf(*file).data(), static_cast<int>(file->size())).remove(joint);
+            for (auto all = call.globalMatch(source); all.hasNext();) {
+                QString longest;
+                int depth = 1;
+                for (auto parts = part.globalMatch(source, all.next().capturedEnd()); depth > 0 && parts.hasNext();) {
+                    const auto found = parts.next();
+                    depth += found.captured() == "(" ? 1 : found.captured() == ")" ? -1 : 0;
+                    for (const QString& piece : found.captured(1).replace("\\\"", "\"").split(flag)) {
+                        if (piece.trimmed().size() > longest.size()) longest = piece.trimmed();
+                    }
+                }
+                if (longest.size() < kShortest || elsewhere.contains(longest)) continue;
+                ++calls;
+                if (!patterns.contains(longest)) left << QString::fromStdString(entry.path().filename().string()) + ": " + longest;
+            }
+        }
+        QVERIFY2(calls > 150, "far fewer notes than the core has");
+        QVERIFY2(left.isEmpty(), qPrintable("without a pattern in ui/base/core_notes.h:\n" + left.join('\n')));
+    }
+
+    // The core says them in parts; none may stay in English.
+    void notesAreWhollyInTheLanguageOfTheWindow_data() { everyTextHasItsTranslation_data(); }
+    void notesAreWhollyInTheLanguageOfTheWindow() {
+        QFETCH(QString, code);
+        QVERIFY(useLanguage(code, kTexts));
+        static const QRegularExpression english(R"(\b(the|is|its|it|was|were|from|and|gives|chooses|ranges|about|degrees)\b)");
+        for (const char* note :
+             {"Unit taken as metres, from the size of the numbers.",
+              "The file's coordinates are left-handed and were turned right-handed: y is mirrored.",
+              "The points lie on no scanner grid and were projected about the origin, because no sensor position is known (--sensor X,Y,Z "
+              "gives it): 1200 points in, seen over 90 x 45 degrees; 1100 of 200 x 30 cells filled (fill ratio 70.1 %; of the cells around "
+              "a filled one 88 %), 3 points attached to a cell with a nearer one.",
+              "The file holds 4 scans; this is number 2, --scan chooses another.",
+              "12 points are marked as invalid in the file and count as no return. 3 infinite ranges were taken as no return.",
+              "--grid-step has no effect: the points have a grid; leave it out.", "this is a FARO scan (FLS), which is not read",
+              "give --sensor X,Y,Z, the place in metres that the scan was taken from"}) {
+            const QString shown = coreSentence(QString(note));
+            QVERIFY2(!english.match(shown).hasMatch(), qPrintable(english.match(shown).captured() + ": " + shown));
+        }
+        const QString twice = coreSentence(QString("the file is empty\nthe file is empty"));
+        QVERIFY2(!twice.contains("empty"), qPrintable(twice));
+        useLanguage("en");
+        QCOMPARE(coreSentence(QString("12 points have a return")), QString("12 points have a return"));
+    }
+
     void noNoteOfTheWindowNamesAFlag() {
         static const QRegularExpression text("\"(?:[^\"\\\\\n]|\\\\.)*\"");
         int flags = 0;

@@ -614,6 +614,7 @@ inline constexpr std::array kRefusals{
     QT_TRANSLATE_NOOP("QObject", "a pose needs the robot's calibration, and the recording holds none"),
     QT_TRANSLATE_NOOP("QObject", "a pose needs the robot's calibration"),
     QT_TRANSLATE_NOOP("QObject", "give %1 the place in metres that the scan was taken from"),
+    // In front of a place of the window, which is in its language already.
     QT_TRANSLATE_NOOP("QObject", "give «"),
 };
 
