@@ -607,7 +607,8 @@ private slots:
         const QStringList elsewhere{"when it was written.", "Every pixel is the same; the bytes are packed by another zlib."};
         static const QRegularExpression call(
             R"(\b(?:(?:warnings_?|remarks_?|said)(?:\.|->)(?:push_back|emplace_back|insert)|warn|warnOfCount|tell)\()");
-        static const QRegularExpression part(R"re("((?:[^"\\\n]|\\.)*)"|[()])re"), joint(R"("\s*\n\s*")");
+        // moc knows no raw strings with quotes
+        static const QRegularExpression part("\"((?:[^\"\\\\\\n]|\\\\.)*)\"|[()]"), joint("\"\\s*\\n\\s*\"");
         static const QRegularExpression flag(R"(--[a-z][a-z-]*(?: [A-Z][A-Z,.a-z]*)?(?: \([^)]* > [^)]*\))?)");
         constexpr int kShortest = 20; // letters; shorter ones are parts of sentences that say little
         int calls = 0;

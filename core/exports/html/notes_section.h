@@ -14,7 +14,7 @@ namespace edgescan::exports {
 /// the measurements with their uncertainty. Empty if there are neither. Cells that do not exist in the scan are reported as such.
 /// A picture of at most `mostPixels` along a side shows where the targets are.
 [[nodiscard]] std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook, int mostPixels,
-                                          Translated translated);
+                                          Translated translated = asWritten);
 
 /// Markup: the counts, the quality of the registration, the largest regions, and a picture of at most `mostPixels` along a side.
 [[nodiscard]] std::string changeSection(const edges::Detection& now, const inspect::SceneChange& change, const std::string& earlier,
