@@ -66,7 +66,7 @@ Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExpor
             return (holds == Holds::Points || holds == Holds::Shapes) && changes(asciiLower(fs::path(one.path).extension().string()));
         });
         if (some) return Done{};
-        return Error{"this flag changes none of the files that are written", flag, "leave it out, or write a file that it changes"};
+        return Error{"this flag changes no file that is written", flag, "leave it out, or write a file that it changes"};
     };
     const auto isText = [](const std::string& extension) { return extension == ".pcd" || extension == ".ply"; };
     if (const auto ascii = write.ascii ? idle("--ascii", isText) : Done{}; !ascii) return ascii;

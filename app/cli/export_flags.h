@@ -48,7 +48,7 @@ struct WantedExport {
 [[nodiscard]] std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::ExportKind::Needs needs,
                                                       const std::string& scanName, CoordinateFrame frame);
 
-/// Error: a writing flag that changes none of these files.
+/// Error: a writing flag that changes no file among these.
 Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExport>& wanted);
 
 /// Their names without folders.

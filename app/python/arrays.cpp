@@ -113,7 +113,7 @@ void setTimes(Scan& scan, const std::vector<double>& times) {
     scan.acquisition = std::move(acquisition);
 }
 
-/// Numbers that are no error, and are seldom meant: metres taken as millimetres, radians as degrees.
+/// Numbers that are accepted and seldom meant: metres taken as millimetres, radians as degrees.
 void warnOfUnits(Scan& scan, const Arrays& arrays) {
     constexpr float kNoScannersMm = 100;
     std::vector<float> ranges;

@@ -49,7 +49,7 @@ py::object objectOf(const nlohmann::ordered_json& json) {
 
 namespace {
 
-/// Flags as keywords: "--min-length" becomes "min_length". Words that are no keywords of the package stay.
+/// Flags as keywords: "--min-length" becomes "min_length". Other words stay.
 std::string withKeywords(const std::string& text) {
     static const std::set<std::string, std::less<>> known = [] {
         std::set<std::string, std::less<>> keys{"preset", "tolerance", "repeats", "only", "truth", "pictures", "peer-seconds"};

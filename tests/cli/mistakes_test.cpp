@@ -21,8 +21,9 @@ void fill(const fs::path& folder, const fs::path& bell) {
     std::ofstream(folder / "cut.pcd", std::ios::binary) << cloud.substr(0, cloud.size() / 2);
     std::ofstream(folder / "text.pcd") << "hello\nworld\n";
     std::ofstream table(folder / "ten.csv");
-    for (int line = 0; line < 12; ++line)
-        table << 2000 + 37 * line << ",2011,2023," << 2035 + line * line << ",2048,2061,2075,2089,2104,2119\n";
+    for (int line = 0; line < 20; ++line) {
+        for (int beam = 0; beam < 10; ++beam) table << 1 + line * beam % 7 << (beam < 9 ? "," : "\n");
+    }
     std::ofstream(folder / "plain.json") << R"({"format": "edgescan-preset/1"})";
     std::ofstream(folder / "cal.json") << R"({"format": "x"})";
     for (const char* name : {"a.fls", "a.zfs", "a.rcp", "a.lgs"}) {

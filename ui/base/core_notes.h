@@ -1,7 +1,7 @@
 // Sentences of the core about a file, a scan or a sweep, and what it refuses, as patterns for coreSentence: %1 to %9 are any text.
 // coreSentence has replaced flags by places of the window before ("--scan chooses another" is "“scan” in … chooses another"), and sorts the
-// patterns by their length, so that their order does not matter. A pattern does not begin with %1: it would take what stands before the
-// sentence.
+// patterns by their length, so that their order does not matter. A pattern does not begin with %1: it would also match what is in front of
+// the sentence.
 #pragma once
 
 #include <QObject>
@@ -185,8 +185,8 @@ inline constexpr std::array kNotes{
                                  "degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin)."),
     QT_TRANSLATE_NOOP("QObject", "The array does not say its angles: those of an LMS511 were taken where none were given (beams from -5 "
                                  "degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin)."),
-    QT_TRANSLATE_NOOP("QObject", " columns are no ranges by the header and not read: "),
-    QT_TRANSLATE_NOOP("QObject", " column is no ranges by the header and not read: "),
+    QT_TRANSLATE_NOOP("QObject", " columns are not ranges, by the header, and not read: "),
+    QT_TRANSLATE_NOOP("QObject", " column is not ranges, by the header, and not read: "),
     QT_TRANSLATE_NOOP("QObject", " bytes behind the points were not read."),
     QT_TRANSLATE_NOOP("QObject", " byte behind the points was not read."),
     QT_TRANSLATE_NOOP("QObject", " bytes behind the picture were not read."),

@@ -181,7 +181,7 @@ std::string leftOutText(const TextLayout& layout, const RangeColumns& columns) {
         if (++others <= 6) names += (names.empty() ? "" : ", ") + layout.names[j];
     }
     if (others == 0) return {};
-    return std::to_string(others) + (others == 1 ? " column is" : " columns are") + " no ranges by the header and not read: " + names +
+    return std::to_string(others) + (others == 1 ? " column is" : " columns are") + " not ranges, by the header, and not read: " + names +
            (others > 6 ? " ..." : "") + ".";
 }
 

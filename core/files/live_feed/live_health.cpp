@@ -151,8 +151,8 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     health.liveness = livenessOf(status, age);
     health.badge = badgeOf(health.liveness, age);
     health.sentence = status.connection.sentence;
-    if (health.liveness == Liveness::Stale && age && isOver(sweep) && !status.wholeClouds) {
-        health.sentence = "The sweep has ended; no line has come since.";
+    if (health.stale() && age && isOver(sweep) && !status.wholeClouds) {
+        if (health.liveness == Liveness::Stale) health.sentence = "The sweep has ended; no line has come since.";
         health.liveness = Liveness::Stopped;
         health.badge = "STOPPED " + ageText(*age);
     }

@@ -181,7 +181,6 @@ std::optional<MeasuredCells> measureStored(const Scan& scan, const RangeNoise& n
 Notebook mergedNotebook(const Notebook& base, const Notebook& mine, const Notebook& theirs) {
     Notebook merged{mergedEntries(base.targets, mine.targets, theirs.targets),
                     mergedEntries(base.measures, mine.measures, theirs.measures)};
-    std::ranges::sort(merged.targets, {}, &PinnedTarget::number);
     std::ranges::sort(merged.measures, {}, &StoredMeasure::number);
     return merged;
 }

@@ -183,7 +183,7 @@ Result<ScanAlignment> alignScans(const PlacedScan& fixed, const PlacedScan& move
         for (const Eigen::Vector3d& p : start) now.push_back(result.correction * p);
         const Pairs pairs = pairsOf(now, result.correction * about, index, fixed.pointsM, reachM);
         if (pairs.rows.size() < kFewestPairs)
-            return Error{"only " + counted(pairs.rows.size(), "point of the two scans lies", "points of the two scans lie") +
+            return Error{"only " + counted(pairs.rows.size(), "point of the two scans is", "points of the two scans are") +
                              " close enough to each other",
                          "", "give poses that bring them together, or a larger reach"};
         result.pairs = pairs.rows.size();

@@ -179,7 +179,7 @@ TEST(RangeTable, ColumnsWithoutRangesAreReported) {
     const auto scan = openScan(folder / "table.csv");
     expectRanges(mm, scan);
     ASSERT_TRUE(scan);
-    EXPECT_TRUE(isTold(*scan, "3 columns are no ranges by the header and not read: time, temperature, contamination"));
+    EXPECT_TRUE(isTold(*scan, "3 columns are not ranges, by the header, and not read: time, temperature, contamination"));
 }
 
 TEST(RangeTable, OneNumberBelowZeroIsNoReturnAndSeveralAreRefused) {
