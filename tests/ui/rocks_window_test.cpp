@@ -561,6 +561,12 @@ private slots:
             QVERIFY2(words.contains(QString::fromUtf8(each)), qPrintable(words.join(", ")));
         QVERIFY(settled(on));
         QCOMPARE(picture(on).study.rocks.size(), count - 1);
+        // The numbers have a gap now: a row means the rock whose number it shows.
+        const int last = table->model()->rowCount() - 1;
+        table->selectRow(last);
+        QVERIFY(eventually([&] { return on.viewer.rocks.selected().size() == 1; }));
+        QCOMPARE(QString::number(picture(on).labelAt(on.viewer.rocks.selected().front())),
+                 table->model()->index(last, 0).data().toString().section(' ', 0, 0));
         Meanwhile name([&] {
             auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
             if (dialog == nullptr) return false;

@@ -329,11 +329,10 @@ private slots:
         }
         const std::string csv = (folder_ / "chosen.csv").string();
         QVERIFY(bool(exports::exportWithProvenance(dialog.content(), *detection, csv, dialog.options())));
-        QCOMPARE(test::runCli("detect '" + scan_ +
-                              "' --comments --doubles --dxf-2000 --short-lines --with-confidence --with-borders --edges " +
-                              (folder_ / "cli.csv").string())
-                     .code,
-                 0);
+        QCOMPARE(
+            test::runCli("detect '" + scan_ + "' --comments --with-confidence --with-borders --edges " + (folder_ / "cli.csv").string())
+                .code,
+            0);
         QVERIFY(text("chosen.csv") == text("cli.csv"));
         QVERIFY(text("chosen.csv").find('#') != std::string::npos);
     }

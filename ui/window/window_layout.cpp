@@ -5,7 +5,7 @@
 #include "ui/base/pane.h"
 #include "ui/base/window_room.h"
 #include "ui/engine/worker_bridge/preferences.h"
-#include "ui/panels/keys/shortcuts.h"
+#include "ui/panels/keys/commands.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -199,7 +199,10 @@ void MainWindow::resetLayout() {
     places_->use(QString());
     imagesDragged_ = false;
     images_->setSizes({1000, 1000});
-    actionOf(keyedCommands(actions()), "View/True Angle Aspect").setChecked(false);
+    for (QAction* action : actions()) {
+        const QString key = action->property(kInSessions).toString();
+        if (key == "view/true-angles" || key.startsWith("view/images-")) action->setChecked(false);
+    }
     docks_->reset();
     rememberTimer_.start();
 }

@@ -67,6 +67,7 @@ std::optional<std::size_t> LinkedViews::visibleCellAt(const ImageView& view, int
 }
 
 void LinkedViews::linkCloud() {
+    connect(&cloud_, &CloudView::refitted, this, [this] { fittedCamera_ = cloud_.camera(); });
     connect(&cloud_, &CloudView::hovered, this, [this](qint64 cell) { hover(static_cast<std::size_t>(cell), &cloud_); });
     connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
     connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) {

@@ -186,7 +186,7 @@ void RockTable::resizeEvent(QResizeEvent* event) {
 }
 
 std::uint32_t RockTable::labelOf(const QModelIndex& index) const {
-    return static_cast<std::uint32_t>(shown_->mapToSource(index).row()) + 1;
+    return model_->picture()->study.rocks[static_cast<std::size_t>(shown_->mapToSource(index).row())].label; // numbers have gaps
 }
 
 void RockTable::show(const std::shared_ptr<const RockPicture>& picture, const QString& remark) {
@@ -251,7 +251,9 @@ void RockTable::select(const std::vector<std::uint32_t>& labels) {
     QItemSelection rows;
     QModelIndex last;
     for (const std::uint32_t label : labels) {
-        const QModelIndex index = shown_->mapFromSource(model_->index(static_cast<int>(label) - 1, 0));
+        const std::vector<rocks::Rock>& rocks = model_->picture()->study.rocks;
+        const auto rock = std::ranges::find(rocks, label, &rocks::Rock::label);
+        const QModelIndex index = shown_->mapFromSource(model_->index(static_cast<int>(rock - rocks.begin()), 0));
         if (!index.isValid()) continue;
         rows.select(index, index.sibling(index.row(), shown_->columnCount() - 1));
         last = index;

@@ -191,6 +191,9 @@ void CloudView::resizeEvent(QResizeEvent* event) {
     QVTKOpenGLNativeWidget::resizeEvent(event);
     overlay_->setGeometry(rect());
     fitPane();
+    if (!cloud_ || framed_ != pose_) return;
+    frameFromScanner(*cloud_);
+    emit refitted();
 }
 
 /// Sizes in pixels belong to the pane's height and to the device pixel ratio.

@@ -64,6 +64,7 @@ void CloudView::frameFromScanner(const CloudGeometry& cloud) {
     pose_ = fromScanner(cloud, pose_, aspect());
     asked_ = Vector3d::Zero();
     centre_ = pose_.focus;
+    framed_ = &cloud == cloud_.get() ? std::optional(pose_) : std::nullopt;
     applyCamera();
 }
 
