@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <regex>
 #include <set>
 
 namespace edgescan::python {
@@ -60,17 +59,17 @@ std::string withKeywords(const std::string& text) {
         for (const ReadingOption& option : readingOptionTable()) keys.insert(option.key);
         return keys;
     }();
-    static const std::regex flag("--([a-z][a-z0-9-]{0,30})");
     std::string out;
-    auto from = text.begin();
-    for (std::sregex_iterator found(text.begin(), text.end(), flag), end; found != end; ++found) {
-        std::string key = (*found)[1];
+    std::size_t from = 0;
+    for (std::size_t at = text.find("--"); at != text.npos; at = text.find("--", at + 2)) {
+        const std::size_t end = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-", at + 2), text.size());
+        std::string key = text.substr(at + 2, end - at - 2);
         if (!known.contains(key)) continue;
         std::ranges::replace(key, '-', '_');
-        out.append(from, text.begin() + found->position()).append(key);
-        from = text.begin() + found->position() + found->length();
+        out += text.substr(from, at - from) + key;
+        from = end;
     }
-    return out.append(from, text.end());
+    return out + text.substr(from);
 }
 
 // edgescan.Error with its three parts; the message is the same sentence as on the command line.

@@ -51,7 +51,7 @@ TEST_F(LabBenchmark, ALowerThresholdCanBeADepth) {
     EXPECT_EQ(json::parse(metres.out)["settings"]["lower"], 15); // 5 levels x 3
     const auto share = runCli("detect " + scanPath + " --preset log --near 2000 --far 8000 --lower 5% --json -");
     ASSERT_EQ(share.code, 0) << share.err;
-    EXPECT_EQ(runCli("detect " + scanPath + " --preset window --lower 5%").code, 1);
+    EXPECT_EQ(runCli("detect " + scanPath + " --preset window --lower 5%").code, 2);
     EXPECT_EQ(runCli("detect " + scanPath + " --preset window --lower 5x").code, 2);
 }
 

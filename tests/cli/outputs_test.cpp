@@ -44,8 +44,11 @@ TEST(CliOutputs, NoInputIsReplacedByWhateverNameOrLink) {
         const auto run = runCli(line);
         if (line.find(" -o ") == std::string::npos) {
             EXPECT_NE(run.code, 0) << line;
-            const bool isPicture = line.find(" --mask ") != std::string::npos; // whose ending is refused first
-            EXPECT_NE(run.err.find(isPicture ? "use .png" : "read as an input"), std::string::npos) << line << "\n" << run.err;
+            // The ending of a picture and of JSON is refused first.
+            const char* said = line.find(" --mask ") != std::string::npos   ? "use .png"
+                               : line.find(" --json ") != std::string::npos ? "is not a name for JSON"
+                                                                            : "read as an input";
+            EXPECT_NE(run.err.find(said), std::string::npos) << line << "\n" << run.err;
         }
         EXPECT_EQ(fileText(folder / "a.pcd"), before) << line;
         EXPECT_EQ(fileText(folder / "grid.u16"), counts) << line;

@@ -205,7 +205,7 @@ signals:
     void clicked(qint64 cell);
     /// A left click at `pixel` on a target or a measurement, and the cell of the point behind its mark; -1: no point is there.
     void markClicked(const edgescan::ui::MarkName& mark, qint64 behind, QPointF pixel);
-    /// The view from the scanner, which nobody moved since, was fitted to another size of the pane.
+    /// The view from the scanner, unmoved since, was fitted to another size of the pane.
     void refitted();
     /// A left click where no point is drawn ...
     void missed(QPointF pixel);
@@ -306,7 +306,7 @@ private:
     EdgesOver edgesOver_ = EdgesOver::AsAsked;
 
     CameraPose pose_;
-    std::optional<CameraPose> framed_; // of all of the cloud, from the scanner
+    std::optional<CameraPose> framed_;                 // of all of the cloud, from the scanner
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // centre of rotation
     Eigen::Vector3d asked_ = Eigen::Vector3d::Zero();  // direction of the last view by name
     CloudClip clip_;
