@@ -179,7 +179,7 @@ private slots:
         QVERIFY(on.showWith(scan_) && on.activate());
         on.window.cab().set(true);
         resizeTo(on.window, {1280, 775});
-        for (int n = 0; n < 5; ++n) press(on.window, "cab-zoom-in"); // the cloud is below all of it
+        for (int n = 0; n < 9; ++n) press(on.window, "cab-zoom-in"); // the cloud is below all of it
         const CornerPicture& small = on.window.cab().corner();
         QTRY_VERIFY(small.isVisible());
         const QPoint at = small.mapTo(&on.window, {4, small.height() - 6});
