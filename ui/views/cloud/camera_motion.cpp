@@ -18,7 +18,6 @@ constexpr double kPoleRad = 89.0 * std::numbers::pi / 180.0;
 constexpr double kNearestM = 0.02; // no laser scanner resolves less
 constexpr double kMargin = 1.04;   // free margin around the fitted points
 constexpr double kUsualViewAngleDeg = 45.0;
-constexpr double kNarrowestViewAngleDeg = 16.0; // from the scanner: something small or far fills the view
 constexpr double kWidestViewAngleDeg = 84.0; // larger angles distort the rocks at the rim
 constexpr double kFarthestBack = 0.3;        // of the median depth
 
@@ -64,7 +63,7 @@ CameraPose fromSensor(const Vector3d& sensor, const std::vector<Vector3d>& point
     }
     const double middle = std::max(10 * kNearestM, quantile(ahead, 0.5));
     const double wanted = 2.0 * std::atan(quantile(tangents, 0.9)) * 180.0 / std::numbers::pi;
-    out.viewAngleDeg = std::clamp(wanted, kNarrowestViewAngleDeg, kWidestViewAngleDeg);
+    out.viewAngleDeg = std::clamp(wanted, kUsualViewAngleDeg, kWidestViewAngleDeg);
 
     const double tanV = tanHalf(out);
     const double tanH = tanV * widthByHeight;
