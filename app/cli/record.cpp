@@ -5,7 +5,7 @@
 #include "app/shared/json_output.h"
 #include "app/shared/mounting.h"
 #include "app/shared/options.h"
-#include "core/base/number_text.h"
+#include "app/shared/outputs.h"
 #include "core/exports/report.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/scanner/cola/host_port.h"
@@ -16,7 +16,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -207,10 +206,7 @@ void addRecord(CLI::App& app, int& code) {
         ->required();
     command.add_option("-o,--output", record->out, "New recording (.mcap)")
         ->type_name("FILE")
-        ->check([](const std::string& name) {
-            const bool named = asciiLower(std::filesystem::path(name).extension().string()) == ".mcap";
-            return named ? std::string() : "\"" + name + "\" is not a name for a recording; give a name that ends with .mcap";
-        })
+        ->check(namedAs("a recording", ".mcap", false))
         ->required();
     addJsonFlag(command, record->json, "Account of the recording, when it has ended").capture_default_str();
     addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly this number of lines; 0 = until Ctrl+C");

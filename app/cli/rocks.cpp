@@ -21,7 +21,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -85,7 +84,7 @@ Result<std::shared_ptr<const inspect::SectionPlane>> planeFor(const RocksFlags& 
     std::shared_ptr<const inspect::SectionPlane> none;
     Result<inspect::SectionPlane> plane = inspect::SectionPlane{};
     if (flags.throughRock > 0) {
-        if (std::ranges::find(study.rocks, static_cast<std::uint32_t>(flags.throughRock), &rocks::Rock::label) == study.rocks.end())
+        if (rocks::rockOf(study.rocks, static_cast<std::uint32_t>(flags.throughRock)) == nullptr)
             return Error{"no rock has the number " + std::to_string(flags.throughRock), "--section-rock",
                          "give a number of the table of rocks (--csv)"};
         const Grid<std::uint32_t> labels = rocks::rockLabels(*study.segmentation, study.map);

@@ -45,10 +45,12 @@ Result<Done> checkDistinct(std::span<const std::string> outputs) {
     return Done{};
 }
 
-CLI::Validator namedAs(const char* kind, const char* extension) {
-    const auto check = [kind = std::string(kind), extension = std::string(extension)](const std::string& name) {
-        if (name.empty() || isStreamOrDevice(name) || asciiLower(fs::path(name).extension().string()) == extension) return std::string();
-        return "\"" + name + "\" is not a name for " + kind + "; give a name that ends with " + extension + ", or - for standard output";
+CLI::Validator namedAs(const char* kind, const char* extension, bool orStream) {
+    const auto check = [kind = std::string(kind), extension = std::string(extension), orStream](const std::string& name) {
+        const bool named = asciiLower(fs::path(name).extension().string()) == extension;
+        if (named || (orStream && (name.empty() || isStreamOrDevice(name)))) return std::string();
+        return "\"" + name + "\" is not a name for " + kind + "; give a name that ends with " + extension +
+               (orStream ? ", or - for standard output" : "");
     };
     return {check, ""};
 }

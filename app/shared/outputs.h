@@ -17,8 +17,8 @@ namespace edgescan::cli {
 /// (core/files/open_save/sidecar_grid.h). Empty paths and devices are ignored; standard output takes only one result.
 Result<Done> checkDistinct(std::span<const std::string> outputs);
 
-/// Refuses other names than of this kind ("PNG", ".png"); standard output and devices have any.
-[[nodiscard]] CLI::Validator namedAs(const char* kind, const char* extension);
+/// Refuses other names than of this kind ("a picture", ".png"). `orStream`: standard output and devices have any.
+[[nodiscard]] CLI::Validator namedAs(const char* kind, const char* extension, bool orStream = true);
 
 /// The results of one scan, written one after the other. If one cannot be written, the message names those that were.
 class WrittenOutputs {

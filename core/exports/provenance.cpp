@@ -171,7 +171,7 @@ Result<Written> exportWithProvenance(ExportContent content, const edges::Detecti
     if (!files) return files.error();
     const Expected expected = expectedOf(content, detection, path, options);
     for (const FileBytes& file : *files) {
-        if (auto told = checkContent(file, expected); !told) return told.error();
+        if (auto same = checkContent(file, expected); !same) return same.error();
     }
     Written done{expected.count};
     if (const auto frame = frameOfFile(content, path, options))

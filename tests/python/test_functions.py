@@ -71,8 +71,8 @@ class SameAsThePrograms(unittest.TestCase):
 
     def test_two_methods(self):
         scan = edgescan.simulate(lines=60, beams=80).scan
-        told = edgescan.compare(edgescan.detect(scan, method="canny"), edgescan.detect(scan))["warnings"]
-        self.assertTrue(any("two methods, before by canny and now by edgescan+" in warning for warning in told), told)
+        warnings = edgescan.compare(edgescan.detect(scan, method="canny"), edgescan.detect(scan))["warnings"]
+        self.assertTrue(any("two methods, before by canny and now by edgescan+" in warning for warning in warnings), warnings)
 
     def page(self, path):
         """Without what differs from run to run: the time and the milliseconds."""

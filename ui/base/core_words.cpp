@@ -5,6 +5,7 @@
 #include "core/scan/grid/assumed_mounting.h"
 #include "core/scan/grid/reading_options.h"
 #include "ui/base/core_notes.h"
+#include "ui/base/core_refusals.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>
@@ -326,13 +327,6 @@ std::vector<const char*> sentenceParts() {
     return parts;
 }
 
-QRegularExpression matchOf(const char* source, bool whole) {
-    QString text = QRegularExpression::escape(QString::fromUtf8(source));
-    static const QRegularExpression place("\\\\?%[1-9]");
-    text.replace(place, "(.+?)");
-    return QRegularExpression(whole ? "^" + text + "$" : text);
-}
-
 QString wordsOf(const QString& text) {
     static const CoreTexts texts(kWholeTexts, true);
     return texts.translated(text, wordsOf);
@@ -384,11 +378,20 @@ QString withoutKeys(QString text) {
 } // namespace
 
 CoreTexts::CoreTexts(std::span<const char* const> sources, bool whole) : whole_(whole) {
-    for (const char* source : sources) texts_.emplace_back(source, matchOf(source, whole));
+    static const QRegularExpression place("%[1-9]");
+    for (const char* source : sources) {
+        const QStringList parts = QString::fromUtf8(source).split(place);
+        QStringList escaped;
+        for (const QString& part : parts) escaped << QRegularExpression::escape(part);
+        const QString match = escaped.join("(.+?)");
+        texts_.push_back(
+            {source, *std::ranges::max_element(parts, {}, &QString::size), QRegularExpression(whole ? "^" + match + "$" : match)});
+    }
 }
 
 QString CoreTexts::translated(QString text, QString (*inner)(const QString&)) const {
-    for (const auto& [source, match] : texts_) {
+    for (const auto& [source, words, match] : texts_) {
+        if (!text.contains(words)) continue;
         int at = 0; // behind what is translated already
         for (auto found = match.match(text); found.hasMatch(); found = match.match(text, at)) {
             QString part = QObject::tr(source);

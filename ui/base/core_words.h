@@ -29,8 +29,13 @@ public:
     [[nodiscard]] QString translated(QString text, QString (*inner)(const QString&) = nullptr) const;
 
 private:
+    struct Text {
+        const char* source;
+        QString words; ///< the longest part without %1 to %9: a cheap look whether it can be there at all
+        QRegularExpression match;
+    };
     bool whole_;
-    std::vector<std::pair<const char*, QRegularExpression>> texts_;
+    std::vector<Text> texts_;
 };
 
 /// "no return", "out of window", in the language of the window.

@@ -16,6 +16,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kAloneIcon = 14; // px
+constexpr int kFocusLine = 2;  // px
 
 } // namespace
 
@@ -122,17 +123,13 @@ void Pane::resizeEvent(QResizeEvent* event) {
     fit();
 }
 
-void Pane::paintFocus() const {
-    constexpr int kLine = 2; // px
-    if (focused_) QPainter(bar_).fillRect(0, bar_->height() - kLine, bar_->width(), kLine, palette().color(QPalette::Link));
-}
-
 bool Pane::eventFilter(QObject* watched, QEvent* event) {
     if (watched == bar_ && event->type() == QEvent::MouseButtonDblClick) {
         emit swapRequested();
         return true;
     }
-    if (watched == bar_ && event->type() == QEvent::Paint) paintFocus();
+    if (watched == bar_ && event->type() == QEvent::Paint && focused_)
+        QPainter(bar_).fillRect(0, bar_->height() - kFocusLine, bar_->width(), kFocusLine, palette().color(QPalette::Link));
     if (watched == content_ && (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)) {
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
         focused_ = event->type() == QEvent::FocusIn &&

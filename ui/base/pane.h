@@ -40,7 +40,6 @@ protected:
 
 private:
     void fit();
-    void paintFocus() const;
 
     QWidget* bar_;
     QLabel* title_;

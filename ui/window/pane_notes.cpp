@@ -18,9 +18,8 @@ namespace {
 /// "turned 90°, mirrored": of the images; empty as they are.
 QString turnNote(const ViewPort& images) {
     const ViewPort::Turn& turn = images.turn();
-    const int degrees = (turn.quarter ? 90 : 0) + (turn.half ? 180 : 0);
     QStringList words;
-    if (degrees > 0) words << Pane::tr("turned by %1°").arg(degrees);
+    if (turn.degrees() > 0) words << Pane::tr("turned by %1°").arg(turn.degrees());
     if (turn.mirrored) words << Pane::tr("mirrored");
     return words.join(", ");
 }

@@ -51,6 +51,10 @@ int tilePixels(std::size_t tiles, int beams) {
     return beams * std::max(1, static_cast<int>(std::lround(static_cast<double>(kLargePixels) / beams)));
 }
 
+std::string scoreText(const EdgeCounts& all) {
+    return "F " + fixedText(all.f(), 3) + ", precision " + fixedText(all.precision(), 3) + ", recall " + fixedText(all.recall(), 3);
+}
+
 std::string caption(const ComparedMethod& method) {
     if (!method.wasRun()) return "not run: see the table";
     std::string text = std::to_string(method.edges) + " edge cells, " + fixedText(method.steps.total(), 1) + " ms";
@@ -123,8 +127,7 @@ Grid<Rgb> sceneSheet(const edges::Detection& detection, const sim::EdgeTruth& tr
     legend.push_back({"a fold within a rock", kVermilion, exports::MarkShape::Slash});
     const EdgeCounts all = scoreMatches(matchWithTruth(*detection.mask, truth, tolerance), truth).all;
     return exports::contactSheet(
-        {{gray, truthMarks(*detection.mask, truth, tolerance), "against the truth",
-          "F " + fixedText(all.f(), 3) + ", precision " + fixedText(all.precision(), 3) + ", recall " + fixedText(all.recall(), 3)},
+        {{gray, truthMarks(*detection.mask, truth, tolerance), "against the truth", scoreText(all)},
          {gray, marks, "border or fold", std::to_string(detection.edges->size()) + " edge cells"}},
         {2, tilePixels(2, scan.beams()), shapeOf(scan) + "; all edges, tolerance " + significantText(tolerance, 3) + " cells", legend});
 }
@@ -139,8 +142,7 @@ Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& method
         std::string threshold = "as set";
         if (best) threshold = "at its best threshold, " + method.best->parameter + " " + significantText(method.best->value, 3);
         tiles.push_back(
-            {gray, truthMarks(best ? method.best->mask : method.mask, truth, tolerance), method.name + ", " + threshold,
-             "F " + fixedText(all.f(), 3) + ", precision " + fixedText(all.precision(), 3) + ", recall " + fixedText(all.recall(), 3)});
+            {gray, truthMarks(best ? method.best->mask : method.mask, truth, tolerance), method.name + ", " + threshold, scoreText(all)});
     }
     if (tiles.empty()) return {};
     const std::size_t whole = tiles.size();

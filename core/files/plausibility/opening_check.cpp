@@ -62,11 +62,11 @@ double medianRangeM(const Scan& scan) {
 bool isUsual(double rangeM) { return rangeM >= kNearestUsualM && rangeM <= kFarthestUsualM; }
 
 std::optional<OpeningPoint> unitOf(const Scan& scan, const ReadingOptions& options) {
-    const auto told = std::ranges::find_if(scan.warnings, [](const std::string& w) { return unitOfWarning(w).has_value(); });
+    const auto warned = std::ranges::find_if(scan.warnings, [](const std::string& w) { return unitOfWarning(w).has_value(); });
     const bool whole = scan.format == kRangeTable; // whole numbers in it are taken as millimetres without a word
-    const bool guessed = told != scan.warnings.end() || whole;
+    const bool guessed = warned != scan.warnings.end() || whole;
     if (!guessed && !options.unitMm) return std::nullopt; // the file says it
-    const double mm = options.unitMm.value_or(told != scan.warnings.end() ? *unitOfWarning(*told) : 1.0);
+    const double mm = options.unitMm.value_or(warned != scan.warnings.end() ? *unitOfWarning(*warned) : 1.0);
     const double median = medianRangeM(scan);
     if (median <= 0.0) return std::nullopt;
     const auto now = std::ranges::find_if(kUnits, [mm](const Unit& unit) { return unit.mm == mm; });
@@ -221,11 +221,11 @@ std::optional<OpeningPoint> gridOf(const Scan& scan, const ReadingOptions& optio
 }
 
 std::optional<OpeningPoint> displacementOf(const Scan& scan, const ReadingOptions& options) {
-    const auto told = std::ranges::find_if(scan.warnings, isDisplacementWarning);
-    if (told == scan.warnings.end() && !options.straighten) return std::nullopt;
+    const auto warned = std::ranges::find_if(scan.warnings, isDisplacementWarning);
+    if (warned == scan.warnings.end() && !options.straighten) return std::nullopt;
     OpeningPoint point{kDisplacedPoint.data(), options.straighten ? Source::Typed : Source::Stated};
     point.taken = options.straighten ? Sentence{"straightened"} : Sentence{"where their angles say"};
-    if (!options.straighten) point.against = {"%1", {*told}}; // a warning of the scan: as it is in records
+    if (!options.straighten) point.against = {"%1", {*warned}}; // a warning of the scan: as it is in records
     ReadingOptions other = options;
     other.straighten = !options.straighten;
     point.others.push_back(

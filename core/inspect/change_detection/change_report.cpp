@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostRows = 12;
 
-std::string counted(const char* name, std::size_t n) { return std::string(name) + " " + std::to_string(n); }
+std::string withCount(const char* name, std::size_t n) { return std::string(name) + " " + std::to_string(n); }
 
 std::string millimetres(double metres) { return fixedText(1000 * metres, 0) + " mm"; }
 
@@ -69,22 +69,22 @@ std::string registrationText(const RegistrationResult& how) {
 std::string changeText(const Scan& later, const SceneChange& change) {
     std::string text = registrationText(change.earlier.how) + "\n";
     for (const std::string& warning : change.earlier.how.warnings) text += warning + "\n";
-    text += "edges: " + counted("+ gained", change.edges.gained) + ", " + counted("- lost", change.edges.lost) + ", " +
-            counted("kept", change.edges.unchanged) + ", " + counted("not seen by the other", change.edges.unknown);
+    text += "edges: " + withCount("+ gained", change.edges.gained) + ", " + withCount("- lost", change.edges.lost) + ", " +
+            withCount("kept", change.edges.unchanged) + ", " + withCount("not seen by the other", change.edges.unknown);
     if (change.earlier.edgesLeftOut > 0)
-        text += "\n" + counted("edge cells of the earlier scan lie where the later one did not look, or behind what it saw",
-                               change.earlier.edgesLeftOut);
+        text += "\n" + withCount("edge cells of the earlier scan lie where the later one did not look, or behind what it saw",
+                                 change.earlier.edgesLeftOut);
     if (change.earlier.how.by == RegistrationBasis::OneScan) return text;
     const RangeChanges& ranges = change.ranges;
-    text += "\ncells: " + counted("nearer", ranges.nearer) + ", " + counted("farther", ranges.farther) + ", " +
-            counted("same", ranges.same) + ", " + counted("no range now", ranges.noReturnNow) + ", " +
-            counted("no range before", ranges.noReturnBefore);
+    text += "\ncells: " + withCount("nearer", ranges.nearer) + ", " + withCount("farther", ranges.farther) + ", " +
+            withCount("same", ranges.same) + ", " + withCount("no range now", ranges.noReturnNow) + ", " +
+            withCount("no range before", ranges.noReturnBefore);
     text += "\nmedian difference " + fixedText(change.differMm, 1) + " mm";
     text += "\na change is more than " + fixedText(kChangeSigmas, 0) +
             " standard deviations: " + fixedText(kChangeSigmas * change.noise.at(5.0), 0) + " mm at 5 m, " +
             fixedText(kChangeSigmas * change.noise.at(10.0), 0) + " mm at 10 m";
     if (!change.earlier.how.measurable()) return text;
-    text += "\n" + edgescan::counted(change.regions.size(), "region") + " of " + std::to_string(kSmallestRegion) +
+    text += "\n" + counted(change.regions.size(), "region") + " of " + std::to_string(kSmallestRegion) +
             " cells and more, visible surface from one viewpoint";
     for (std::size_t n = 0; n < std::min(kMostRows, change.regions.size()); ++n) text += "\n" + rowOf(later, change.regions[n]);
     if (change.regions.size() > kMostRows) text += "\n(smaller ones with --json)";

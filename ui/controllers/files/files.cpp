@@ -37,16 +37,26 @@ bool isSidecar(const std::string& name) {
 
 constexpr int kWrittenMs = 500;
 
-/// Size and time of a file, and of the numbers of a raw grid; empty: there is none.
-std::string stampOf(const QString& path) {
-    namespace fs = std::filesystem;
-    std::string stamp;
-    fs::path file = exactBytes(path);
-    for (const fs::path& each : {file, file.extension() == ".json" ? file.replace_extension(".u16") : fs::path()}) {
+/// The file and, of a raw grid, that of its numbers; none if the file is not there.
+std::vector<std::filesystem::path> filesOf(const QString& path) {
+    std::vector<std::filesystem::path> all;
+    std::filesystem::path file = exactBytes(path);
+    for (const std::filesystem::path& each :
+         {file, file.extension() == ".json" ? file.replace_extension(".u16") : std::filesystem::path()}) {
         std::error_code none;
-        if (each.empty() || !fs::is_regular_file(each, none)) break;
-        stamp += std::to_string(fs::file_size(each, none)) + " " +
-                 std::to_string(fs::last_write_time(each, none).time_since_epoch().count()) + " ";
+        if (each.empty() || !std::filesystem::is_regular_file(each, none)) break;
+        all.push_back(each);
+    }
+    return all;
+}
+
+/// Their sizes and times; empty: there is none.
+std::string stampOf(const QString& path) {
+    std::string stamp;
+    std::error_code none;
+    for (const std::filesystem::path& each : filesOf(path)) {
+        stamp += std::to_string(std::filesystem::file_size(each, none)) + " " +
+                 std::to_string(std::filesystem::last_write_time(each, none).time_since_epoch().count()) + " ";
     }
     return stamp;
 }
@@ -280,10 +290,7 @@ void Files::watch(const QString& path) {
     if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
     written_.stop();
     stamp_ = path.isEmpty() ? std::string() : stampOf(path);
-    if (stamp_.empty()) return;
-    watcher_.addPath(path);
-    const QFileInfo numbers(path.left(path.lastIndexOf('.')) + ".u16"); // of a raw grid
-    if (path.endsWith(".json") && numbers.isFile()) watcher_.addPath(numbers.filePath());
+    for (const std::filesystem::path& each : filesOf(path)) watcher_.addPath(exactText(each.string()));
 }
 
 void Files::lookOnDisk() {

@@ -185,9 +185,11 @@ void RockTable::resizeEvent(QResizeEvent* event) {
     tools_->setVisible(wide || height() >= kLeastRows * table_->verticalHeader()->defaultSectionSize());
 }
 
-std::uint32_t RockTable::labelOf(const QModelIndex& index) const {
-    return model_->picture()->study.rocks[static_cast<std::size_t>(shown_->mapToSource(index).row())].label; // numbers have gaps
+const rocks::Rock& RockTable::rockAt(const QModelIndex& index) const {
+    return model_->picture()->study.rocks[static_cast<std::size_t>(shown_->mapToSource(index).row())];
 }
+
+std::uint32_t RockTable::labelOf(const QModelIndex& index) const { return rockAt(index).label; }
 
 void RockTable::show(const std::shared_ptr<const RockPicture>& picture, const QString& remark) {
     showing_ = true;
@@ -218,7 +220,7 @@ void RockTable::showCount() {
     QString text = shown == all ? rockCount(static_cast<std::size_t>(all)) : tr("%1 of %2 rocks").arg(shown).arg(all);
     if (model_->picture()) {
         int uncertain = 0;
-        for (int row = 0; row < shown; ++row) uncertain += isDoubtful(*model_->picture()->rock(labelOf(shown_->index(row, 0)))) ? 1 : 0;
+        for (int row = 0; row < shown; ++row) uncertain += isDoubtful(rockAt(shown_->index(row, 0))) ? 1 : 0;
         text += tr(", %1 of them uncertain (hatched)").arg(uncertain) + " · " + rockCaveat();
     }
     count_->setText((remark_.isEmpty() ? QString() : remark_ + " · ") + text);

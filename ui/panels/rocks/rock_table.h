@@ -67,7 +67,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    [[nodiscard]] std::uint32_t labelOf(const QModelIndex& index) const;
+    [[nodiscard]] const rocks::Rock& rockAt(const QModelIndex& index) const;
+    [[nodiscard]] std::uint32_t labelOf(const QModelIndex& index) const; // numbers have gaps
     void fitColumns();
     void connectNumbers();
     void placeNumbers();

@@ -53,8 +53,7 @@ void ViewPort::setTrueAngle(double beamStepDeg, double lineStepDeg) { setAspect(
 void ViewPort::setTurn(const Turn& turn) {
     if (turn == turn_) return;
     turn_ = turn;
-    toScreen_ = QTransform().rotate((turn.quarter ? 90.0 : 0.0) + (turn.half ? 180.0 : 0.0)) *
-                QTransform::fromScale(turn.mirrored ? -1.0 : 1.0, 1.0);
+    toScreen_ = QTransform().rotate(turn.degrees()) * QTransform::fromScale(turn.mirrored ? -1.0 : 1.0, 1.0);
     if (follows()) refit();
     emit changed();
     emit turned();

@@ -47,6 +47,7 @@ public:
     /// left to right.
     struct Turn {
         bool mirrored = false, quarter = false, half = false;
+        [[nodiscard]] int degrees() const { return (quarter ? 90 : 0) + (half ? 180 : 0); }
         bool operator==(const Turn&) const = default;
     };
     void setTurn(const Turn& turn);

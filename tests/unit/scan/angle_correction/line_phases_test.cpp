@@ -75,11 +75,11 @@ TEST(LinePhases, LinesOfACycleAreDetectedAndMerged) {
             for (int k = 0; k < count; ++k)
                 EXPECT_NEAR(found[static_cast<std::size_t>(k)],
                             static_cast<double>(phases.offsets[static_cast<std::size_t>(k)]) / phases.spacing, 0.05);
-            const auto told = displacementWarning(nominal);
-            ASSERT_TRUE(told);
-            EXPECT_TRUE(isDisplacementWarning(*told));
-            EXPECT_NE(told->find("the beams of " + std::to_string(count) + " lines in turn lie 0"), std::string::npos) << *told;
-            EXPECT_NE(told->find(" times its uncertainty;"), std::string::npos) << *told;
+            const auto warning = displacementWarning(nominal);
+            ASSERT_TRUE(warning);
+            EXPECT_TRUE(isDisplacementWarning(*warning));
+            EXPECT_NE(warning->find("the beams of " + std::to_string(count) + " lines in turn lie 0"), std::string::npos) << *warning;
+            EXPECT_NE(warning->find(" times its uncertainty;"), std::string::npos) << *warning;
             const Scan straight = straightened(nominal);
             ASSERT_EQ(straight.lines(), (fine.lines() + count - 1) / count);
             ASSERT_EQ(straight.beams(), nominal.beams() * count);

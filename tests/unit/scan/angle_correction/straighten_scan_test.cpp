@@ -41,13 +41,13 @@ TEST(Straighten, DisplacementsAreReportedAndNoLongerAfterStraightening) {
     sim::SimulationSettings settings = smallBell();
     settings.interlaceDeg = -0.36;
     const Scan nominal = sim::simulate(settings)->scan;
-    const std::optional<std::string> told = displacementWarning(nominal);
-    ASSERT_TRUE(told);
-    EXPECT_TRUE(isDisplacementWarning(*told));
-    EXPECT_NE(told->find(" degrees behind even ones"), std::string::npos) << *told;
-    EXPECT_NE(told->find("--straighten"), std::string::npos) << *told;
-    const double degrees = std::stod(told->substr(told->find("odd beams lie ") + 14));
-    EXPECT_NEAR(degrees, 0.36, 0.08) << *told;
+    const std::optional<std::string> warning = displacementWarning(nominal);
+    ASSERT_TRUE(warning);
+    EXPECT_TRUE(isDisplacementWarning(*warning));
+    EXPECT_NE(warning->find(" degrees behind even ones"), std::string::npos) << *warning;
+    EXPECT_NE(warning->find("--straighten"), std::string::npos) << *warning;
+    const double degrees = std::stod(warning->substr(warning->find("odd beams lie ") + 14));
+    EXPECT_NEAR(degrees, 0.36, 0.08) << *warning;
     const Scan straight = straightened(nominal);
     EXPECT_FALSE(displacementWarning(straight));
     EXPECT_EQ(anglesOf(straightened(straight)), anglesOf(straight)); // not moved twice
@@ -56,11 +56,11 @@ TEST(Straighten, DisplacementsAreReportedAndNoLongerAfterStraightening) {
 TEST(Straighten, SlipsAreReportedWithoutDisplacedBeams) {
     Scan scan = test::makeScan(
         250, 286, [](int i, int) { return std::round(2000.0 / std::cos((25 + 0.25 * (i < 180 ? i : i + 2)) * std::numbers::pi / 180)); });
-    const std::optional<std::string> told = displacementWarning(scan);
-    ASSERT_TRUE(told);
-    EXPECT_NE(told->find("the stepper slipped at 1 line (first at line 180, by up to 0.50 degrees, "), std::string::npos) << *told;
-    EXPECT_NE(told->find(" times the usual unevenness of its steps)"), std::string::npos) << *told;
-    EXPECT_EQ(told->find("odd beams"), std::string::npos) << *told;
+    const std::optional<std::string> warning = displacementWarning(scan);
+    ASSERT_TRUE(warning);
+    EXPECT_NE(warning->find("the stepper slipped at 1 line (first at line 180, by up to 0.50 degrees, "), std::string::npos) << *warning;
+    EXPECT_NE(warning->find(" times the usual unevenness of its steps)"), std::string::npos) << *warning;
+    EXPECT_EQ(warning->find("odd beams"), std::string::npos) << *warning;
     const Scan straight = straightened(scan);
     EXPECT_TRUE(
         straight.warnings.back().starts_with("Straightened: the stepper slipped at 1 line (first at line 180, by up to 0.50 degrees, "));
