@@ -5,6 +5,7 @@
 #include "core/base/portable_math.h"
 #include "core/base/simd.h"
 #include "core/edges/gray/gray_loops.h"
+#include "core/edges/settings/method_traits.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,8 @@ namespace {
 
 constexpr double kLevels = 255.0;
 constexpr double kTrimmedShare = 0.01;      // share of the ranges that is cut off at either end
-constexpr double kSmallestRatio = 5.0;      // far / near: a wall seen at 75 degrees then stays below the default thresholds
+constexpr double kSmallestRatio = 5.0;      // far / near: a wall seen at 75 degrees then stays below the default thresholds ...
+constexpr double kSmallestOfPicture = 1.2;  // ... and where no threshold reads the levels, a wall is not gray all over
 constexpr double kFractionsOfMm = 1024.0;   // limits of levels are rounded to this fraction, so that every libm gives the same mask
 constexpr std::size_t kTableMm = 1U << 17U; // ranges up to this are looked up in a table instead of searched
 
@@ -62,14 +64,14 @@ std::array<double, 2> trimmedRanges(const Scan& scan, const Counts& counts) {
     return {nthSmallest(ranges, trimmed(ranges.size())), nthSmallest(ranges, ranges.size() - 1 - trimmed(ranges.size()))};
 }
 
-// 1 % and 99 % of the valid ranges, at least a factor kSmallestRatio apart.
-GrayScale logScale(const Scan& scan, const Counts& counts) {
+// 1 % and 99 % of the valid ranges, at least a factor `smallestRatio` apart.
+GrayScale logScale(const Scan& scan, const Counts& counts, double smallestRatio) {
     auto [nearMm, farMm] = trimmedRanges(scan, counts);
     if (nearMm == 0) return {};
-    if (farMm < nearMm * kSmallestRatio) {
+    if (farMm < nearMm * smallestRatio) {
         const double middle = std::sqrt(nearMm * farMm);
-        nearMm = middle / std::sqrt(kSmallestRatio);
-        farMm = nearMm * kSmallestRatio;
+        nearMm = middle / std::sqrt(smallestRatio);
+        farMm = nearMm * smallestRatio;
     }
     // Whole millimetres, so that the displayed numbers are the numbers in use.
     return {std::max(1.0, std::round(nearMm)), std::round(farMm), true};
@@ -152,7 +154,7 @@ GrayScale scaleOf(const Scan& scan, const Settings& settings, const Counts& coun
     const bool logarithmic = settings.scaling == Scaling::Log;
     GrayScale scale;
     if (logarithmic) {
-        scale = logScale(scan, counts);
+        scale = logScale(scan, counts, reads(settings.method, kReadsGray) ? kSmallestRatio : kSmallestOfPicture);
     } else {
         const RangeLimits limits = rangeLimits(scan);
         scale = {limits.minMm, limits.maxMm, false};

@@ -79,7 +79,8 @@ std::shared_ptr<const T> Pipeline::upToDate(Kept<T>& kept, Stage stage, const ch
 // Runs the stages before the decision.
 void Pipeline::runStages(Detection& d) {
     const Settings& settings = d.settings;
-    const bool sameGray = last_ && sameUpTo(Stage::Gray, last_->settings, settings);
+    const bool sameGray = last_ && sameUpTo(Stage::Gray, last_->settings, settings) &&
+                          reads(last_->settings.method, kReadsGray) == reads(settings.method, kReadsGray);
     d.gray = sameGray ? last_->gray : MadeWhenRead<GrayImage>([scan = d.scan, settings] { return grayImage(*scan, settings); });
     if (reads(settings.method, kReadsGray | kReadsKernel) && !d.gray.isMade()) timed(d, Stage::Gray, "gray", [&] { (void)*d.gray; });
     if (reads(settings.method, kReadsGray) && settings.maskMissing)
