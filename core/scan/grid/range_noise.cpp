@@ -19,24 +19,27 @@ constexpr double kShareOfTiles = 0.20;    // of the tiles have less noise than t
 constexpr double kMedianOfNormal = 0.6745;
 constexpr double kFewTiles = 25, kEnoughTiles = 75;
 constexpr double kMostRelief = 1.5; // times that the noise of the middle tile exceeds the result
+constexpr double kReliefGrows =
+    7.0; // times that the second differences of relief grow, squared, from one cell to two; those of noise do not
+constexpr double kLeastOfNoise = 0.25; // share of the second differences that is noise at least
 constexpr std::size_t kCells = 250000;
 
-// The distance of the inner cells of a line from the straight line through their neighbours, divided by the deviation that the noise of an
-// LMS511 gives it; negative unless all three cells were measured.
-EDGESCAN_INLINE void offStraightOfScanner(const float* u, const Support* support, int beams, float* __restrict off) {
+// The distance of the cells of a line from the straight line through those `lag` before and after them, divided by the deviation that the
+// noise of an LMS511 gives it; negative unless all three cells were measured.
+EDGESCAN_INLINE void offStraightOfScanner(const float* u, const Support* support, int beams, int lag, float* __restrict off) {
     const auto offset = static_cast<float>(0.001 * kScannerNoise.offsetMm), perMetre = static_cast<float>(0.001 * kScannerNoise.perMetreMm);
     constexpr float kOfSecondDifference = 2.4494897F; // root of 6
-    for (int j = 1; j < beams - 1; ++j) {
+    for (int j = lag; j < beams - lag; ++j) {
         const float range = 1.0F / u[j];
         const bool measured =
-            (support[j - 1] == Support::Measured) & (support[j] == Support::Measured) & (support[j + 1] == Support::Measured);
-        const float distance = std::abs(u[j - 1] - 2 * u[j] + u[j + 1]) * range * range;
+            (support[j - lag] == Support::Measured) & (support[j] == Support::Measured) & (support[j + lag] == Support::Measured);
+        const float distance = std::abs(u[j - lag] - 2 * u[j] + u[j + lag]) * range * range;
         off[j] = measured ? distance / (kOfSecondDifference * (offset + perMetre * range)) : -1.0F;
     }
 }
 
-// The noise of the tiles with enough second differences, in units of the noise of an LMS511.
-std::vector<float> noiseOfTiles(const InverseRange& inverse) {
+// The second differences of the tiles with enough of them, as noise in units of that of an LMS511.
+std::vector<float> noiseOfTiles(const InverseRange& inverse, int lag) {
     const int beams = inverse.u.beams, rows = inverse.u.lines / kTile;
     const int every = std::max(1, static_cast<int>(inverse.u.size() / kCells));
     std::vector<std::vector<float>> off(kTile, std::vector<float>(static_cast<std::size_t>(beams), -1.0F));
@@ -44,7 +47,7 @@ std::vector<float> noiseOfTiles(const InverseRange& inverse) {
     for (int row = std::min(every, rows) / 2; row < rows; row += every) {
         for (int n = 0; n < kTile; ++n) {
             const int line = row * kTile + n;
-            vectorised<offStraightOfScanner>(inverse.u.line(line), inverse.support.line(line), beams,
+            vectorised<offStraightOfScanner>(inverse.u.line(line), inverse.support.line(line), beams, lag,
                                              off[static_cast<std::size_t>(n)].data());
         }
         for (int first = 0; first + kTile <= beams; first += kTile) {
@@ -57,6 +60,12 @@ std::vector<float> noiseOfTiles(const InverseRange& inverse) {
         }
     }
     return tiles;
+}
+
+// The noise in the second differences of neighbours, after what they have of relief, as those of every second cell show it.
+double withoutRelief(double near, double far) {
+    const double relief = std::max(0.0, far * far - near * near) / (kReliefGrows - 1);
+    return std::sqrt(std::max(near * near - relief, kLeastOfNoise * kLeastOfNoise * near * near));
 }
 
 // The noise of a scanner varies little, and the estimate by what is in view. So an estimate near 1 counts as 1, and a part of a scan has
@@ -76,11 +85,14 @@ double nearlyOne(double times) {
 } // namespace
 
 TileNoise tileNoise(const InverseRange& inverse, const RangeNoise& ofRange) {
-    std::vector<float> tiles = noiseOfTiles(inverse);
+    std::vector<float> tiles = noiseOfTiles(inverse, 1), wide = noiseOfTiles(inverse, 2);
     const double share = std::clamp((static_cast<double>(tiles.size()) - kFewTiles) / (kEnoughTiles - kFewTiles), 0.0, 1.0);
     if (share <= 0) return {ofRange, ofRange};
-    const double flattest = static_cast<double>(quantile(tiles, kShareOfTiles)), middle = static_cast<double>(quantile(tiles, 0.5));
-    const double times = std::max(flattest, middle / kMostRelief);
+    const auto noiseAt = [&](double shareOfTiles) {
+        const auto near = static_cast<double>(quantile(tiles, shareOfTiles));
+        return wide.empty() ? near : withoutRelief(near, static_cast<double>(quantile(wide, shareOfTiles)));
+    };
+    const double times = std::max(noiseAt(kShareOfTiles), noiseAt(0.5) / kMostRelief);
     const auto mixed = [&](double multiple) {
         const auto sum = [&](double scanner, double all) { return share * multiple * scanner + (1 - share) * all; };
         return RangeNoise{sum(kScannerNoise.offsetMm, ofRange.offsetMm), sum(kScannerNoise.perMetreMm, ofRange.perMetreMm), 0};
