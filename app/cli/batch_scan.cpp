@@ -211,8 +211,10 @@ Result<Done> moveIntoPlace(const fs::path& from, const fs::path& to, const Json&
     std::vector<fs::path> made;
     for (const auto& entry : fs::directory_iterator(from, problem)) made.push_back(entry.path().filename());
     std::ranges::sort(made);
-    if (!made.empty()) fs::create_directories(to, problem);
-    if (problem) return Error{"the folder cannot be made (" + problem.message() + ")", to.string(), "check the disk and its rights"};
+    if (problem) return Error{"the folder cannot be read (" + problem.message() + ")", from.string(), "check the disk and its rights"};
+    if (!made.empty()) {
+        if (auto folder = makeFolder(to, "check the disk and its rights"); !folder) return folder;
+    }
     std::vector<FileMove> moves;
     for (const fs::path& name : made) {
         const auto hash = holdsTimes(name) ? Result<std::string>(std::string()) : sha256OfFile(from / name);

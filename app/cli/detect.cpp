@@ -7,6 +7,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/base/number_text.h"
+#include "core/base/whole_file.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance.h"
@@ -138,14 +139,11 @@ int run(const Detect& detect) {
         printError(usage ? method.error() : usage.error());
         return kWrongUsage;
     }
-    if (!detect.out.folder.empty()) {
-        std::error_code failed;
-        fs::create_directories(detect.out.folder, failed);
-        if (failed) {
-            printError(
-                {"the folder cannot be made (" + failed.message() + ")", detect.out.folder, "give -o a folder that can be written to"});
-            return kRefused;
-        }
+    if (const auto made =
+            detect.out.folder.empty() ? Result<Done>(Done{}) : makeFolder(detect.out.folder, "give -o a folder that can be written to");
+        !made) {
+        printError(made.error());
+        return kRefused;
     }
     std::size_t done = 0, refused = 0;
     for (const std::string& file : detect.files) {

@@ -27,8 +27,6 @@
 namespace edgescan::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr exports::ExportKind::Needs kRocks = exports::ExportKind::Needs::Rocks;
 
 struct RocksFlags {
@@ -193,14 +191,11 @@ int run(RocksFlags& flags) {
         return kWrongUsage;
     }
     warnOfIdleFlags(flags);
-    if (!flags.out.folder.empty()) {
-        std::error_code failed;
-        fs::create_directories(flags.out.folder, failed);
-        if (failed) {
-            printError(
-                {"the folder cannot be made (" + failed.message() + ")", flags.out.folder, "give -o a folder that can be written to"});
-            return kRefused;
-        }
+    if (const auto made =
+            flags.out.folder.empty() ? Result<Done>(Done{}) : makeFolder(flags.out.folder, "give -o a folder that can be written to");
+        !made) {
+        printError(made.error());
+        return kRefused;
     }
     const Result<Done> result = findRocks(flags);
     if (result) return kDone;

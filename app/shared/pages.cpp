@@ -319,9 +319,7 @@ std::string fishText(const CLI::App& app, const std::string& program) {
 }
 
 void write(const fs::path& path, const std::string& text) {
-    std::error_code failed;
-    fs::create_directories(path.parent_path(), failed);
-    if (failed) throw CLI::ValidationError("--pages", path.parent_path().string() + ": the folder cannot be made: " + failed.message());
+    if (const auto made = makeFolder(path.parent_path()); !made) throw CLI::ValidationError("--pages", made.error().sentence());
     if (const auto written = writeWholeFile(path, text); !written) throw CLI::ValidationError("--pages", written.error().sentence());
 }
 

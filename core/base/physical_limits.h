@@ -48,6 +48,8 @@ inline constexpr PhysicalLimit kAlongOneSide{"lines, beams", "", {1, 1 << 30}, "
 
 } // namespace physical
 
+inline constexpr double kFootMm = 304.8, kUsSurveyFootMm = 1200.0 / 3937.0 * 1000.0;
+
 /// All rows, as the document shows them.
 inline constexpr std::array<PhysicalLimit, 14> kPhysicalLimits{
     physical::kRangeMm,     physical::kUnitMm,     physical::kBeamDeg,   physical::kLineDeg,     physical::kStepDeg,

@@ -289,6 +289,13 @@ Result<Done> changeWholeFile(const fs::path& path, std::uint64_t most, const Fil
     return Done{};
 }
 
+Result<Done> makeFolder(const fs::path& folder, const char* remedy) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), remedy};
+    return Done{};
+}
+
 Result<Done> replaceOwnSidecar(const fs::path& path, const std::string& text) { return writeAll({{path, std::as_bytes(std::span(text))}}); }
 
 Result<Done> moveWholeFiles(const std::vector<FileMove>& moves) {

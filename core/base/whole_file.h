@@ -53,6 +53,9 @@ Result<Done> changeWholeFile(const std::filesystem::path& path, std::uint64_t mo
 /// writeWholeFile() for a sidecar that EdgeScan wrote itself: this one may be an input of the scan that is open.
 Result<Done> replaceOwnSidecar(const std::filesystem::path& path, const std::string& text);
 
+/// Makes the folder, and those above it, unless they are there.
+Result<Done> makeFolder(const std::filesystem::path& folder, const char* remedy = "choose one that can be written to");
+
 /// A complete file and its place in the same file system.
 struct FileMove {
     std::filesystem::path from, to;

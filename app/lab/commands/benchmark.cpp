@@ -6,6 +6,7 @@
 #include "app/lab/score/truth_fit.h"
 #include "app/shared/json_output.h"
 #include "core/base/number_text.h"
+#include "core/base/whole_file.h"
 #include "core/containers/png/png.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
@@ -42,9 +43,7 @@ std::string fileName(const std::string& name) {
 Result<Done> savePictures(const Benchmark& asked, const Scan& scan, const std::vector<lab::ComparedMethod>& methods,
                           const std::optional<sim::TruthSet>& truth) {
     const fs::path folder = asked.pictures;
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", asked.pictures, "give one that can be written to"};
+    if (auto made = makeFolder(folder); !made) return made;
     for (const lab::ComparedMethod& method : methods) {
         if (method.edges == 0 && !method.note.empty()) continue;
         if (const Result<Done> saved = containers::savePng8(method.mask, folder / (fileName(method.key) + ".png")); !saved)

@@ -6,6 +6,7 @@
 #include "app/lab/score/truth_fit.h"
 #include "app/shared/json_output.h"
 #include "core/base/number_text.h"
+#include "core/base/whole_file.h"
 #include "core/containers/png/png.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/edges/settings/parameters.h"
@@ -60,10 +61,7 @@ Json missesJson(const lab::RockScene& scene, const lab::RockSceneScore& score, s
 Result<Done> savePicture(const EvaluateRocks& evaluate, std::size_t n, const OpenScene& open, const lab::RockDetection& answer,
                          const lab::RockSceneScore& score) {
     if (evaluate.pictures.empty()) return Done{};
-    std::error_code failed;
-    fs::create_directories(evaluate.pictures, failed);
-    if (failed)
-        return Error{"the folder cannot be made (" + failed.message() + ")", evaluate.pictures, "choose one that can be written to"};
+    if (auto made = makeFolder(evaluate.pictures); !made) return made;
     return containers::savePngRgb(lab::rockSheet(*open.scan, open.scene, answer, score),
                                   fs::path(evaluate.pictures) / ("rocks-" + std::to_string(n + 1) + ".png"));
 }

@@ -168,9 +168,7 @@ std::optional<Error> wrongUsage(FamiliesAsked& asked) {
                         .settled = asked.settled};
     asked.run.store = asked.store;
     if (asked.pictures.empty()) return std::nullopt;
-    std::error_code failed;
-    std::filesystem::create_directories(asked.pictures, failed);
-    if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", asked.pictures, "choose one that can be written to"};
+    if (const auto made = makeFolder(asked.pictures); !made) return made.error();
     asked.run.showFirst = [&asked](const lab::MadeScene& scene, const std::string& name) { return drawScene(asked, scene, name); };
     return std::nullopt;
 }

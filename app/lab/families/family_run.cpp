@@ -131,10 +131,7 @@ private:
 } // namespace
 
 Result<std::vector<ScoredFamily>> runFamilies(const FamilyRunSettings& settings, const GoOn& goOn, const FamilyProgress& progress) {
-    std::error_code failed;
-    if (!settings.store.empty()) fs::create_directories(settings.store, failed);
-    if (failed)
-        return Error{"the folder cannot be made (" + failed.message() + ")", settings.store.string(), "choose one that can be written to"};
+    if (const auto made = settings.store.empty() ? Result<Done>(Done{}) : makeFolder(settings.store); !made) return made.error();
     std::vector<ScoredFamily> results(settings.families.size());
     std::vector<SceneJob> jobs;
     for (std::size_t n = 0; n < results.size(); ++n) {

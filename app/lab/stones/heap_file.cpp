@@ -20,9 +20,7 @@ std::string heapFileName(const std::string& kind, const std::string& set, std::u
 }
 
 Result<Done> writeHeap(const Heap& heap, const std::filesystem::path& folder, const std::string& name) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), "choose one that can be written to"};
+    if (auto made = makeFolder(folder); !made) return made;
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const RestingStone& stone : heap)
         rows.push_back({{"stone", stone.stone},

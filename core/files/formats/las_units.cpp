@@ -2,6 +2,7 @@
 #include "core/files/formats/las_units.h"
 
 #include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
 #include "core/files/formats/las_layout.h"
 
 #include <algorithm>
@@ -78,8 +79,8 @@ std::uint16_t u16At(std::span<const std::byte> bytes, std::size_t at) {
 std::optional<double> linearUnitMm(std::uint16_t code) {
     constexpr std::uint16_t kMetre = 9001, kFoot = 9002, kUsFoot = 9003;
     if (code == kMetre) return kMmPerM;
-    if (code == kFoot) return 304.8;
-    if (code == kUsFoot) return 1200.0 / 3937.0 * kMmPerM;
+    if (code == kFoot) return kFootMm;
+    if (code == kUsFoot) return kUsSurveyFootMm;
     return std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 // Tables of words; letters with marks are replaced first.
 #include "core/files/point_tables/axis_words.h"
 
+#include "core/base/physical_limits.h"
+
 #include <algorithm>
 #include <array>
 
@@ -175,8 +177,8 @@ std::optional<double> unitNamed(std::string_view letters) {
         {10.0, {"cm", "centimetre", "centimetres", "centimeter", "centimeters", "centimetros"}},
         {1000.0, {"m", "metre", "metres", "meter", "meters", "metros", "metern"}},
         {1e6, {"km", "kilometre", "kilometres", "kilometer", "kilometers"}},
-        {304.8, {"ft", "feet", "foot", "ift", "internationalfeet", "internationalfoot", "intft", "ftint"}},
-        {1200.0 / 3937.0 * 1000.0,
+        {kFootMm, {"ft", "feet", "foot", "ift", "internationalfeet", "internationalfoot", "intft", "ftint"}},
+        {kUsSurveyFootMm,
          {"usft", "ftus", "ussurveyfeet", "ussurveyfoot", "surveyfeet", "surveyfoot", "sft", "usfeet", "usfoot", "ussft", "usftsurvey",
           "footus"}},
         {25.4, {"in", "inch", "inches"}},

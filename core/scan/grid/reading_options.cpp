@@ -60,7 +60,7 @@ struct LengthUnit {
     double mm;
 };
 constexpr std::array<LengthUnit, 6> kUnits{
-    {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"ft", 304.8}, {"usft", 1200.0 / 3937.0 * 1000.0}}};
+    {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"ft", kFootMm}, {"usft", kUsSurveyFootMm}}};
 
 std::vector<std::string> unitWords() {
     std::vector<std::string> words;

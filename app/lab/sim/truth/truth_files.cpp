@@ -195,9 +195,7 @@ TruthSet truthSetOf(const Simulation& simulation) {
 }
 
 Result<Done> writeTruthSet(const TruthSet& truth, const fs::path& folder) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), "choose one that can be written to"};
+    if (auto made = makeFolder(folder); !made) return made;
     for (const auto& [name, grid] : {std::pair{"gt_class.png", &truth.edges.edgeClass}, std::pair{"gt_ignore.png", &truth.edges.ignore}}) {
         if (auto written = containers::savePng8(*grid, folder / name); !written) return written;
     }
