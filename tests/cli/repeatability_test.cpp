@@ -15,8 +15,8 @@ using test::runLab;
 TEST(LabRepeatability, TellsWhatIsRepeatedAndHowTheScansCameTogether) {
     const test::TemporaryFolder folder;
     const auto path = [&](const std::string& name) { return (folder / name).string(); };
-    ASSERT_EQ(runLab("simulate -o " + path("a.json") + " --lines 100 --beams 120 --seed 5").code, 0);
-    ASSERT_EQ(runLab("simulate -o " + path("b.json") + " --lines 90 --beams 140 --seed 5").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + path("a.json") + " --lines 200 --beams 240 --seed 5").code, 0);
+    ASSERT_EQ(runLab("simulate -o " + path("b.json") + " --lines 180 --beams 280 --seed 5").code, 0);
     std::ofstream(path("a.pose")) << "0 0 0\n0 0 0\n";
     std::ofstream(path("b.pose")) << "4 -3 2\n0.5 0.2 -0.4\n";
     const std::string both = "repeatability " + path("a.json") + " " + path("b.json");

@@ -137,7 +137,7 @@ private slots:
             const QPoint at = on.viewer.views.placeOf(cell);
             ImageView& edges = on.viewer.views.edges();
             edges.viewPort()->zoomAt(QPointF(at) + QPointF(0.5, 0.5), 8.0);
-            QTest::mouseClick(&edges, Qt::LeftButton, Qt::NoModifier,
+            QTest::mouseClick(&edges, Qt::LeftButton, Qt::ShiftModifier, // this cell, and not the near side of it
                               edges.viewPort()->toPixel(QPointF(at) + QPointF(0.5, 0.5), edges.size()).toPoint());
             QVERIFY(on.viewer.targets.active() != nullptr);
             QCOMPARE(on.viewer.targets.active()->cell, cell);

@@ -33,6 +33,7 @@ bool near(double a, double b) { return std::abs(a - b) <= kWindowShare * std::ma
 
 Settings SteadyWindow::fix(const Scan& scan, const Settings& settings) {
     Settings asked;
+    asked.method = settings.method; // a window that no threshold reads is narrower
     copyWindow(asked, settings);
     const bool known = lookedAt_ > 0 && asked_ == asked;
     if (!known || scan.lines() >= 2 * lookedAt_) {

@@ -16,7 +16,7 @@ public:
     void nextSweep();
 
 private:
-    Settings asked_, fixed_; // only the settings for gray levels
+    Settings asked_, fixed_; // only the method and the settings for gray levels
     int lookedAt_ = 0;       // number of lines at the last check; 0: never
 };
 

@@ -100,9 +100,13 @@ TEST(Gray, TheAutomaticWindowIgnoresStrayReturnsAndSpansAFactorOfFive) {
     Scan scan = test::makeScan(100, 100, [](int i, int j) { return 4000.0F + static_cast<float>(i + j); });
     scan.rangeMm[0] = 39000; // dust and one distant return: half a percent
     for (std::size_t k = 1; k < 50; ++k) scan.rangeMm[k] = 20;
-    const GrayScale scale = grayScale(scan, Settings{});
-    EXPECT_NEAR(scale.farMm / scale.nearMm, 5.0, 0.01);
-    EXPECT_NEAR(std::sqrt(scale.farMm * scale.nearMm), 4099, 20);
+    for (const auto& [method, factor] : {std::pair{Method::Canny, 5.0}, {Method::EdgeScanPlus, 1.2}}) {
+        Settings settings;
+        settings.method = method;
+        const GrayScale scale = grayScale(scan, settings);
+        EXPECT_NEAR(scale.farMm / scale.nearMm, factor, 0.01);
+        EXPECT_NEAR(std::sqrt(scale.farMm * scale.nearMm), 4099, 20);
+    }
 }
 
 TEST(Gray, RangesOfWholeMillimetresGiveWhatOtherRangesGive) {

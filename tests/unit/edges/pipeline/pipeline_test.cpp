@@ -129,11 +129,17 @@ TEST(Pipeline, TheGrayImageIsMadeForThoseWhoReadIt) {
     Settings settings;
     const auto plus = pipeline.run(scan, settings);
     EXPECT_FALSE(plus->gray.isMade());
+    settings.method = Method::Jumps;
+    const auto jumps = pipeline.run(scan, settings);
+    EXPECT_TRUE(jumps->gray == plus->gray && jumps->gray->levels.size() == scan->cells() && plus->gray.isMade());
     settings.method = Method::Canny;
     const auto canny = pipeline.run(scan, settings);
     EXPECT_EQ(std::ranges::count(canny->timings, "gray", &StageTime::stage), 1);
     EXPECT_TRUE(canny->gray.isMade());
-    EXPECT_TRUE(canny->gray == plus->gray && plus->gray.isMade());
+    // A window that thresholds read is wider.
+    EXPECT_FALSE(canny->gray == plus->gray);
+    EXPECT_LT(canny->gray->scale.nearMm, plus->gray->scale.nearMm);
+    EXPECT_GT(canny->gray->scale.farMm, plus->gray->scale.farMm);
     std::atomic<int> made = 0;
     const MadeWhenRead<int> value([&made] { return ++made; });
     std::vector<std::thread> readers;
