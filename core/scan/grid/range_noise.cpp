@@ -22,7 +22,7 @@ constexpr double kMostRelief = 1.5; // times that the noise of the middle tile e
 constexpr double kReliefGrows =
     7.0; // times that the second differences of relief grow, squared, from one cell to two; those of noise do not
 constexpr double kLeastOfNoise = 0.25; // share of the second differences that is noise at least
-constexpr std::size_t kCells = 250000;
+constexpr std::size_t kCells = 125000; // at most about these are looked at, for each distance
 
 // The distance of the cells of a line from the straight line through those `lag` before and after them, divided by the deviation that the
 // noise of an LMS511 gives it; negative unless all three cells were measured.
