@@ -50,9 +50,9 @@ struct RangeNoise {
 /// The noise of an LMS511.
 inline constexpr RangeNoise kScannerNoise{0.815 * 6.75, 0.037 * 6.75, 0};
 
-/// The noise of a sweep, from |second differences of u| along the lines in tiles of 8 x 8 cells: relief, slant and wide cells only add to
-/// them, so the tiles of least noise count (docs/method/edges.md, "Step 6"). With fewer than 75 tiles `ofRange` takes a growing share, and
-/// with 25 it is the result.
+/// The noise of a sweep, from |second differences of u| along the lines in tiles of 8 x 8 cells. Relief, slant and wide cells only add to
+/// them, and more to those of every second cell. So the flattest tiles of both show the noise (docs/method/edges.md, "Step 6"). With fewer
+/// than 75 tiles `ofRange` takes a growing share, and with 25 it is the result.
 struct TileNoise {
     RangeNoise measured; ///< a multiple of kScannerNoise: for tolerances
     RangeNoise steady;   ///< for thresholds: a multiple near 1 is 1, so that a part of a scan has those of the whole
