@@ -139,9 +139,7 @@ int run(const Detect& detect) {
         printError(usage ? method.error() : usage.error());
         return kWrongUsage;
     }
-    if (const auto made =
-            detect.out.folder.empty() ? Result<Done>(Done{}) : makeFolder(detect.out.folder, "give -o a folder that can be written to");
-        !made) {
+    if (const auto made = makeFolder(detect.out.folder, "give -o a folder that can be written to"); !made) {
         printError(made.error());
         return kRefused;
     }

@@ -191,9 +191,7 @@ int run(RocksFlags& flags) {
         return kWrongUsage;
     }
     warnOfIdleFlags(flags);
-    if (const auto made =
-            flags.out.folder.empty() ? Result<Done>(Done{}) : makeFolder(flags.out.folder, "give -o a folder that can be written to");
-        !made) {
+    if (const auto made = makeFolder(flags.out.folder, "give -o a folder that can be written to"); !made) {
         printError(made.error());
         return kRefused;
     }

@@ -291,7 +291,7 @@ Result<Done> changeWholeFile(const fs::path& path, std::uint64_t most, const Fil
 
 Result<Done> makeFolder(const fs::path& folder, const char* remedy) {
     std::error_code failed;
-    fs::create_directories(folder, failed);
+    if (!folder.empty()) fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), remedy};
     return Done{};
 }

@@ -53,7 +53,7 @@ Result<Done> changeWholeFile(const std::filesystem::path& path, std::uint64_t mo
 /// writeWholeFile() for a sidecar that EdgeScan wrote itself: this one may be an input of the scan that is open.
 Result<Done> replaceOwnSidecar(const std::filesystem::path& path, const std::string& text);
 
-/// Makes the folder, and those above it, unless they are there.
+/// Makes the folder, and those above it, unless they are there. Without a name there is nothing to make.
 Result<Done> makeFolder(const std::filesystem::path& folder, const char* remedy = "choose one that can be written to");
 
 /// A complete file and its place in the same file system.

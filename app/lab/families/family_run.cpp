@@ -131,7 +131,7 @@ private:
 } // namespace
 
 Result<std::vector<ScoredFamily>> runFamilies(const FamilyRunSettings& settings, const GoOn& goOn, const FamilyProgress& progress) {
-    if (const auto made = settings.store.empty() ? Result<Done>(Done{}) : makeFolder(settings.store); !made) return made.error();
+    if (const auto made = makeFolder(settings.store); !made) return made.error();
     std::vector<ScoredFamily> results(settings.families.size());
     std::vector<SceneJob> jobs;
     for (std::size_t n = 0; n < results.size(); ++n) {

@@ -18,9 +18,8 @@ constexpr std::size_t kFewestOfTile = 48; // second differences
 constexpr double kShareOfTiles = 0.20;    // of the tiles have less noise than the result
 constexpr double kMedianOfNormal = 0.6745;
 constexpr double kFewTiles = 25, kEnoughTiles = 75;
-constexpr double kMostRelief = 1.5; // times that the noise of the middle tile exceeds the result
-constexpr double kReliefGrows =
-    7.0; // times that the second differences of relief grow, squared, from one cell to two; those of noise do not
+constexpr double kMostRelief = 1.5;    // times that the noise of the middle tile exceeds the result
+constexpr double kReliefGrows = 7.0;   // times that the square of relief's second differences grows from one cell to two
 constexpr double kLeastOfNoise = 0.25; // share of the second differences that is noise at least
 constexpr std::size_t kCells = 125000; // at most about these are looked at, for each distance
 
@@ -85,9 +84,10 @@ double nearlyOne(double times) {
 } // namespace
 
 TileNoise tileNoise(const InverseRange& inverse, const RangeNoise& ofRange) {
-    std::vector<float> tiles = noiseOfTiles(inverse, 1), wide = noiseOfTiles(inverse, 2);
+    std::vector<float> tiles = noiseOfTiles(inverse, 1);
     const double share = std::clamp((static_cast<double>(tiles.size()) - kFewTiles) / (kEnoughTiles - kFewTiles), 0.0, 1.0);
     if (share <= 0) return {ofRange, ofRange};
+    std::vector<float> wide = noiseOfTiles(inverse, 2);
     const auto noiseAt = [&](double shareOfTiles) {
         const auto near = static_cast<double>(quantile(tiles, shareOfTiles));
         return wide.empty() ? near : withoutRelief(near, static_cast<double>(quantile(wide, shareOfTiles)));
