@@ -33,6 +33,8 @@ constexpr double kWindowMm = 50.0;
 constexpr double kMemoryWindowMm = 50.0;
 // x nominal: between them the share of what noisy ranges need grows; in the middle is where the rules of default set 4 change at once
 constexpr double kQuiet = 1.25, kNoisy = 1.75;
+// %: the least probability of a rock border that is shown; noise lowers the probability of true borders
+constexpr double kBorderQuiet = 50, kBorderNoisy = 30;
 // tangents: ranges are often lost on steeper surfaces, and there nothing ends
 constexpr float kRimSlant = 5.67F, kRimSlantOf4 = 2.75F; // of 80 and of 70 degrees
 constexpr double kLeastNoise = 0.2;                      // x nominal
@@ -248,6 +250,7 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     DepthResponses result;
     result.noise = limits.noise;
     result.jumpMm = static_cast<double>(limits.jumpMm);
+    result.borderPercent = kBorderQuiet + limits.noisy * (kBorderNoisy - kBorderQuiet);
     result.scales = surface.scales;
     result.foldNoise = limits.foldNoise;
     result.neighboursAlike = surface.memory.windowMm > 0;
@@ -285,6 +288,7 @@ DepthResponses withCreaseAngle(const DepthResponses& before, const StoredFolds& 
                           Grid<float>(support.lines, support.beams),
                           before.noise,
                           before.jumpMm,
+                          before.borderPercent,
                           before.scales,
                           before.foldNoise,
                           before.neighboursAlike,

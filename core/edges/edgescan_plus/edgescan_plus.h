@@ -22,6 +22,7 @@ struct DepthResponses {
     Grid<float> crease;                      ///< lines x beams; positive: convex, negative: concave; weighed if the scan is rough
     RangeNoise noise;                        ///< measured or typed, mm
     double jumpMm = 0;                       ///< J0, automatic or typed, mm
+    double borderPercent = 0;                ///< automatic least probability of a rock border that is shown, %
     NoiseScales scales;                      ///< of the measured noise
     RangeNoise foldNoise;                    ///< the noise for folds; equals `noise` if the noise is white
     bool neighboursAlike = false;            ///< the errors of neighbours are correlated: measured, or set by noiseKind

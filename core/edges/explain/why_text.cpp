@@ -160,7 +160,7 @@ std::string WhyWords::upperThreshold() const {
 std::string WhyWords::reasonOfNone(const std::string& strength) const {
     switch (noEdgeReason(why_)) {
     case NoEdge::NotBorder: {
-        const std::string from = formatValue(*findParameter("border-from"), settings_.borderPercent);
+        const std::string from = formatValue(*findParameter("border-from"), why_.leastBorder);
         return say("it is an edge, but only %1 % likely the border of a rock, and only those from %2 % on are shown (%3)",
                    {std::to_string(*why_.border), from, named("border-from")});
     }
