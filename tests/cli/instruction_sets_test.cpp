@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 #include <regex>
 #include <sstream>
@@ -132,10 +133,10 @@ protected:
         }
     }
 
-    // All outputs by name. Times and dates are the only bytes that may differ between two runs.
-    std::map<std::string, std::string> outputs(const std::string& name) const {
+    // All outputs of these scans by name. Times and dates are the only bytes that may differ between two runs.
+    std::map<std::string, std::string> outputs(const std::string& name, const std::vector<std::size_t>& scans) const {
         const fs::path to = folder_ / name;
-        for (std::size_t n = 0; n < scans_.size(); ++n) {
+        for (const std::size_t n : scans) {
             const std::string out = (to / std::to_string(n)).string(), scan = scans_[n] + " ";
             for (const std::string& line : {"detect " + scan + "-o " + out + "/plus --fill 6 --with-confidence --ascii",
                                             "detect " + scan + "-o " + out + "/thesis --preset thesis",
@@ -165,20 +166,26 @@ protected:
     std::vector<std::string> scans_;
 };
 
+// The widest set with every scan. The others with those that are read from text: GiveTheSameHashes compares what they compute.
 TEST_F(EveryOutput, IsTheSameByEveryInstructionSetAndByPlainLibraries) {
+    std::vector<std::size_t> every(scans_.size());
+    std::iota(every.begin(), every.end(), 0U);
+    const std::vector<std::size_t> ofText{1, 3};
     const auto expected = [&] {
         const Variable loops("EDGESCAN_LOOPS", "plain");
         const Variable mathematics("GLIBC_TUNABLES", kPlainMathematics);
-        return outputs("libraries");
+        return outputs("libraries", every);
     }();
     EXPECT_GE(expected.size(), 30 * 5U);
-    for (const InstructionSet set : setsHere()) {
+    const std::vector<InstructionSet> sets = setsHere();
+    for (const InstructionSet set : sets) {
         const Variable loops("EDGESCAN_LOOPS", nameOf(set));
-        const auto found = outputs(nameOf(set));
-        EXPECT_EQ(found.size(), expected.size()) << nameOf(set);
-        for (const auto& [path, bytes] : expected) {
-            const auto same = found.find(path);
-            ASSERT_NE(same, found.end()) << nameOf(set) << ": " << path;
+        const bool isWidest = set == sets.back();
+        const auto found = outputs(nameOf(set), isWidest ? every : ofText);
+        EXPECT_TRUE(isWidest ? found.size() == expected.size() : found.size() >= 30 * ofText.size()) << nameOf(set) << found.size();
+        for (const auto& [path, bytes] : found) {
+            const auto same = expected.find(path);
+            ASSERT_NE(same, expected.end()) << nameOf(set) << ": " << path;
             EXPECT_TRUE(same->second == bytes) << nameOf(set) << ": " << path;
         }
     }
