@@ -2055,9 +2055,11 @@ RL %3 m</translation></message>
 <message><source>Perhaps, 30 to 69 %: %1</source><translation>Quizá, 30 a 69 %: %1</translation></message>
 <message><source>Fold in a rock, below 30 %: %1</source><translation>Pliegue en una roca, menos de 30 %: %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Rayas violetas en las imágenes: sin retorno, fuera de la ventana de distancias o enmascarado. La barra de estado cuenta cada caso.</translation></message>
+<message><source>Dark red stripes in the images: the scanner sent a status code in place of a range.</source><translation>Rayas rojo oscuro en las imágenes: el escáner envió un código de estado en lugar de una distancia.</translation></message>
 <message><source>Laser ray to the marked cell</source><translation>Rayo láser a la celda marcada</translation></message>
 <message><source>No return: %1</source><translation>Sin retorno: %1</translation></message>
 <message><source>No range: %1</source><translation>Sin distancia: %1</translation></message>
+<message><source>Status code: %1</source><translation>Código de estado: %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
 <message><source>Edges, under rocks</source><translation>Bordes, bajo rocas</translation></message>
 <message><source>Draws the edge points over the rocks</source><translation>Dibuja los puntos de borde sobre las rocas</translation></message>
@@ -2444,7 +2446,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edges shown</source><translation>Bordes mostrados</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Solo se muestran y exportan los bordes que probablemente son el contorno de una roca; los pliegues dentro de una roca se omiten.</translation></message>
 <message><source>Border from</source><translation>Contorno desde</translation></message>
-<message><source>How likely an edge must be the border of a rock to be shown among the rock borders.</source><translation>La probabilidad de que un borde sea el contorno de una roca, desde la que se muestra entre los contornos de rocas.</translation></message>
+<message><source>How likely an edge must be the border of a rock to be shown among the rock borders; auto takes 50 %, and down to 30 % where the ranges are noisy.</source><translation>La probabilidad de que un borde sea el contorno de una roca, desde la que se muestra entre los contornos de rocas; auto toma el 50 %, y hasta el 30 % donde las distancias son ruidosas.</translation></message>
 <message><source>Edge strength</source><translation>Fuerza del borde</translation></message>
 <message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Qué fuerza debe tener un borde (más fuerza, menos bordes): 1 es el salto y el ángulo de pliegue de abajo, 2 es el doble.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>

@@ -2055,9 +2055,11 @@ RL %3 m</translation></message>
 <message><source>Perhaps, 30 to 69 %: %1</source><translation>Peut-être, 30 à 69 % : %1</translation></message>
 <message><source>Fold in a rock, below 30 %: %1</source><translation>Pli dans une roche, moins de 30 % : %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Rayures violettes dans les images : sans retour, hors de la fenêtre de distance, ou masqué. La barre d'état compte chaque cas.</translation></message>
+<message><source>Dark red stripes in the images: the scanner sent a status code in place of a range.</source><translation>Rayures rouge foncé dans les images : le scanner a envoyé un code d'état à la place d'une distance.</translation></message>
 <message><source>Laser ray to the marked cell</source><translation>Rayon laser vers la cellule marquée</translation></message>
 <message><source>No return: %1</source><translation>Sans retour : %1</translation></message>
 <message><source>No range: %1</source><translation>Sans distance : %1</translation></message>
+<message><source>Status code: %1</source><translation>Code d'état : %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
 <message><source>Edges, under rocks</source><translation>Arêtes, sous les blocs</translation></message>
 <message><source>Draws the edge points over the rocks</source><translation>Dessine les points d'arête par-dessus les blocs</translation></message>
@@ -2444,7 +2446,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edges shown</source><translation>Arêtes affichées</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Seules les arêtes qui sont probablement le contour d'une roche sont affichées et exportées ; les plis dans une roche sont omis.</translation></message>
 <message><source>Border from</source><translation>Contour dès</translation></message>
-<message><source>How likely an edge must be the border of a rock to be shown among the rock borders.</source><translation>La probabilité qu'une arête soit le contour d'une roche, à partir de laquelle elle est affichée parmi les contours de roches.</translation></message>
+<message><source>How likely an edge must be the border of a rock to be shown among the rock borders; auto takes 50 %, and down to 30 % where the ranges are noisy.</source><translation>La probabilité qu'une arête soit le contour d'une roche, à partir de laquelle elle est affichée parmi les contours de roches ; auto prend 50 %, et jusqu'à 30 % là où les distances sont bruitées.</translation></message>
 <message><source>Edge strength</source><translation>Force de l'arête</translation></message>
 <message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Quelle force une arête doit avoir : 1 est le saut et l'angle de pli ci-dessous, 2 en est le double.</translation></message>
 <message><source>Jump</source><translation>Saut</translation></message>

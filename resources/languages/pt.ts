@@ -2055,9 +2055,11 @@ RL %3 m</translation></message>
 <message><source>Perhaps, 30 to 69 %: %1</source><translation>Talvez, 30 a 69 %: %1</translation></message>
 <message><source>Fold in a rock, below 30 %: %1</source><translation>Dobra numa rocha, menos de 30 %: %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Listras violetas nas imagens: sem retorno, fora da janela de distâncias ou mascarado. A barra de status conta cada caso.</translation></message>
+<message><source>Dark red stripes in the images: the scanner sent a status code in place of a range.</source><translation>Listras vermelho-escuras nas imagens: o escâner enviou um código de estado no lugar de uma distância.</translation></message>
 <message><source>Laser ray to the marked cell</source><translation>Raio laser até a célula marcada</translation></message>
 <message><source>No return: %1</source><translation>Sem retorno: %1</translation></message>
 <message><source>No range: %1</source><translation>Sem distância: %1</translation></message>
+<message><source>Status code: %1</source><translation>Código de estado: %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
 <message><source>Edges, under rocks</source><translation>Bordas, sob as rochas</translation></message>
 <message><source>Draws the edge points over the rocks</source><translation>Desenha os pontos de borda sobre as rochas</translation></message>
@@ -2444,7 +2446,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edges shown</source><translation>Bordas mostradas</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Só se mostram e exportam as bordas que provavelmente são o contorno de uma rocha; as dobras dentro de uma rocha ficam de fora.</translation></message>
 <message><source>Border from</source><translation>Contorno desde</translation></message>
-<message><source>How likely an edge must be the border of a rock to be shown among the rock borders.</source><translation>A probabilidade de uma borda ser o contorno de uma rocha, a partir da qual se mostra entre os contornos de rochas.</translation></message>
+<message><source>How likely an edge must be the border of a rock to be shown among the rock borders; auto takes 50 %, and down to 30 % where the ranges are noisy.</source><translation>A probabilidade de uma borda ser o contorno de uma rocha, a partir da qual se mostra entre os contornos de rochas; auto usa 50 %, e até 30 % onde as distâncias são ruidosas.</translation></message>
 <message><source>Edge strength</source><translation>Força da borda</translation></message>
 <message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Que força uma borda deve ter (mais força, menos bordas): 1 é o salto e o ângulo de dobra abaixo, 2 é o dobro.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>

@@ -144,6 +144,7 @@ private slots:
             return row->isVisible() && std::ranges::any_of(labels, [&](QLabel* each) { return each->text() == words; });
         };
         QTRY_VERIFY(shows("legend-missing", "No return: " + countText(none)) && shows("legend-ray", "Laser ray to the marked cell"));
+        QVERIFY(!legend.findChild<QWidget*>("legend-status")->isVisible());
         QVERIFY2(taken.isVisible() && taken.text().contains("other classes take the cells"), qPrintable(taken.text()));
         QVERIFY2(legend.classSwitch(1)->toolTip().contains("the other numbers change too"), "a cell has one class");
         QVERIFY(on.activate());
@@ -165,6 +166,21 @@ private slots:
         QVERIFY(legend.edges()->isChecked() && on.viewer.views.cloud().edgesVisible());
         QVERIFY(on.use(edges::cannySettings())); // has no edge classes
         QVERIFY(legend.edges()->isVisible() && !legend.classSwitch(0)->isVisible());
+    }
+
+    void theLegendNamesCellsWithAStatusCode() {
+        Scan scan = boxesToShow();
+        for (const std::size_t k : {40U, 41U, 600U}) {
+            scan.state[k] = CellState::DeviceStatus;
+            scan.rangeMm[k] = 0;
+        }
+        const std::string path = (folder_ / "status.json").string();
+        QVERIFY(bool(files::saveScan(scan, path)));
+        WindowFixture on;
+        QVERIFY(on.showWith(path));
+        const auto* row = on.viewer.legend.findChild<QWidget*>("legend-status");
+        QTRY_VERIFY(row->isVisible());
+        QCOMPARE(row->findChildren<QLabel*>().last()->text(), QString("Status code: 3"));
     }
 
     void everyEdgeColourIsSeenOnTheCloud() {

@@ -163,17 +163,25 @@ void EdgeLegend::showStrengths(const std::optional<std::array<std::size_t, kEdge
     showRows();
 }
 
-/// What else has a colour of its own in the views: hatched violet cells, a thin red line.
+/// What else has a colour of its own in the views: hatched violet and dark red cells, a thin red line.
 void EdgeLegend::addOthers(QGridLayout& grid) {
-    QPixmap hatch(16, 11), line(16, 11);
-    hatch.fill(QColor(112, 72, 160));
+    const auto addHatched = [&](const char* name, QColor colour, QColor stripes, const QString& about) {
+        QPixmap hatch(16, 11);
+        hatch.fill(colour);
+        QPainter(&hatch).fillRect(hatch.rect(), QBrush(stripes, Qt::BDiagPattern));
+        QLabel* words = addSign(grid, name);
+        signOf(words)->setPixmap(hatch);
+        words->setToolTip(about);
+        return words;
+    };
+    missing_ =
+        addHatched("legend-missing", QColor(112, 72, 160), QColor(24, 12, 36),
+                   tr("Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each."));
+    status_ = addHatched("legend-status", QColor(70, 20, 50), QColor(140, 60, 100),
+                         tr("Dark red stripes in the images: the scanner sent a status code in place of a range."));
+    QPixmap line(16, 11);
     line.fill(Qt::transparent);
-    QPainter(&hatch).fillRect(hatch.rect(), QBrush(QColor(24, 12, 36), Qt::BDiagPattern));
     QPainter(&line).fillRect(QRect(0, 5, 16, 2), QColor(255, 90, 80));
-    missing_ = addSign(grid, "legend-missing");
-    signOf(missing_)->setPixmap(hatch);
-    missing_->setToolTip(
-        tr("Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each."));
     ray_ = addSign(grid, "legend-ray");
     signOf(ray_)->setPixmap(line);
     ray_->setText(tr("Laser ray to the marked cell"));
@@ -183,9 +191,11 @@ void EdgeLegend::showMissing(const Scan& scan) {
     const auto counts = countCells(scan);
     const auto of = [&](CellState state) { return counts[static_cast<std::size_t>(state)]; };
     const std::size_t none = of(CellState::NoReturn), others = of(CellState::OutOfWindow) + of(CellState::Masked);
-    isMissing_ = none + others > 0;
-    const QString words = others == 0 ? tr("No return: %1") : tr("No range: %1");
-    missing_->setText(words.arg(countText(none + others)));
+    const auto show = [](QLabel& row, const QString& words, std::size_t cells) {
+        row.setText(cells > 0 ? words.arg(countText(cells)) : QString());
+    };
+    show(*missing_, others == 0 ? tr("No return: %1") : tr("No range: %1"), none + others);
+    show(*status_, tr("Status code: %1"), of(CellState::DeviceStatus));
 }
 
 EdgeLegend::Row EdgeLegend::addRow(QGridLayout& grid, const QString& name, const char* objectName) {
@@ -254,7 +264,7 @@ void EdgeLegend::showRows() {
     const QFontMetrics letters = edges_->fontMetrics();
     edges_->setText(isCovered_ && brief_ ? brokenText(under, letters, 2 * letters.horizontalAdvance(under) / 3) : tr("Edges"));
     filled_->setVisible(isFilled_ && (open || !brief_));
-    missing_->parentWidget()->setVisible(isMissing_ && open);
+    for (QLabel* row : {missing_, status_}) row->parentWidget()->setVisible(!row->text().isEmpty() && open);
     ray_->parentWidget()->setVisible(open);
     taken_->setVisible(!taken_->text().isEmpty() && open);
 }

@@ -76,14 +76,14 @@ private:
     std::array<QLabel*, kEdgeStrengths> strengths_{}; // with their signs before them
     QCheckBox* byClass_ = nullptr;
     QLabel* filled_ = nullptr;
-    QLabel* missing_ = nullptr; // violet cells, with its sign before it
+    QLabel *missing_ = nullptr, *status_ = nullptr; // hatched cells, each with its sign before it; empty: the scan has none
     QLabel* ray_ = nullptr;
     EdgeColours colours_ = kUsualColours;
     std::array<bool, kEdgeClasses> offered_{}; // the classes of the method
     bool known_ = false;                       // the counts of the classes are known
     bool brief_ = false;
     bool openAtDesk_ = true; // what the operator left
-    bool areOn_ = true, isCovered_ = false, isFilled_ = false, isMissing_ = false, byStrength_ = false;
+    bool areOn_ = true, isCovered_ = false, isFilled_ = false, byStrength_ = false;
     QLabel* covered_ = nullptr;
     QToolButton* unfold_ = nullptr; // on: the rows are shown
     QLabel* taken_ = nullptr;       // where the cells of a class that is off went; empty: nowhere
