@@ -3,6 +3,7 @@
 #include "app/shared/exits.h"
 #include "app/shared/json_output.h"
 #include "core/base/audit_log/audit_check.h"
+#include "core/base/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -40,8 +41,8 @@ int run(const Audited& asked) {
     const int code = check->faults.empty() ? kDone : kDiffers;
     if (asked.json != "-") {
         for (const AuditFault& fault : check->faults) printResult(std::string(auditFaultName(fault.kind)) + ": " + fault.sentence);
-        printResult(std::to_string(check->lines) + " lines as they were written, " + std::to_string(check->faults.size()) +
-                    " faults; last hash " + (check->last.empty() ? "none" : check->last));
+        printResult(counted(check->lines, "line") + " as " + (check->lines == 1 ? "it was" : "they were") + " written, " +
+                    counted(check->faults.size(), "fault") + "; last hash " + (check->last.empty() ? "none" : check->last));
     }
     return asked.json.empty() ? code : written(asked, document("audit", auditReport(asked, *check)), code);
 }

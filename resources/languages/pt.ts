@@ -2055,7 +2055,7 @@ RL %3 m</translation></message>
 <message><source>Perhaps, 30 to 69 %: %1</source><translation>Talvez, 30 a 69 %: %1</translation></message>
 <message><source>Fold in a rock, below 30 %: %1</source><translation>Dobra numa rocha, menos de 30 %: %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Listras violetas nas imagens: sem retorno, fora da janela de distâncias ou mascarado. A barra de status conta cada caso.</translation></message>
-<message><source>Dark red stripes in the images: the scanner sent a status code in place of a range.</source><translation>Listras vermelho-escuras nas imagens: o escâner enviou um código de estado no lugar de uma distância.</translation></message>
+<message><source>Dark red stripes in the images: the scanner sent a status code in place of a range.</source><translation>Listras vermelho-escuras nas imagens: o scanner enviou um código de estado no lugar de uma distância.</translation></message>
 <message><source>Laser ray to the marked cell</source><translation>Raio laser até a célula marcada</translation></message>
 <message><source>No return: %1</source><translation>Sem retorno: %1</translation></message>
 <message><source>No range: %1</source><translation>Sem distância: %1</translation></message>
