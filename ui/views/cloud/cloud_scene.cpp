@@ -93,11 +93,11 @@ void setFading(vtkActor* actor, const Eigen::Vector3f& scanner, double fullM, co
 
 /// The distance from the scanner up to which surfaces have their full colour, m: more than half of the points are nearer.
 double fullDistanceM(const CloudGeometry& cloud) {
-    constexpr std::size_t kSampled = 2000;
+    constexpr std::size_t kMeasured = 2000;
     constexpr double kBeyondMedian = 1.3;
     const std::vector<std::uint32_t>& some = cloud.drawOrder.front();
     std::vector<double> distancesM;
-    const std::size_t every = std::max<std::size_t>(1, some.size() / kSampled);
+    const std::size_t every = std::max<std::size_t>(1, some.size() / kMeasured);
     for (std::size_t n = 0; n < some.size(); n += every) distancesM.push_back((cloud.point(some[n]) - cloud.sensor).cast<double>().norm());
     return distancesM.empty() ? 0.0 : kBeyondMedian * quantile(distancesM, 0.5);
 }
