@@ -3,14 +3,20 @@
 
 #include "core/containers/mcap/reader.h"
 #include "core/files/formats/format.h"
+#include "core/files/recording/recorded_source.h"
 #include "core/robots/sweeps/bag_listing.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace edgescan::robots {
+
+/// As Addon::recorded.
+Result<std::unique_ptr<files::RecordedSource>> recordedBag(const containers::McapContent& content, const std::string& where,
+                                                           const std::function<bool()>& goOn);
 
 /// The row of the table of formats.
 files::Format rosBagFormat();
