@@ -1,14 +1,36 @@
 // One sweep while its lines arrive: the row of each line, lost lines, and the place where the motor reversed.
 #pragma once
 
-#include "core/scanner/sweep_assembly/interlaced_lines.h"
+#include "core/scanner/scan_line/scan_line.h"
 #include "core/scanner/sweep_assembly/line_angles.h"
 #include "core/scanner/sweep_assembly/sweep_grid.h"
 
 #include <deque>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace edgescan::scanner {
+
+/// The beams of a grid line that arrive in `parts` telegrams: beam p + parts * i of the line is beam i of part p.
+struct InterlacedBeams {
+    double startDeg = 0.0; ///< of part 0, the part with the smallest angle
+    double stepDeg = 0.0;  ///< between beams of one part
+    int parts = 1;
+    int beams = 0; ///< of the whole line
+
+    /// The part to which these beams belong; empty if they do not fit.
+    [[nodiscard]] std::optional<int> partOf(const BeamGrid& grid) const;
+    /// Number of beams of a part.
+    [[nodiscard]] int beamsOf(int part) const { return part < beams ? (beams - part + parts - 1) / parts : 0; }
+    [[nodiscard]] std::vector<double> beamDeg() const;
+
+    bool operator==(const InterlacedBeams&) const = default;
+};
+
+/// The smallest number of parts that contains all these beams; empty if they cannot belong together.
+[[nodiscard]] std::optional<InterlacedBeams> interlacedBeams(std::span<const BeamGrid> grids);
 
 /// A value type. Lines that arrived before their interlacing was known are stored and placed again.
 class GrowingSweep {
