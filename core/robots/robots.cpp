@@ -2,7 +2,6 @@
 #include "core/files/addons/addon.h"
 #include "core/robots/live/robot_source.h"
 #include "core/robots/opening/ros_bag.h"
-#include "core/robots/opening/split_bag.h"
 #include "core/robots/spinning/spinning_capture.h"
 
 namespace edgescan::robots {

@@ -2,7 +2,7 @@
 // A scanner of whole clouds makes a scan of each message.
 #pragma once
 
-#include "core/files/addons/topics.h"
+#include "core/files/addons/addon.h"
 #include "core/files/live_feed/live_source.h"
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"

@@ -5,7 +5,6 @@
 #include "core/robots/bags/definition.h"
 #include "core/robots/bridge/bridge_connection.h"
 #include "core/robots/live/live_cloud.h"
-#include "core/robots/sweeps/bag_listing.h"
 #include "core/robots/sweeps/bag_topics.h"
 #include "core/robots/sweeps/live_laser.h"
 

@@ -6,7 +6,7 @@
 #include "core/robots/sweeps/laser_lines.h"
 #include "core/robots/sweeps/laser_motion.h"
 #include "core/scan/grid/acquisition.h"
-#include "core/scanner/sweep_assembly/played_line.h"
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include <algorithm>
 #include <cmath>
