@@ -11,7 +11,7 @@
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/tuning/flat_scan.h"
-#include "core/files/point_tables/acquisition_json.h"
+#include "core/files/point_tables/description.h"
 #include "core/scan/georef/placement_json.h"
 
 #include <nlohmann/json.hpp>
