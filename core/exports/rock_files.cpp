@@ -6,14 +6,136 @@
 #include "core/base/number_text.h"
 #include "core/exports/frame_points.h"
 #include "core/exports/rock_report.h"
+#include "core/files/formats/coordinate_system.h"
+#include "core/files/formats/dxf_text.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/point_tables/source.h"
 #include "core/rocks/attributes/hulls.h"
+#include "core/rocks/attributes/outlines.h"
+#include "core/rocks/attributes/visible_surface.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+
 namespace edgescan::exports {
 namespace {
+
+using Json = nlohmann::ordered_json;
+using Places = std::vector<Eigen::Vector3d>;
+
+constexpr const char* kSureLayer = "ROCKS";
+constexpr const char* kDoubtfulLayer = "ROCKS_DOUBTFUL";
+constexpr const char* kNumberLayer = "ROCK_NUMBERS";
+constexpr std::array<files::DxfLayer, 3> kRockLayers{{{kSureLayer, "3"}, {kDoubtfulLayer, "2"}, {kNumberLayer, "7"}}};
+constexpr std::size_t kFewestCorners = 3;
+constexpr double kNumberHeight = 0.3; // share of the visible width
+constexpr double kSmallestNumberM = 0.05, kLargestNumberM = 0.5;
+
+// By label: the closed lines around the visible surface of each rock, the first point not repeated.
+std::vector<std::vector<Places>> outlinesInSpace(const rocks::Study& study, const FramePoints& points) {
+    const auto rings = rocks::outlinesOf(rocks::visibleSurfaces(*study.segmentation, study.map), study.map.rocks);
+    std::vector<std::vector<Places>> outlines(rings.size());
+    for (std::size_t label = 1; label < rings.size(); ++label) {
+        for (const rocks::OutlineRing& ring : rings[label]) {
+            if (ring.inside.size() < kFewestCorners) continue;
+            Places places;
+            for (const std::uint32_t k : ring.inside) places.push_back(points.at(k));
+            outlines[label].push_back(std::move(places));
+        }
+    }
+    return outlines;
+}
+
+std::string dxfOutlines(const rocks::Study& study, const FramePoints& points, const std::string& record) {
+    const auto outlines = outlinesInSpace(study, points);
+    const auto middleOf = [&](const rocks::Rock& rock) { return points.at(rock.cell, rock.centreM); };
+    Eigen::AlignedBox3d box;
+    for (const rocks::Rock* rock : rocks::rocksToList(study)) {
+        box.extend(middleOf(*rock));
+        for (const Places& line : outlines[rock->label]) {
+            for (const Eigen::Vector3d& place : line) box.extend(place);
+        }
+    }
+    files::DxfText drawing(false);
+    drawing.comment(points.text());
+    drawing.comment(rocks::kRockCaveat);
+    for (const std::string& line : files::commentLines(record, files::kRecordMark)) drawing.comment(line);
+    drawing.begin(box, kRockLayers);
+    for (const rocks::Rock* listed : rocks::rocksToList(study)) {
+        const rocks::Rock& rock = *listed;
+        const char* layer = rock.confidence < rocks::kSureConfidence && !rock.byHand ? kDoubtfulLayer : kSureLayer;
+        for (const Places& line : outlines[rock.label]) {
+            drawing.beginLine(layer, true);
+            for (const Eigen::Vector3d& place : line) drawing.vertex(layer, place);
+            drawing.endLine(layer);
+        }
+        drawing.text(kNumberLayer, middleOf(rock), std::clamp(kNumberHeight * rock.shortestCaliperM, kSmallestNumberM, kLargestNumberM),
+                     std::to_string(rock.label));
+    }
+    return drawing.end();
+}
+
+Json lineJson(const Places& line) {
+    constexpr double kTenthsOfMillimetres = 1e4;
+    Json corners = Json::array();
+    for (std::size_t n = 0; n <= line.size(); ++n) {
+        const Eigen::Vector3d& place = line[n % line.size()];
+        corners.push_back(
+            {rounded(place.x(), kTenthsOfMillimetres), rounded(place.y(), kTenthsOfMillimetres), rounded(place.z(), kTenthsOfMillimetres)});
+    }
+    return corners;
+}
+
+Json recordJson(const std::string& record) {
+    const auto parsed = parseOrderedJson(record, "");
+    return parsed ? *parsed : Json();
+}
+
+// The member "crs" of GeoJSON 2008: without it programs take the numbers for degrees. A system that is not known is a local one, which GDAL
+// reads as well-known text.
+Json systemJson(const Scan& scan) {
+    const std::optional<int> code = files::epsgCode(scan.placement->grid);
+    files::CloudColumns cloud; // without points
+    cloud.frame = CoordinateFrame::Mine;
+    cloud.grid = scan.placement->grid;
+    return {{"type", "name"},
+            {"properties", {{"name", code ? "urn:ogc:def:crs:EPSG::" + std::to_string(*code) : files::coordinateSystemWkt(cloud)}}}};
+}
+
+std::string geoJsonOutlines(const rocks::Study& study, const std::string& record) {
+    const Scan& scan = *study.segmentation->inputs.scan;
+    const auto outlines = outlinesInSpace(study, FramePoints(scan, CoordinateFrame::Mine));
+    const Json rows = rockRowsJson(study, CoordinateFrame::Mine);
+    Json features = Json::array();
+    for (const rocks::Rock* rock : rocks::rocksToList(study)) {
+        Json lines = Json::array();
+        for (const Places& line : outlines[rock->label]) lines.push_back(lineJson(line));
+        const Json geometry{{"type", "MultiLineString"}, {"coordinates", lines}};
+        features.push_back({{"type", "Feature"},
+                            {"id", rock->label},
+                            {"properties", rows[features.size()]},
+                            {"geometry", lines.empty() ? Json() : geometry}});
+    }
+    const Json collection{{"type", "FeatureCollection"},
+                          {"name", "rocks"},
+                          {"crs", systemJson(scan)},
+                          {"note", rocks::kRockCaveat},
+                          {"coordinates", "Easting, Northing, Elevation, metres"},
+                          {"frame", frameName(CoordinateFrame::Mine)},
+                          {"grid", scan.placement->grid},
+                          {"edgescan-record", recordJson(record)},
+                          {"features", features}};
+    return jsonText(collection, -1) + "\n";
+}
+
+Json cornersJson(const rocks::OutlineRing& ring) {
+    Json corners = Json::array();
+    for (const rocks::CellCorner& corner : ring.corners) corners.push_back({corner.beam, corner.line});
+    if (!ring.corners.empty()) corners.push_back({ring.corners.front().beam, ring.corners.front().line});
+    return corners;
+}
 
 using Json = nlohmann::ordered_json;
 
@@ -71,6 +193,45 @@ std::string objHulls(const std::vector<rocks::Hull>& hulls, const FramePoints& p
 }
 
 } // namespace
+
+Result<std::string> outlineBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
+                                 const std::string& record) {
+    const Scan& scan = *study.segmentation->inputs.scan;
+    const std::string extension = files::Source::lowerCase(path.extension());
+    if (extension == ".geojson" && (frame != CoordinateFrame::Mine || scan.placement == nullptr))
+        return Error{"programs take the numbers of GeoJSON for places on a map, and these would be in the " +
+                         std::string(frame == CoordinateFrame::MineLocal ? "frame of a local origin" : "scanner's frame"),
+                     path.string(),
+                     scan.placement == nullptr
+                         ? "give a pose and the robot's calibration, or write .dxf, or the outlines in the picture (.json)"
+                         : "choose the mine grid as the frame (--frame mine), or write .dxf"};
+    if (auto known = files::checkFrame(scan, frame, path.string()); !known) return known.error();
+    if (extension == ".dxf") return dxfOutlines(study, FramePoints(scan, frame), record);
+    if (extension == ".geojson") return geoJsonOutlines(study, record);
+    return Error{"the extension names no format for this", path.string(), "use .dxf or .geojson"};
+}
+
+std::string pictureOutlines(const rocks::Study& study, const std::string& record) {
+    const Grid<std::uint32_t> labels = rocks::rockLabels(*study.segmentation, study.map);
+    const auto outlines = rocks::outlinesOf(labels, study.map.rocks);
+    Json rows = Json::array();
+    for (const rocks::Rock* rock : rocks::rocksToList(study)) {
+        Json polygons = Json::array();
+        for (const rocks::OutlineRing& ring : outlines[rock->label]) {
+            if (!ring.hole) polygons.push_back(Json::array());
+            polygons.back().push_back(cornersJson(ring));
+        }
+        rows.push_back({{"rock", rock->label}, {"polygons", polygons}});
+    }
+    const Json whole{{"schema", "edgescan-picture-outlines/1"},
+                     {"note", rocks::kRockCaveat},
+                     {"coordinates", "x = beam, y = line, corners of cells; lines go down"},
+                     {"lines", labels.lines},
+                     {"beams", labels.beams},
+                     {"edgescan-record", recordJson(record)},
+                     {"rocks", rows}};
+    return jsonText(whole, -1) + "\n";
+}
 
 Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::string& where) {
     if (study.map.rocks > UINT16_MAX)

@@ -4,7 +4,6 @@
 #include "core/base/number_text.h"
 #include "core/base/tolerance_text.h"
 #include "core/exports/html/html.h"
-#include "core/exports/html/numbered_picture.h"
 #include "core/exports/html/scan_pictures.h"
 #include "core/exports/rock_report.h"
 #include "core/files/open_save/save_scan.h"
