@@ -1,7 +1,7 @@
 // edgescan-cli audit: checks whether an audit log was altered, and lists the altered lines.
 #include "app/cli/commands.h"
 #include "app/shared/exits.h"
-#include "app/shared/json_output.h"
+#include "app/shared/outputs.h"
 #include "core/base/audit_log/audit_check.h"
 
 #include <nlohmann/json.hpp>

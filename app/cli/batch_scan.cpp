@@ -2,7 +2,7 @@
 // reports.
 #include "app/cli/batch_scan.h"
 
-#include "app/shared/json_output.h"
+#include "app/shared/outputs.h"
 #include "core/base/bounded_json.h"
 #include "core/base/inputs.h"
 #include "core/base/json_text.h"

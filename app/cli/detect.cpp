@@ -1,7 +1,6 @@
 // edgescan-cli detect: runs the method on files and writes the requested results.
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"

@@ -1,9 +1,7 @@
 // edgescan-cli record: records a live scanner to disk.
 #include "app/cli/commands.h"
 #include "app/cli/live_report.h"
-#include "app/shared/interrupt.h"
-#include "app/shared/json_output.h"
-#include "app/shared/mounting.h"
+#include "app/shared/exits.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
 #include "core/exports/report.h"

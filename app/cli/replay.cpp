@@ -2,12 +2,12 @@
 // the end.
 #include "app/cli/commands.h"
 #include "app/cli/live_report.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/scanner/sweep_assembly/played_line.h"
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include <nlohmann/json.hpp>
 

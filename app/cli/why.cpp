@@ -1,8 +1,8 @@
 // edgescan-cli why: explains why a cell is an edge or is not an edge.
 #include "app/cli/commands.h"
-#include "app/shared/cells.h"
-#include "app/shared/json_output.h"
+#include "app/shared/numbers.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/report.h"

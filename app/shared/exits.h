@@ -12,6 +12,14 @@
 
 namespace edgescan::cli {
 
+/// After this call a file beyond the system's limit (ulimit -f) is a write error; it no longer ends the program.
+void surviveFileLimit();
+
+/// After this call Ctrl+C, SIGTERM and the end of the terminal (SIGHUP, unless it is ignored as with nohup) only set the flag that
+/// interrupted() returns.
+void catchInterrupt();
+[[nodiscard]] bool interrupted();
+
 // Exit codes of the programs (docs/reference/command-line.md, "Exit codes").
 inline constexpr int kDone = 0;
 inline constexpr int kRefused = 1;    ///< an input was refused or unreadable, or an output could not be written

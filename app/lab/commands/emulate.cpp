@@ -2,9 +2,9 @@
 #include "app/lab/commands/commands.h"
 #include "app/lab/emulator/emulator.h"
 #include "app/lab/emulator/telegram.h"
-#include "app/shared/interrupt.h"
-#include "app/shared/json_output.h"
+#include "app/shared/exits.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/number_text.h"
 
 #ifdef EDGESCAN_ROBOTS
