@@ -26,9 +26,7 @@ nlohmann::ordered_json auditReport(const Audited& asked, const AuditCheck& check
 /// Writes the JSON; `code` is the exit code if that succeeds.
 int written(const Audited& asked, const nlohmann::ordered_json& document, int code) {
     const Result<Done> done = writeDocument(asked.json, document);
-    if (done) return code;
-    printError(done.error());
-    return kRefused;
+    return done ? code : failWith(done.error());
 }
 
 int run(const Audited& asked) {

@@ -134,14 +134,8 @@ Result<Done> checkUsage(const Detect& detect) {
 int run(const Detect& detect) {
     const Result<Done> usage = checkUsage(detect);
     const Result<Done> method = checkMethod(detect.method);
-    if (!usage || !method) {
-        printError(usage ? method.error() : usage.error());
-        return kWrongUsage;
-    }
-    if (const auto made = makeFolder(detect.out.folder, "give -o a folder that can be written to"); !made) {
-        printError(made.error());
-        return kRefused;
-    }
+    if (!usage || !method) return failWith(usage ? method.error() : usage.error(), kWrongUsage);
+    if (const auto made = makeFolder(detect.out.folder, "give -o a folder that can be written to"); !made) return failWith(made.error());
     std::size_t done = 0, refused = 0;
     for (const std::string& file : detect.files) {
         const auto one = [&] {

@@ -47,10 +47,7 @@ void waitForNextLine(const scanner::PlayedLine& played, double speed) {
 }
 
 int run(const ReplayWanted& wanted) {
-    if (const auto method = checkMethod(wanted.method); !method) {
-        printError(method.error());
-        return kWrongUsage;
-    }
+    if (const auto method = checkMethod(wanted.method); !method) return failWith(method.error(), kWrongUsage);
     JsonLines json(wanted.json);
     auto scan = files::openScan(wanted.file, wanted.place, [&](const scanner::PlayedLine& played) {
         if (!wanted.quiet) json.add(document("replay-line", lineReport(played)));
@@ -58,15 +55,9 @@ int run(const ReplayWanted& wanted) {
     });
     if (scan && scan->format != "recording" && !scan->format.starts_with("ROS ") && scan->format != "PointCloud2")
         scan = Error{"this file is not a recording", wanted.file, "open it with detect"};
-    if (!scan) {
-        printError(scan.error());
-        return kRefused;
-    }
+    if (!scan) return failWith(scan.error());
     const Result<edges::Settings> settings = settingsFor(wanted.method, *scan);
-    if (!settings) {
-        printError(settings.error());
-        return kRefused;
-    }
+    if (!settings) return failWith(settings.error());
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
     json.add(document("replay", {{"result", document("detect", exports::detectReport(*detection, 0.0))}}));
     return json.ended(kDone);

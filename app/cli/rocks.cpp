@@ -185,15 +185,9 @@ void warnOfIdleFlags(const RocksFlags& flags) {
 }
 
 int run(RocksFlags& flags) {
-    if (const Result<Done> usage = checkUsage(flags); !usage) {
-        printError(usage.error());
-        return kWrongUsage;
-    }
+    if (const Result<Done> usage = checkUsage(flags); !usage) return failWith(usage.error(), kWrongUsage);
     warnOfIdleFlags(flags);
-    if (const auto made = makeFolder(flags.out.folder, "give -o a folder that can be written to"); !made) {
-        printError(made.error());
-        return kRefused;
-    }
+    if (const auto made = makeFolder(flags.out.folder, "give -o a folder that can be written to"); !made) return failWith(made.error());
     const Result<Done> result = findRocks(flags);
     if (result) return kDone;
     printError(result.error());

@@ -37,14 +37,9 @@ Result<Done> explain(const WhyFlags& flags) {
 
 int run(const WhyFlags& flags) {
     const Result<Done> method = checkMethod(flags.method);
-    if (!method) {
-        printError(method.error());
-        return kWrongUsage;
-    }
+    if (!method) return failWith(method.error(), kWrongUsage);
     const Result<Done> result = explain(flags);
-    if (result) return kDone;
-    printError(result.error());
-    return kRefused;
+    return result ? kDone : failWith(result.error());
 }
 
 } // namespace

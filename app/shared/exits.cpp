@@ -57,6 +57,11 @@ void printError(const std::string& sentence) {
 
 void printError(const Error& error) { printError(error.sentence()); }
 
+int failWith(const Error& error, int code) {
+    printError(error);
+    return code;
+}
+
 void printResult(const std::string& text) { std::cout << printableLines(text) << '\n' << std::flush; }
 
 void printResult(const nlohmann::ordered_json& report, bool indented) {

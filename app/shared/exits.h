@@ -37,6 +37,8 @@ void setProgramName(const std::string& name);
 /// "edgescan-cli: SENTENCE" on stderr.
 void printError(const Error& error);
 void printError(const std::string& sentence);
+/// Prints it too, and returns the exit code.
+int failWith(const Error& error, int code = kRefused);
 
 /// True for outputs that are not a named file: standard output ("-", "-.pcd") or a device.
 [[nodiscard]] inline bool isStreamOrDevice(const std::string& path) { return path.starts_with("-") || path.starts_with("/dev/"); }

@@ -63,9 +63,7 @@ void JsonLines::add(const Json& document) {
 int JsonLines::ended(int code) {
     if (path_.empty() || path_ == "-") return code;
     const Result<Done> written = writeWholeFile(path_, lines_);
-    if (written) return code;
-    printError(written.error());
-    return kRefused;
+    return written ? code : failWith(written.error());
 }
 
 Result<Done> checkDistinct(std::span<const std::string> outputs) {

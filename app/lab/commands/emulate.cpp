@@ -81,18 +81,12 @@ Result<Emulated> start(const Emulate& emulate) {
 
 int run(const Emulate& emulate) {
     const auto emulated = start(emulate);
-    if (!emulated) {
-        printError(emulated.error());
-        return kRefused;
-    }
+    if (!emulated) return failWith(emulated.error());
     catchInterrupt();
     nlohmann::ordered_json flags = nullptr;
     if (!emulated->recordFlags.empty()) flags = emulated->recordFlags;
     const auto about = document("emulate", {{"host", emulate.settings.address}, {"port", emulated->port}, {"record_flags", flags}});
-    if (const Result<Done> written = writeDocument(emulate.json, about, false); !written) {
-        printError(written.error());
-        return kRefused;
-    }
+    if (const Result<Done> written = writeDocument(emulate.json, about, false); !written) return failWith(written.error());
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(emulate.seconds);
     while (!interrupted() && (emulate.seconds <= 0 || std::chrono::steady_clock::now() < end)) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));

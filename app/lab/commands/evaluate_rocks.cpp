@@ -149,18 +149,13 @@ void showClaims(const Json& one) {
 } // namespace
 
 int writeOrShow(const Result<Json>& figures, const std::string& json, const std::function<void(const Json&)>& show) {
-    if (!figures) {
-        printError(figures.error());
-        return kRefused;
-    }
+    if (!figures) return failWith(figures.error());
     if (json.empty()) {
         show(*figures);
         return kDone;
     }
     const Result<Done> written = writeDocument(json, *figures);
-    if (written) return kDone;
-    printError(written.error());
-    return kRefused;
+    return written ? kDone : failWith(written.error());
 }
 
 int evaluateRocks(const EvaluateRocks& evaluate) {

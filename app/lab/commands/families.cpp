@@ -181,8 +181,7 @@ int run(FamiliesAsked& asked) {
     catchInterrupt();
     const Result<int> code = runAsked(asked);
     if (code) return *code;
-    printError(code.error());
-    return kRefused;
+    return failWith(code.error());
 }
 
 } // namespace
