@@ -2,6 +2,7 @@
 #include "core/exports/html/scan_pictures.h"
 
 #include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
 #include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
 #include "core/exports/html/html.h"
@@ -116,14 +117,9 @@ struct Camera {
 
 // The interval of all values, or without the hundredth part at each end where those few would make it much larger.
 std::pair<double, double> mostOf(std::vector<double>& values) {
-    const auto at = [&](double share) {
-        const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-        std::nth_element(values.begin(), place, values.end());
-        return *place;
-    };
     constexpr double kOutside = 0.01, kMuchLarger = 1.5;
     const auto [least, most] = std::ranges::minmax(values);
-    const double low = at(kOutside), high = at(1.0 - kOutside);
+    const double low = quantile(values, kOutside), high = quantile(values, 1.0 - kOutside);
     return most - least <= kMuchLarger * (high - low) ? std::pair(least, most) : std::pair(low, high);
 }
 

@@ -2,6 +2,7 @@
 #include "core/inspect/change_detection/common_grid.h"
 
 #include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
 #include "core/inspect/registration/point_index.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
@@ -96,10 +97,7 @@ double movedSteps(const PlacedScan& placed, const PlacedScan& grid, const RigidT
         const double stepM = grid.stepRad * (p - grid.sensorM).norm();
         if (p.allFinite() && stepM > 0) steps.push_back((correction * p - p).norm() / stepM);
     }
-    if (steps.empty()) return 0.0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return median(std::move(steps));
 }
 
 std::string tenthsOfMm(double metres) { return fixedText(1000 * metres, 1) + " mm"; }

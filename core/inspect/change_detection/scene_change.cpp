@@ -1,5 +1,6 @@
 // Compares each cell with nine cells of the other scan.
 #include "core/inspect/change_detection/scene_change.h"
+#include "core/base/order_statistic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,12 +71,6 @@ double changeAt(const Scan& later, const Scan& earlier, int line, int beam, cons
     return now - was;
 }
 
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// The cells connected with `start`; they are removed from `open`.
 std::vector<std::uint32_t> removeConnected(Grid<std::uint8_t>& open, const Grid<RangeChange>& cells, std::uint32_t start) {
     std::vector<std::uint32_t> found{start};
@@ -124,7 +119,7 @@ ChangedRegion regionOf(const std::vector<std::uint32_t>& cells, const Scan& late
         return std::hypot(static_cast<int>(k) / later.beams() - middleLine, static_cast<int>(k) % later.beams() - middleBeam);
     };
     region.cell = *std::ranges::min_element(cells, {}, [&](std::uint32_t k) { return std::pair(away(k), k); });
-    region.byM = medianOf(std::move(by));
+    region.byM = median(std::move(by));
     region.rangeM = static_cast<double>(later.rangeMm[region.cell]) / 1000.0;
     region.toleranceM = 2.0 * noise.at(region.rangeM) / 1000.0;
     return region;
@@ -140,9 +135,9 @@ void measureAgreement(SceneChange& change, const Scan& later) {
         ranges.push_back(static_cast<double>(later.rangeMm[k]) / 1000.0);
     }
     if (off.empty()) return;
-    change.differMm = medianOf(std::move(off));
+    change.differMm = median(std::move(off));
     const double spread = kToSigma * change.differMm;
-    const double expected = change.noise.at(medianOf(std::move(ranges)));
+    const double expected = change.noise.at(median(std::move(ranges)));
     change.noise.placesMm = std::sqrt(std::max(0.0, spread * spread - expected * expected));
 }
 

@@ -1,5 +1,6 @@
 // Finds the period of the firings from the ring with most points, and the delay of each ring in it.
 #include "core/robots/sweeps/firing_grid.h"
+#include "core/base/order_statistic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +26,7 @@ std::optional<Clock> clockOf(std::vector<double> times) {
         if (times[n] > times[n - 1]) steps.push_back(times[n] - times[n - 1]);
     }
     if (steps.size() < kFewestPoints) return std::nullopt;
-    const auto few = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 4); // points that are missing make longer steps
-    std::ranges::nth_element(steps, few);
-    const double usual = *few;
+    const double usual = valueInOrder(steps, steps.size() / 4); // points that are missing make longer steps
     double firings = 0;
     for (std::size_t n = 1; n < times.size(); ++n) {
         const double step = (times[n] - times[n - 1]) / usual;

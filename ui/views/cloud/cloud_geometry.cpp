@@ -265,10 +265,7 @@ double middleStep(const CloudGeometry& cloud, const std::vector<std::uint32_t>& 
     for (std::size_t n = 0; n < sample.size(); n += every) {
         if (const auto step = stepAt(cloud, sample[n])) steps.push_back(*step);
     }
-    if (steps.empty()) return 0.0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return median(std::move(steps));
 }
 
 Vector3d meanDirection(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
