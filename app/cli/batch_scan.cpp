@@ -17,7 +17,7 @@
 #include "core/exports/html/scan_page.h"
 #include "core/exports/html/survey_page.h"
 #include "core/exports/report.h"
-#include "core/exports/rock_report.h"
+#include "core/exports/rock_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/points_on_grid.h"
 #include "core/files/open_save/sidecar_grid.h"

@@ -13,7 +13,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/edges/settings/parameters.h"
 #include "core/exports/provenance.h"
-#include "core/exports/rock_report.h"
+#include "core/exports/rock_files.h"
 #include "core/inspect/section/section.h"
 #include "core/rocks/attributes/size_curve.h"
 #include "core/rocks/attributes/study.h"

@@ -6,7 +6,6 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/report.h"
-#include "core/exports/why_report.h"
 
 #include <nlohmann/json.hpp>
 

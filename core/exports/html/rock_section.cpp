@@ -5,7 +5,7 @@
 #include "core/base/tolerance_text.h"
 #include "core/exports/html/html.h"
 #include "core/exports/html/scan_pictures.h"
-#include "core/exports/rock_report.h"
+#include "core/exports/rock_files.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/rocks/attributes/rock_columns.h"
 #include "core/rocks/attributes/size_curve.h"
