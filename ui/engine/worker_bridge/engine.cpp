@@ -11,7 +11,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/demo_scan.h"
 #include "ui/engine/worker_bridge/in_background.h"
-#include "ui/engine/worker_bridge/stage_words.h"
+#include "ui/engine/worker_bridge/works.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
