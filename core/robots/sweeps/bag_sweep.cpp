@@ -3,7 +3,6 @@
 
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
-#include "core/robots/sweeps/bag_place.h"
 #include "core/robots/sweeps/laser_lines.h"
 #include "core/robots/sweeps/laser_motion.h"
 #include "core/scan/grid/acquisition.h"

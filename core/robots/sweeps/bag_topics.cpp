@@ -2,7 +2,6 @@
 #include "core/robots/sweeps/bag_topics.h"
 
 #include "core/base/number_text.h"
-#include "core/robots/sweeps/bag_place.h"
 #include "core/robots/sweeps/frames.h"
 #include "core/robots/sweeps/laser_lines.h"
 #include "core/robots/sweeps/laser_motion.h"

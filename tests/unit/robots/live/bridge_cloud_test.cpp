@@ -2,7 +2,6 @@
 #include "app/lab/robots/bridge.h"
 #include "core/files/live_feed/live_health.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/robots/live/live_cloud.h"
 #include "core/robots/live/robot_source.h"
 #include "tests/support/live_session.h"
 #include "tests/support/ros_clouds.h"
