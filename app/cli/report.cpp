@@ -1,7 +1,6 @@
 // edgescan-cli report: one HTML page about a scan.
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
-#include "app/cli/rock_flags.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"

@@ -1,7 +1,6 @@
 // edgescan-cli rocks: turns the edges of a scan into one label per rock, with a description of each rock.
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
-#include "app/cli/rock_flags.h"
 #include "app/shared/numbers.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
