@@ -1,7 +1,7 @@
 // edgescan-cli audit: checks whether an audit log was altered, and lists the altered lines.
 #include "app/cli/commands.h"
 #include "app/shared/exits.h"
-#include "app/shared/json_output.h"
+#include "app/shared/outputs.h"
 #include "core/base/audit_log/audit_check.h"
 #include "core/base/number_text.h"
 
@@ -27,9 +27,7 @@ nlohmann::ordered_json auditReport(const Audited& asked, const AuditCheck& check
 /// Writes the JSON; `code` is the exit code if that succeeds.
 int written(const Audited& asked, const nlohmann::ordered_json& document, int code) {
     const Result<Done> done = writeDocument(asked.json, document);
-    if (done) return code;
-    printError(done.error());
-    return kRefused;
+    return done ? code : failWith(done.error());
 }
 
 int run(const Audited& asked) {

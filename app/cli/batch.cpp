@@ -2,8 +2,8 @@
 #include "app/cli/batch_scan.h"
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
-#include "app/shared/interrupt.h"
-#include "app/shared/json_output.h"
+#include "app/shared/exits.h"
+#include "app/shared/outputs.h"
 #include "core/base/bounded_json.h"
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
@@ -280,10 +280,7 @@ int report(const Batch& batch, const Running& running, const AllRows& all, doubl
                 {"worked", running.counts.ended() - running.counts.unchanged},
                 {"seconds", static_cast<double>(static_cast<long long>(seconds * 1000)) / 1000}};
     if (batch.merge) report["missing_elements"] = elementsOf(all.missing, batch::shardsIn(batch.results));
-    if (const auto written = writeDocument(batch.json, document("batch", report), false); !written) {
-        printError(written.error());
-        return kRefused;
-    }
+    if (const auto written = writeDocument(batch.json, document("batch", report), false); !written) return failWith(written.error());
     if (!all.missing.empty()) {
         printError(
             Error{std::to_string(all.missing.size()) + " scans have no row yet, so no table was written", batch.results,

@@ -2,7 +2,7 @@
 // reports.
 #include "app/cli/batch_scan.h"
 
-#include "app/shared/json_output.h"
+#include "app/shared/outputs.h"
 #include "core/base/bounded_json.h"
 #include "core/base/inputs.h"
 #include "core/base/json_text.h"
@@ -17,7 +17,7 @@
 #include "core/exports/html/scan_page.h"
 #include "core/exports/html/survey_page.h"
 #include "core/exports/report.h"
-#include "core/exports/rock_report.h"
+#include "core/exports/rock_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/points_on_grid.h"
 #include "core/files/open_save/sidecar_grid.h"

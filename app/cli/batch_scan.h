@@ -1,7 +1,6 @@
 // One scan of an archive, from its file to its row: the work of one worker of `edgescan-cli batch`.
 #pragma once
 
-#include "app/cli/rock_flags.h"
 #include "app/shared/options.h"
 #include "core/batch/archive/journal.h"
 

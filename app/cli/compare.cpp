@@ -1,6 +1,5 @@
 // edgescan-cli compare: the changes between two scans of one place, before and after a blast.
 #include "app/cli/commands.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
 #include "core/containers/png/png.h"

@@ -23,10 +23,7 @@ int run(const Convert& convert) {
         return kWrongUsage;
     }
     Result<Scan> opened = openAndWarn(convert.in, convert.read);
-    if (!opened) {
-        printError(opened.error());
-        return kRefused;
-    }
+    if (!opened) return failWith(opened.error());
     edges::Detection detection;
     detection.scan = std::make_shared<const Scan>(std::move(*opened));
     const Scan& scan = *detection.scan;
@@ -35,10 +32,7 @@ int run(const Convert& convert) {
         scan, convert.out,
         {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached, .choices = options.choices});
     const auto saved = exports::exportWithProvenance(exports::ExportContent::WholeScan, detection, convert.out, options);
-    if (!saved) {
-        printError(saved.error());
-        return kRefused;
-    }
+    if (!saved) return failWith(saved.error());
     for (const std::string& sentence : lost) printError(printable(convert.in) + ": " + sentence);
     printError(printable(convert.in) + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) +
                " beams; written to " + placesText({convert.out}) + ".");

@@ -1,7 +1,6 @@
 // edgescan-cli detect: runs the method on files and writes the requested results.
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"
@@ -135,14 +134,8 @@ Result<Done> checkUsage(const Detect& detect) {
 int run(const Detect& detect) {
     const Result<Done> usage = checkUsage(detect);
     const Result<Done> method = checkMethod(detect.method);
-    if (!usage || !method) {
-        printError(usage ? method.error() : usage.error());
-        return kWrongUsage;
-    }
-    if (const auto made = makeFolder(detect.out.folder, "give -o a folder that can be written to"); !made) {
-        printError(made.error());
-        return kRefused;
-    }
+    if (!usage || !method) return failWith(usage ? method.error() : usage.error(), kWrongUsage);
+    if (const auto made = makeFolder(detect.out.folder, "give -o a folder that can be written to"); !made) return failWith(made.error());
     std::size_t done = 0, refused = 0;
     for (const std::string& file : detect.files) {
         const auto one = [&] {

@@ -1,7 +1,7 @@
 // edgescan-cli info: one JSON object per file.
 #include "app/cli/commands.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/topics_of_file.h"
 

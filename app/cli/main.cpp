@@ -1,7 +1,6 @@
 // edgescan-cli: edge detection without a display.
 #include "app/cli/commands.h"
 #include "app/shared/exits.h"
-#include "app/shared/interrupt.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
 #include "core/base/inputs.h"

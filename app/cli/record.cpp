@@ -1,9 +1,7 @@
 // edgescan-cli record: records a live scanner to disk.
 #include "app/cli/commands.h"
 #include "app/cli/live_report.h"
-#include "app/shared/interrupt.h"
-#include "app/shared/json_output.h"
-#include "app/shared/mounting.h"
+#include "app/shared/exits.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
 #include "core/exports/report.h"
@@ -124,10 +122,7 @@ nlohmann::ordered_json summary(const Record& record, const files::LiveStatus& st
 
 int run(const Record& record) {
     const Result<scanner::HostPort> address = scanner::hostPort(record.address);
-    if (!address) {
-        printError(address.error());
-        return kWrongUsage;
-    }
+    if (!address) return failWith(address.error(), kWrongUsage);
     const char* ofBridge = !record.topic.empty() ? "--topic" : !record.joint.empty() ? "--joint" : nullptr;
     if (!address->bridge && ofBridge != nullptr) {
         printError(Error{"only a robot's bridge has topics and joints", ofBridge, "give ws://HOST, or leave it out"});
@@ -146,16 +141,10 @@ int run(const Record& record) {
     Mounting mounting = record.mounting;
     if (!record.axis.empty()) mounting.axis = record.axis == "spin" ? Axis::Spin : Axis::Sweep;
     const Result<scanner::SweepSettings> sweep = sweepOf(mounting);
-    if (!sweep) {
-        printError(sweep.error());
-        return kRefused;
-    }
+    if (!sweep) return failWith(sweep.error());
     // The last lines are wanted only until the recording has begun.
     files::LiveFeed feed(scanner, *sweep, [] {}, {.lines = record.lines, .keptBytes = kKeptBytes});
-    if (const auto started = feed.startRecording(record.out); !started) {
-        printError(started.error());
-        return kRefused;
-    }
+    if (const auto started = feed.startRecording(record.out); !started) return failWith(started.error());
     catchInterrupt();
     const auto start = std::chrono::steady_clock::now();
     const bool showsProgress = record.progress || isatty(STDERR_FILENO) != 0;
@@ -180,10 +169,7 @@ int run(const Record& record) {
         printError(lag + "; waiting some seconds for it.");
     if (status.lines == 0 && status.statistics.stream.bytes == 0) feed.discardRecording(); // it would only block the next try
     const Result<files::RecordingState> closed = feed.stopRecording();
-    if (!closed) {
-        printError(closed.error());
-        return kRefused;
-    }
+    if (!closed) return failWith(closed.error());
     if (status.lines == 0) {
         Error none = scanner::noLinesError(status.connection, record.address);
         if (last.undecodable > 0) none.what += "; " + std::to_string(last.undecodable) + " messages gave no line: " + last.whyUndecodable;
@@ -192,9 +178,7 @@ int run(const Record& record) {
         return kRefused;
     }
     const auto written = writeDocument(record.json, document("record", summary(record, status, *closed)), false);
-    if (written) return kDone;
-    printError(written.error());
-    return kRefused;
+    return written ? kDone : failWith(written.error());
 }
 
 } // namespace

@@ -2,12 +2,12 @@
 // the end.
 #include "app/cli/commands.h"
 #include "app/cli/live_report.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/scanner/sweep_assembly/played_line.h"
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include <nlohmann/json.hpp>
 
@@ -47,10 +47,7 @@ void waitForNextLine(const scanner::PlayedLine& played, double speed) {
 }
 
 int run(const ReplayWanted& wanted) {
-    if (const auto method = checkMethod(wanted.method); !method) {
-        printError(method.error());
-        return kWrongUsage;
-    }
+    if (const auto method = checkMethod(wanted.method); !method) return failWith(method.error(), kWrongUsage);
     JsonLines json(wanted.json);
     auto scan = files::openScan(wanted.file, wanted.place, [&](const scanner::PlayedLine& played) {
         if (!wanted.quiet) json.add(document("replay-line", lineReport(played)));
@@ -58,15 +55,9 @@ int run(const ReplayWanted& wanted) {
     });
     if (scan && scan->format != "recording" && !scan->format.starts_with("ROS ") && scan->format != "PointCloud2")
         scan = Error{"this file is not a recording", wanted.file, "open it with detect"};
-    if (!scan) {
-        printError(scan.error());
-        return kRefused;
-    }
+    if (!scan) return failWith(scan.error());
     const Result<edges::Settings> settings = settingsFor(wanted.method, *scan);
-    if (!settings) {
-        printError(settings.error());
-        return kRefused;
-    }
+    if (!settings) return failWith(settings.error());
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
     json.add(document("replay", {{"result", document("detect", exports::detectReport(*detection, 0.0))}}));
     return json.ended(kDone);

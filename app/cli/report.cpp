@@ -1,9 +1,8 @@
 // edgescan-cli report: one HTML page about a scan.
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
-#include "app/cli/rock_flags.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/base/number_text.h"
@@ -110,26 +109,15 @@ Result<Done> make(const ReportCommand& report) {
 }
 
 int run(ReportCommand& report) {
-    if (const auto right = checkOutput(report.out); !right) {
-        printError(right.error());
-        return kWrongUsage;
-    }
-    if (const auto method = checkMethod(report.method); !method) {
-        printError(method.error());
-        return kWrongUsage;
-    }
-    if (const auto rocks = checkRocks(report.rocks); !rocks) {
-        printError(rocks.error());
-        return kWrongUsage;
-    }
+    if (const auto right = checkOutput(report.out); !right) return failWith(right.error(), kWrongUsage);
+    if (const auto method = checkMethod(report.method); !method) return failWith(method.error(), kWrongUsage);
+    if (const auto rocks = checkRocks(report.rocks); !rocks) return failWith(rocks.error(), kWrongUsage);
     if (!report.withRocks && anyTyped(report.rocks)) {
         printError(Error{"these flags are of rocks, and the report has none", "report", "add --rocks"});
         return kWrongUsage;
     }
     const auto made = make(report);
-    if (made) return kDone;
-    printError(made.error());
-    return kRefused;
+    return made ? kDone : failWith(made.error());
 }
 
 } // namespace

@@ -1,9 +1,7 @@
 // edgescan-cli rocks: turns the edges of a scan into one label per rock, with a description of each rock.
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
-#include "app/cli/rock_flags.h"
-#include "app/shared/cells.h"
-#include "app/shared/json_output.h"
+#include "app/shared/numbers.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"
@@ -14,7 +12,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/edges/settings/parameters.h"
 #include "core/exports/provenance.h"
-#include "core/exports/rock_report.h"
+#include "core/exports/rock_files.h"
 #include "core/inspect/section/section.h"
 #include "core/rocks/attributes/size_curve.h"
 #include "core/rocks/attributes/study.h"
@@ -186,15 +184,9 @@ void warnOfIdleFlags(const RocksFlags& flags) {
 }
 
 int run(RocksFlags& flags) {
-    if (const Result<Done> usage = checkUsage(flags); !usage) {
-        printError(usage.error());
-        return kWrongUsage;
-    }
+    if (const Result<Done> usage = checkUsage(flags); !usage) return failWith(usage.error(), kWrongUsage);
     warnOfIdleFlags(flags);
-    if (const auto made = makeFolder(flags.out.folder, "give -o a folder that can be written to"); !made) {
-        printError(made.error());
-        return kRefused;
-    }
+    if (const auto made = makeFolder(flags.out.folder, "give -o a folder that can be written to"); !made) return failWith(made.error());
     const Result<Done> result = findRocks(flags);
     if (result) return kDone;
     printError(result.error());

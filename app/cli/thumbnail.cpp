@@ -45,10 +45,7 @@ int run(const Thumbnail& thumbnail) {
         return kWrongUsage;
     }
     const Result<Scan> scan = files::openScan(thumbnail.in);
-    if (!scan) {
-        printError(scan.error());
-        return kRefused;
-    }
+    if (!scan) return failWith(scan.error());
     const Grid<std::uint8_t> picture = shrunk(*scan, edges::grayImage(*scan, edges::Settings{}).levels, thumbnail.size);
     const Result<Done> saved = containers::savePng8(picture, thumbnail.out);
     printError(saved ? printable(thumbnail.in) + ": " + std::to_string(picture.beams) + " x " + std::to_string(picture.lines) +

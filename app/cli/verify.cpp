@@ -1,8 +1,8 @@
 // edgescan-cli verify: rebuilds exports from their records and compares them.
 #include "core/exports/verify.h"
 #include "app/cli/commands.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/sidecar_grid.h"
 

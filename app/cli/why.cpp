@@ -1,12 +1,11 @@
 // edgescan-cli why: explains why a cell is an edge or is not an edge.
 #include "app/cli/commands.h"
-#include "app/shared/cells.h"
-#include "app/shared/json_output.h"
+#include "app/shared/numbers.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/report.h"
-#include "core/exports/why_report.h"
 
 #include <nlohmann/json.hpp>
 
@@ -37,14 +36,9 @@ Result<Done> explain(const WhyFlags& flags) {
 
 int run(const WhyFlags& flags) {
     const Result<Done> method = checkMethod(flags.method);
-    if (!method) {
-        printError(method.error());
-        return kWrongUsage;
-    }
+    if (!method) return failWith(method.error(), kWrongUsage);
     const Result<Done> result = explain(flags);
-    if (result) return kDone;
-    printError(result.error());
-    return kRefused;
+    return result ? kDone : failWith(result.error());
 }
 
 } // namespace

@@ -13,7 +13,7 @@
 #include "core/edges/settings/command_text.h"
 #include "core/edges/settings/parameters.h"
 #include "core/exports/html/scan_page.h"
-#include "core/exports/why_report.h"
+#include "core/exports/report.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "core/scan/grid/reading_options.h"
 

@@ -1,7 +1,7 @@
 // Growing sweeps in Python: recordings and live scanners as iterators.
 #include "app/python/module.h"
 
-#include "app/shared/mounting.h"
+#include "app/shared/options.h"
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -18,6 +19,10 @@
 namespace edgescan::cli {
 namespace {
 
+volatile std::sig_atomic_t caught = 0;
+
+void note(int /*signal*/) { caught = 1; }
+
 std::string typedName = "edgescan-cli";
 std::atomic<bool> progressLineOpen{false}; // an error message then starts on a new line
 
@@ -26,6 +31,16 @@ std::string repeated(const std::string& what) {
 }
 
 } // namespace
+
+void surviveFileLimit() { std::signal(SIGXFSZ, SIG_IGN); }
+
+void catchInterrupt() {
+    std::signal(SIGINT, note);
+    std::signal(SIGTERM, note);
+    if (std::signal(SIGHUP, note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
+bool interrupted() { return caught != 0; }
 
 void setProgramName(const std::string& name) { typedName = name; }
 
@@ -41,6 +56,11 @@ void printError(const std::string& sentence) {
 }
 
 void printError(const Error& error) { printError(error.sentence()); }
+
+int failWith(const Error& error, int code) {
+    printError(error);
+    return code;
+}
 
 void printResult(const std::string& text) { std::cout << printableLines(text) << '\n' << std::flush; }
 

@@ -12,6 +12,14 @@
 
 namespace edgescan::cli {
 
+/// After this call a file beyond the system's limit (ulimit -f) is a write error; it no longer ends the program.
+void surviveFileLimit();
+
+/// After this call Ctrl+C, SIGTERM and the end of the terminal (SIGHUP, unless it is ignored as with nohup) only set the flag that
+/// interrupted() returns.
+void catchInterrupt();
+[[nodiscard]] bool interrupted();
+
 // Exit codes of the programs (docs/reference/command-line.md, "Exit codes").
 inline constexpr int kDone = 0;
 inline constexpr int kRefused = 1;    ///< an input was refused or unreadable, or an output could not be written
@@ -29,6 +37,8 @@ void setProgramName(const std::string& name);
 /// "edgescan-cli: SENTENCE" on stderr.
 void printError(const Error& error);
 void printError(const std::string& sentence);
+/// Prints it too, and returns the exit code.
+int failWith(const Error& error, int code = kRefused);
 
 /// True for outputs that are not a named file: standard output ("-", "-.pcd") or a device.
 [[nodiscard]] inline bool isStreamOrDevice(const std::string& path) { return path.starts_with("-") || path.starts_with("/dev/"); }

@@ -3,16 +3,33 @@
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/base/result.h"
+#include "core/scan/grid/scan.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
 
 namespace edgescan::cli {
+
+struct TypedCell {
+    int line = 0;
+    int beam = 0;
+};
+
+/// Error: the text is not LINE,BEAM. `flag`: where it was typed.
+[[nodiscard]] Result<TypedCell> typedCell(const std::string& text, const char* flag);
+
+/// Refuses what is not LINE,BEAM.
+[[nodiscard]] CLI::Validator cellText();
+
+/// The index of the cell in the scan. Error: the scan has no such cell.
+[[nodiscard]] Result<std::uint32_t> cellIn(const Scan& scan, const std::string& text, const char* flag);
 
 /// Limits of every flag for a duration, seconds: the maximum is more than a year.
 inline constexpr NumberLimits kSeconds{0, 4e7};

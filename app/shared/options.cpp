@@ -2,14 +2,18 @@
 #include "app/shared/options.h"
 
 #include "core/base/foreign_text.h"
+#include "core/base/inputs.h"
 #include "core/base/number_text.h"
+#include "core/base/shell_quoted.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
+#include "core/scan/georef/calibration.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgescan::cli {
 namespace {
@@ -39,6 +43,107 @@ bool showStage(const char* stage, double fraction) {
 }
 
 } // namespace
+
+void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
+    const char* group = "Rocks";
+    for (const rocks::RockParameter& p : rocks::rockParameters()) {
+        const std::string flag = std::string("--") + p.key;
+        const NumberLimits limits = p.limits();
+        const auto parse = [&flags, flag, limits, &p](const std::string& text) {
+            flags.typed.emplace_back(&p, numberTyped(flag, text, limits, p.decimals == 0));
+        };
+        const std::string unit = *p.unit == '\0' ? "" : std::string(" [") + p.unit + "]";
+        command.add_option_function<std::string>(flag, parse, p.help + unit)
+            ->type_name(rangeName(limits))
+            ->default_str(shortestText(p.get(rocks::RockSettings{})))
+            ->group(group);
+    }
+    command.add_option("--region", flags.region, "Region of interest: two opposite cells, or the corners of a polygon")
+        ->type_name("\"LINE,BEAM LINE,BEAM...\"")
+        ->group(group);
+    if (!ofOneScan) return;
+    command
+        .add_option("--edits", flags.edits,
+                    "Edits by hand, with settings where it has some: SCAN.rocks.json of the viewer (docs/method/rocks.md)")
+        ->type_name("FILE")
+        ->group(group);
+}
+
+bool anyTyped(const RockFlags& flags) { return !flags.typed.empty() || !flags.region.empty() || !flags.edits.empty(); }
+
+Result<Done> checkRocks(RockFlags& flags) {
+    if (!flags.region.empty()) {
+        const auto region = rocks::parseRegion(flags.region);
+        if (!region) return region.error();
+        flags.corners = *region;
+    }
+    if (!flags.edits.empty()) claimInput(flags.edits);
+    return Done{};
+}
+
+std::string typedFlags(const RockFlags& flags) {
+    std::string text;
+    const auto add = [&](const std::string& flag, const std::string& value) { text += (text.empty() ? "--" : " --") + flag + " " + value; };
+    for (const auto& [parameter, value] : flags.typed) add(parameter->key, shortestText(value));
+    if (!flags.region.empty()) add("region", shellQuoted(flags.region));
+    if (!flags.edits.empty()) add("edits", shellQuoted(flags.edits));
+    return text;
+}
+
+Result<rocks::Preset> presetOf(const RockFlags& flags, const Scan& scan) {
+    rocks::Preset preset;
+    if (!flags.edits.empty()) {
+        auto read = rocks::readRockPreset(flags.edits, scan);
+        if (!read) return read.error();
+        preset = std::move(*read);
+    }
+    rocks::RockSettings settings = preset.settings.value_or(rocks::RockSettings{});
+    for (const auto& [parameter, value] : flags.typed) parameter->set(settings, value);
+    if (!flags.corners.empty()) {
+        const auto inside = rocks::isRegionInside(flags.corners, scan.lines(), scan.beams());
+        if (!inside) return inside.error();
+        if (!*inside) printError(printable(scan.name) + ": a part of the --region is outside of the scan; the rest counts.");
+        settings.region = flags.corners;
+    }
+    preset.settings = settings;
+    return preset;
+}
+
+void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& group) {
+    addNumber(command, "--expected-lines", mounting.expectedLines, {0, 20000}, "Lines of a whole sweep; 0 = not known").group(group);
+    addNumber(command, "--ticks-per-degree", mounting.ticksPerDeg, {-1e9, 1e9}, "Encoder counts per degree, where there is an encoder")
+        .group(group);
+    command.add_flag("--stop-and-go", mounting.stopAndGo, "The stepper stops while a line is measured; without this flag it turns on")
+        ->group(group);
+}
+
+Result<scanner::SweepSettings> sweepOf(const Mounting& mounting) {
+    scanner::SweepSettings sweep = scanner::assumedSweep();
+    if (!mounting.calibration.empty()) {
+        const auto calibration = openCalibration(mounting.calibration);
+        if (!calibration) return calibration.error();
+        sweep.axis = std::abs(calibration->axis.z()) >= std::abs(calibration->axis.x()) ? Axis::Spin : Axis::Sweep;
+        sweep.degPerLine = calibration->degPerStep; // its first angle and direction are applied with the pose of the scanner
+        sweep.indexDeg = calibration->mirrorIndexDeg;
+        sweep.axisAssumed = sweep.stepAssumed = false;
+    }
+    if (mounting.axis) {
+        sweep.axis = *mounting.axis;
+        sweep.axisAssumed = false;
+    }
+    if (mounting.lineStepDeg) {
+        sweep.degPerLine = mounting.lineStepDeg;
+        sweep.stepAssumed = false;
+    }
+    sweep.firstLineDeg = mounting.firstLineDeg.value_or(sweep.firstLineDeg);
+    const bool calibrated = !mounting.calibration.empty(); // its first angle is applied with the pose
+    sweep.firstAssumed = !mounting.firstLineDeg && !calibrated && scanner::guessesFirst(sweep);
+    sweep.ticksPerDeg = mounting.ticksPerDeg;
+    sweep.expectedLines = mounting.expectedLines;
+    if (sweep.stepAssumed) sweep.degPerLine = scanner::assumedStepDeg(sweep.expectedLines);
+    sweep.continuous = !mounting.stopAndGo;
+    return sweep;
+}
 
 namespace {
 

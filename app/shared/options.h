@@ -7,14 +7,33 @@
 #include "core/base/result.h"
 #include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/rocks/selection/preset.h"
 #include "core/scan/grid/scan.h"
+#include "core/scanner/sweep_assembly/sweep_settings.h"
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace edgescan::cli {
+
+struct Mounting {
+    std::optional<Axis> axis;
+    std::optional<double> lineStepDeg, firstLineDeg, ticksPerDeg;
+    std::string calibration; ///< path
+    int expectedLines = 0;
+    bool stopAndGo = false;
+};
+
+/// --expected-lines --ticks-per-degree --stop-and-go, in a group of the help.
+void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& group);
+
+/// Flags override the calibration, which gives the axis, the step and the mirror's index angle. Values missing in both are marked as
+/// assumed. Error: the calibration cannot be read.
+[[nodiscard]] Result<scanner::SweepSettings> sweepOf(const Mounting& mounting);
 
 /// One flag per row of the table of reading options, and --progress.
 struct ReadFlags {
@@ -40,5 +59,26 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags);
 
 /// Adds --preset and one flag per row of the parameter table; the values go into `flags`.
 void addMethodFlags(CLI::App& command, MethodFlags& flags);
+
+struct RockFlags {
+    std::vector<std::pair<const rocks::RockParameter*, double>> typed;
+    std::string region, edits; ///< as typed
+    std::vector<rocks::RegionCorner> corners;
+};
+
+/// Adds one flag per row of rockParameters(), --region, and --edits for commands with one scan.
+void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan);
+
+/// True if any of these flags is given.
+[[nodiscard]] bool anyTyped(const RockFlags& flags);
+
+/// Parses the region; from here on a file of edits is an input. Error: the region is invalid.
+Result<Done> checkRocks(RockFlags& flags);
+
+/// "--level 1 --region '0,0 9,9'", for a POSIX shell.
+[[nodiscard]] std::string typedFlags(const RockFlags& flags);
+
+/// Reads the file of edits. Typed settings override those of the file. The settings of the result are always present.
+Result<rocks::Preset> presetOf(const RockFlags& flags, const Scan& scan);
 
 } // namespace edgescan::cli

@@ -4,6 +4,7 @@
 #include "app/shared/exits.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
+#include "core/exports/report.h"
 #include "core/files/open_save/sidecar_grid.h"
 
 #include <algorithm>
@@ -31,6 +32,39 @@ std::string namesOf(const std::vector<std::string>& paths) {
 }
 
 } // namespace
+
+using Json = nlohmann::ordered_json;
+
+Json document(const std::string& command, const Json& report) {
+    Json whole{{"schema", "edgescan-" + command + "/1"}};
+    whole.update(report);
+    return whole;
+}
+
+Json refusal(const std::string& command, const std::string& input, const Error& error) {
+    return document(command, {{"input", input}, {"error", {{"what", error.what}, {"where", error.where}, {"hint", error.hint}}}});
+}
+
+Result<Done> writeDocument(const std::string& path, const Json& document, bool indented) {
+    return writeWholeFile(path, exports::reportText(document, indented) + "\n");
+}
+
+CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what) {
+    return *command.add_option("--json", path, what + "; - is standard output")->type_name("FILE")->check(namedAs("JSON", ".json"));
+}
+
+void JsonLines::add(const Json& document) {
+    if (path_ == "-")
+        printResult(document, false);
+    else if (!path_.empty())
+        lines_ += exports::reportText(document, false) + "\n";
+}
+
+int JsonLines::ended(int code) {
+    if (path_.empty() || path_ == "-") return code;
+    const Result<Done> written = writeWholeFile(path_, lines_);
+    return written ? code : failWith(written.error());
+}
 
 Result<Done> checkDistinct(std::span<const std::string> outputs) {
     std::set<fs::path> taken;

@@ -5,6 +5,7 @@
 #include "core/exports/provenance.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <optional>
 #include <span>
@@ -12,6 +13,30 @@
 #include <vector>
 
 namespace edgescan::cli {
+
+/// The report with its first key "schema": "edgescan-detect/1" for the command "detect" (docs/reference/command-line.md, "JSON").
+[[nodiscard]] nlohmann::ordered_json document(const std::string& command, const nlohmann::ordered_json& report);
+
+/// The document of a file that was refused: "schema", "input" and "error" with "what", "where", "hint".
+[[nodiscard]] nlohmann::ordered_json refusal(const std::string& command, const std::string& input, const Error& error);
+
+/// Writes a document as a whole file; "-" is standard output. Indented, or on one line.
+[[nodiscard]] Result<Done> writeDocument(const std::string& path, const nlohmann::ordered_json& document, bool indented = true);
+
+/// Adds --json FILE, which has one meaning in every command. `what`: what the JSON holds.
+CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what);
+
+/// The documents of several files in one output, a line each: on standard output at once, in a file when all are there.
+class JsonLines {
+public:
+    explicit JsonLines(std::string path) : path_(std::move(path)) {}
+    void add(const nlohmann::ordered_json& document);
+    /// The exit code of the command: `code`, or kRefused if the file cannot be written.
+    [[nodiscard]] int ended(int code);
+
+private:
+    std::string path_, lines_;
+};
 
 /// Error if two of the paths are the same file, however they are spelled, or if one is the provenance record or sidecar of another
 /// (core/files/open_save/sidecar_grid.h). Empty paths and devices are ignored; standard output takes only one result.

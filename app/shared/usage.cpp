@@ -239,18 +239,12 @@ Result<std::string> withoutAddress(const std::string& word) {
 } // namespace
 
 std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
-    if (const auto set = wantedInstructionSet(); !set) {
-        printError(set.error());
-        return kWrongUsage;
-    }
+    if (const auto set = wantedInstructionSet(); !set) return failWith(set.error(), kWrongUsage);
     std::vector<std::string> words;
     std::vector<const char*> typed;
     for (int n = 0; n < argc; ++n) {
         auto word = withoutAddress(argv[n]);
-        if (!word) {
-            printError(word.error());
-            return kWrongUsage;
-        }
+        if (!word) return failWith(word.error(), kWrongUsage);
         words.push_back(std::move(*word));
     }
     for (const std::string& word : words) typed.push_back(word.c_str());

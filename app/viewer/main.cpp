@@ -1,6 +1,5 @@
 // edgescan: the viewer.
 #include "app/shared/exits.h"
-#include "app/shared/interrupt.h"
 #include "app/shared/usage.h"
 #include "app/viewer/start.h"
 #include "app/viewer/wanted.h"

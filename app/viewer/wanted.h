@@ -1,8 +1,7 @@
 // The viewer's command line.
 #pragma once
 
-#include "app/shared/cells.h"
-#include "app/shared/mounting.h"
+#include "app/shared/numbers.h"
 #include "app/shared/options.h"
 #include "core/scanner/cola/host_port.h"
 

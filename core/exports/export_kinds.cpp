@@ -5,8 +5,6 @@
 #include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
 #include "core/exports/rock_files.h"
-#include "core/exports/rock_outlines.h"
-#include "core/exports/rock_report.h"
 #include "core/exports/section_files.h"
 #include "core/exports/target_files.h"
 #include "core/files/formats/formats.h"

@@ -1,11 +1,14 @@
 // The content of a scan and the results of the method, as JSON (docs/reference/command-line.md, "JSON of info", "JSON of detect").
 #pragma once
 
+#include "core/edges/explain/why.h"
 #include "core/edges/pipeline/detection.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace edgescan::exports {
+
+[[nodiscard]] nlohmann::ordered_json whyReport(const edges::Detection& detection, const edges::Why& why);
 
 /// {"valid": n, "no_return": n, ...}; the values add up to lines x beams.
 [[nodiscard]] nlohmann::ordered_json cellsReport(const Scan& scan);

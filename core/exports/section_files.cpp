@@ -31,8 +31,8 @@ using inspect::SectionVertex;
 constexpr const char* kSurfaceLayer = "SURFACE";
 constexpr const char* kRockLayer = "ROCKS";
 constexpr const char* kEdgeLayer = "EDGES";
-constexpr const char* kNumberLayer = "ROCK_NUMBERS";
-constexpr std::array<files::DxfLayer, 4> kLayers{{{kSurfaceLayer, "7"}, {kRockLayer, "5"}, {kEdgeLayer, "3"}, {kNumberLayer, "7"}}};
+constexpr const char* kRockNumberLayer = "ROCK_NUMBERS";
+constexpr std::array<files::DxfLayer, 4> kLayers{{{kSurfaceLayer, "7"}, {kRockLayer, "5"}, {kEdgeLayer, "3"}, {kRockNumberLayer, "7"}}};
 constexpr double kNumberHeightM = 0.10;
 constexpr const char* kScaleText = "section: x along it, y up, metres from its origin, equal scales";
 
@@ -93,7 +93,8 @@ std::string dxfSection(const Section& section, bool withRocks, const std::string
             if (vertex.edge) drawing.point(kEdgeLayer, inPlot(vertex));
         }
     }
-    for (const auto& [rock, vertex] : middlesOf(section)) drawing.text(kNumberLayer, inPlot(vertex), kNumberHeightM, std::to_string(rock));
+    for (const auto& [rock, vertex] : middlesOf(section))
+        drawing.text(kRockNumberLayer, inPlot(vertex), kNumberHeightM, std::to_string(rock));
     return drawing.end();
 }
 

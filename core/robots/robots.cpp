@@ -1,9 +1,7 @@
 // Robots: ROS bags, the Foxglove bridge, VLP-16 and Ouster. This file alone joins the group to the program.
 #include "core/files/addons/addon.h"
 #include "core/robots/live/robot_source.h"
-#include "core/robots/opening/recorded_bag.h"
 #include "core/robots/opening/ros_bag.h"
-#include "core/robots/opening/split_bag.h"
 #include "core/robots/spinning/spinning_capture.h"
 
 namespace edgescan::robots {

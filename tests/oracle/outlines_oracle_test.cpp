@@ -1,6 +1,6 @@
 // ezdxf and GDAL, independent readers, open the outlines of rocks: numbers and layers of a drawing, and lines in their coordinate system.
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/rock_outlines.h"
+#include "core/exports/rock_files.h"
 #include "core/rocks/attributes/study.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"

@@ -3,7 +3,7 @@
 
 #include "core/files/recording/writer.h"
 #include "core/scan/grid/scan.h"
-#include "core/scanner/sick_lms/telegram_line.h"
+#include "core/scanner/sick_lms/sweep_feed.h"
 #include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include <cmath>

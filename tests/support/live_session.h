@@ -4,7 +4,7 @@
 #include "app/lab/emulator/emulator.h"
 #include "app/lab/emulator/telegram.h"
 #include "core/scanner/sick_lms/scanner_connection.h"
-#include "core/scanner/sick_lms/telegram_line.h"
+#include "core/scanner/sick_lms/sweep_feed.h"
 #include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/scans.h"
 #include "tests/support/wait_until.h"

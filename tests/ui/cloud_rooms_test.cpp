@@ -6,8 +6,8 @@
 #include "core/scan/georef/placed_points.h"
 #include "ui/views/cloud/camera_motion.h"
 #include "ui/views/cloud/cloud_geometry.h"
+#include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/drawing_budget.h"
-#include "ui/views/cloud/mouse_bindings.h"
 #include "ui/views/cloud/point_pick.h"
 
 #include <algorithm>

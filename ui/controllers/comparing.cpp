@@ -10,7 +10,7 @@
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/preferences.h"
-#include "ui/engine/worker_bridge/stage_words.h"
+#include "ui/engine/worker_bridge/works.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"

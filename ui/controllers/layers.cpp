@@ -12,7 +12,7 @@
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/preferences.h"
-#include "ui/engine/worker_bridge/stage_words.h"
+#include "ui/engine/worker_bridge/works.h"
 #include "ui/panels/layers/layers_panel.h"
 #include "ui/panels/rocks/rock_colours.h"
 #include "ui/views/cloud/cloud_view.h"

@@ -4,7 +4,7 @@
 #include "app/lab/reports/comparison_pictures.h"
 #include "app/lab/reports/comparison_report.h"
 #include "app/lab/score/truth_fit.h"
-#include "app/shared/json_output.h"
+#include "app/shared/outputs.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/containers/png/png.h"

@@ -4,7 +4,6 @@
 #include "app/lab/calibration/seam_edges.h"
 #include "app/lab/calibration/views_picture.h"
 #include "app/lab/commands/commands.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
 #include "core/base/inputs.h"

@@ -2,8 +2,8 @@
 #include "app/lab/clicks/clicks.h"
 #include "app/lab/clicks/throats.h"
 #include "app/lab/commands/commands.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/number_text.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #include "app/lab/commands/compared_methods.h"
 
 #include "app/shared/exits.h"
-#include "app/shared/json_output.h"
+#include "app/shared/outputs.h"
 #include "core/base/number_text.h"
 
 #include <algorithm>

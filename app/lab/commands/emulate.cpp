@@ -2,9 +2,9 @@
 #include "app/lab/commands/commands.h"
 #include "app/lab/emulator/emulator.h"
 #include "app/lab/emulator/telegram.h"
-#include "app/shared/interrupt.h"
-#include "app/shared/json_output.h"
+#include "app/shared/exits.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/number_text.h"
 
 #ifdef EDGESCAN_ROBOTS
@@ -81,18 +81,12 @@ Result<Emulated> start(const Emulate& emulate) {
 
 int run(const Emulate& emulate) {
     const auto emulated = start(emulate);
-    if (!emulated) {
-        printError(emulated.error());
-        return kRefused;
-    }
+    if (!emulated) return failWith(emulated.error());
     catchInterrupt();
     nlohmann::ordered_json flags = nullptr;
     if (!emulated->recordFlags.empty()) flags = emulated->recordFlags;
     const auto about = document("emulate", {{"host", emulate.settings.address}, {"port", emulated->port}, {"record_flags", flags}});
-    if (const Result<Done> written = writeDocument(emulate.json, about, false); !written) {
-        printError(written.error());
-        return kRefused;
-    }
+    if (const Result<Done> written = writeDocument(emulate.json, about, false); !written) return failWith(written.error());
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(emulate.seconds);
     while (!interrupted() && (emulate.seconds <= 0 || std::chrono::steady_clock::now() < end)) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));

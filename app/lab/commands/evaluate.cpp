@@ -3,8 +3,8 @@
 #include "app/lab/commands/evaluate_rocks.h"
 #include "app/lab/score/evaluation.h"
 #include "app/lab/score/truth_fit.h"
-#include "app/shared/json_output.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/number_text.h"
 #include "core/containers/png/png.h"
 #include "core/edges/pipeline/pipeline.h"
@@ -219,14 +219,8 @@ int run(Evaluate& evaluate, const CLI::App& command) {
         return kWrongUsage;
     }
     const Result<edges::Settings> settings = settingsOf(evaluate.method);
-    if (!settings) {
-        printError(settings.error());
-        return kWrongUsage;
-    }
-    if (const Result<Done> usage = checkUsage(evaluate, *settings); !usage) {
-        printError(usage.error());
-        return kWrongUsage;
-    }
+    if (!settings) return failWith(settings.error(), kWrongUsage);
+    if (const Result<Done> usage = checkUsage(evaluate, *settings); !usage) return failWith(usage.error(), kWrongUsage);
     const bool masks = std::any_of(evaluate.files.begin(), evaluate.files.end(), isMask);
     if (evaluate.files.size() != evaluate.truths.size()) {
         printError({"there are " + std::to_string(evaluate.files.size()) + " files and " + std::to_string(evaluate.truths.size()) +

@@ -4,7 +4,7 @@
 #include "app/lab/commands/commands.h"
 #include "app/lab/reports/rock_pictures.h"
 #include "app/lab/score/truth_fit.h"
-#include "app/shared/json_output.h"
+#include "app/shared/outputs.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/containers/png/png.h"
@@ -149,18 +149,13 @@ void showClaims(const Json& one) {
 } // namespace
 
 int writeOrShow(const Result<Json>& figures, const std::string& json, const std::function<void(const Json&)>& show) {
-    if (!figures) {
-        printError(figures.error());
-        return kRefused;
-    }
+    if (!figures) return failWith(figures.error());
     if (json.empty()) {
         show(*figures);
         return kDone;
     }
     const Result<Done> written = writeDocument(json, *figures);
-    if (written) return kDone;
-    printError(written.error());
-    return kRefused;
+    return written ? kDone : failWith(written.error());
 }
 
 int evaluateRocks(const EvaluateRocks& evaluate) {

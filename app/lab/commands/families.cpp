@@ -4,9 +4,9 @@
 #include "app/lab/families/family_report.h"
 #include "app/lab/reports/comparison_pictures.h"
 #include "app/lab/stones/stones.h"
-#include "app/shared/interrupt.h"
-#include "app/shared/json_output.h"
+#include "app/shared/exits.h"
 #include "app/shared/numbers.h"
+#include "app/shared/outputs.h"
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
@@ -181,8 +181,7 @@ int run(FamiliesAsked& asked) {
     catchInterrupt();
     const Result<int> code = runAsked(asked);
     if (code) return *code;
-    printError(code.error());
-    return kRefused;
+    return failWith(code.error());
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #include "app/lab/learning/learn_edges.h"
 #include "app/lab/commands/commands.h"
 #include "app/lab/commands/lesson_scenes.h"
-#include "app/shared/interrupt.h"
+#include "app/shared/exits.h"
 #include "app/shared/options.h"
 #include "app/shared/usage.h"
 #include "core/base/number_text.h"

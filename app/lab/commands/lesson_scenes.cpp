@@ -1,7 +1,7 @@
 // Draws the scenes of a lesson and makes them.
 #include "app/lab/commands/lesson_scenes.h"
 
-#include "app/shared/interrupt.h"
+#include "app/shared/exits.h"
 #include "app/shared/options.h"
 #include "app/shared/usage.h"
 #include "core/base/number_text.h"

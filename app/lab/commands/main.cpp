@@ -1,7 +1,7 @@
 // edgescan-lab: makes scans, and measures how good the methods are, against ground truth, against PCL and on a second scan of the same
 // place.
 #include "app/lab/commands/commands.h"
-#include "app/shared/interrupt.h"
+#include "app/shared/exits.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
 #include "core/base/inputs.h"

@@ -2,7 +2,7 @@
 #include "app/lab/commands/commands.h"
 #include "app/lab/commands/compared_methods.h"
 #include "app/lab/reports/repeat_report.h"
-#include "app/shared/json_output.h"
+#include "app/shared/outputs.h"
 #include "core/edges/pipeline/work_memory.h"
 
 #include <nlohmann/json.hpp>

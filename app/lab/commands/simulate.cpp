@@ -61,17 +61,11 @@ int run(const Simulate& simulate) {
     sim::SimulationSettings settings = settingsOf(simulate);
     if (!simulate.surface.empty()) {
         Result<std::vector<Eigen::Vector3f>> surface = files::cloudPoints(simulate.surface);
-        if (!surface) {
-            printError(surface.error());
-            return kRefused;
-        }
+        if (!surface) return failWith(surface.error());
         settings.surface = std::move(*surface);
     }
     const Result<sim::Simulation> simulation = edgescan::sim::simulate(settings, progress);
-    if (!simulation) {
-        printError(simulation.error());
-        return kWrongUsage;
-    }
+    if (!simulation) return failWith(simulation.error(), kWrongUsage);
     Result<Done> saved = files::saveScan(simulation->scan, simulate.out);
     if (saved && settings.truth) saved = sim::writeTruth(*simulation, settings, simulate.truth);
     const Scan& scan = simulation->scan;

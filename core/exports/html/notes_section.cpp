@@ -7,7 +7,6 @@
 #include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/explain/why.h"
 #include "core/exports/html/html.h"
-#include "core/exports/html/numbered_picture.h"
 #include "core/exports/html/scan_pictures.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "core/inspect/measure/cell_target.h"

@@ -1,8 +1,11 @@
 // Draws gray levels, edges and points as pictures, and collects points for the page's rotating view.
 #include "core/exports/html/scan_pictures.h"
 
+#include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
 #include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
+#include "core/exports/html/html.h"
 #include "core/files/point_tables/edge_colours.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
@@ -17,6 +20,17 @@
 
 namespace edgescan::exports {
 namespace {
+
+constexpr double kPartOfSide = 1.0 / 58;        // height of a number, as part of the longer side of the picture
+constexpr double kDigitWidth = 0.62;            // of the height
+constexpr double kLineWidth = 0.2, kDot = 0.25; // of the height
+
+struct Box {
+    double x, y, halfWidth, halfHeight;
+    [[nodiscard]] bool covers(const Box& other) const {
+        return std::abs(x - other.x) < halfWidth + other.halfWidth && std::abs(y - other.y) < halfHeight + other.halfHeight;
+    }
+};
 
 // The cells of one pixel: the first ones and those behind the last.
 struct Block {
@@ -103,14 +117,9 @@ struct Camera {
 
 // The interval of all values, or without the hundredth part at each end where those few would make it much larger.
 std::pair<double, double> mostOf(std::vector<double>& values) {
-    const auto at = [&](double share) {
-        const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-        std::nth_element(values.begin(), place, values.end());
-        return *place;
-    };
     constexpr double kOutside = 0.01, kMuchLarger = 1.5;
     const auto [least, most] = std::ranges::minmax(values);
-    const double low = at(kOutside), high = at(1.0 - kOutside);
+    const double low = quantile(values, kOutside), high = quantile(values, 1.0 - kOutside);
     return most - least <= kMuchLarger * (high - low) ? std::pair(least, most) : std::pair(low, high);
 }
 
@@ -153,6 +162,38 @@ Camera cameraFor(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector
 }
 
 } // namespace
+
+std::string pictureNumbers(int width, int height, const std::vector<PictureNumber>& numbers, std::size_t& leftOut,
+                           const std::vector<PictureLine>& lines) {
+    const double unit = std::max(width, height) * kPartOfSide;
+    std::string html = "<svg class=\"numbers\" style=\"--unit:" + fixedText(unit, 2) + "px\" viewBox=\"0 0 " + std::to_string(width) + " " +
+                       std::to_string(height) + "\" aria-hidden=\"true\">\n";
+    for (const PictureLine& line : lines)
+        html += "<line x1=\"" + fixedText(line.fromX, 1) + "\" y1=\"" + fixedText(line.fromY, 1) + "\" x2=\"" + fixedText(line.toX, 1) +
+                "\" y2=\"" + fixedText(line.toY, 1) + "\" stroke=\"#78beff\" stroke-width=\"" + fixedText(kLineWidth * unit, 2) + "\"/>\n";
+    std::vector<Box> placed;
+    leftOut = 0;
+    for (const PictureNumber& each : numbers) {
+        const double y = each.dot ? each.y - unit : each.y;
+        const Box box{each.x, y, 0.5 * kDigitWidth * unit * static_cast<double>(each.text.size()), 0.5 * unit};
+        if (!each.always && std::ranges::any_of(placed, [&](const Box& other) { return other.covers(box); })) {
+            ++leftOut;
+            continue;
+        }
+        placed.push_back(box);
+        if (each.dot)
+            html += "<circle cx=\"" + fixedText(each.x, 1) + "\" cy=\"" + fixedText(each.y, 1) + "\" r=\"" + fixedText(kDot * unit, 2) +
+                    "\" fill=\"#fff\"/>\n";
+        html += "<text x=\"" + fixedText(each.x, 1) + "\" y=\"" + fixedText(y, 1) + "\"" + (each.always ? "" : " class=\"small\"") + ">" +
+                htmlText(each.text) + "</text>\n";
+    }
+    return html + "</svg>\n";
+}
+
+std::string numberedFigure(const std::string& png, const char* alternative, const std::string& numbers, const std::string& caption) {
+    return "<figure class=\"picture\"><div class=\"numbered\">" + htmlImage(png, alternative) + numbers + "</div><figcaption>" + caption +
+           "</figcaption></figure>\n";
+}
 
 std::string grayPicture(const edges::Detection& detection, int mostPixels) {
     const auto picture = reduced<std::uint8_t>(detection, mostPixels,

@@ -9,7 +9,7 @@
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/files/formats/las_layout.h"
-#include "core/files/formats/las_units.h"
+#include "core/files/formats/las_records.h"
 #include "core/files/formats/laz.h"
 #include "core/files/point_tables/column_names.h"
 #include "core/files/point_tables/point_columns.h"

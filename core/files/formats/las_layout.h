@@ -38,11 +38,6 @@ inline constexpr const char* kOurUser = "EdgeScan";
 inline constexpr std::uint16_t kDescriptionId = 1, kCellsId = 2, kProvenanceId = 3;
 inline constexpr std::size_t kCellBytes = 5;
 
-/// Further columns of a file's points, with their places in a point of `pointBytes` bytes, `from` byte on; empty where no record of the
-/// header describes them. Records are from `recordsAt` to `recordsEnd`.
-[[nodiscard]] std::vector<RecordField> extraFields(std::span<const std::byte> file, std::uint64_t recordsAt, std::uint64_t records,
-                                                   std::uint64_t recordsEnd, std::size_t from, std::size_t pointBytes);
-
 } // namespace edgescan::files::las
 
 namespace edgescan::files {

@@ -3,18 +3,183 @@
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
-#include "core/files/grid_recovery/halves.h"
 #include "core/files/grid_recovery/parts.h"
-#include "core/files/grid_recovery/phases.h"
+#include "core/scan/grid/mean_step.h"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 
 namespace edgescan::files {
 namespace {
 
 using namespace recognition;
+
+constexpr int kMostPhases = 8;
+constexpr double kNearlyAll = 0.95;
+constexpr int kFewestTurns = 3;
+
+/// The phase of each line; -1 where a line has no points, or points of several phases.
+std::vector<int> phasesOf(const Grid<std::uint32_t>& pointOf, int phases) {
+    std::vector<int> found;
+    for (int i = 0; i < pointOf.lines; ++i) {
+        std::array<int, kMostPhases> count{};
+        int all = 0;
+        for (int j = 0; j < pointOf.beams; ++j) {
+            if (pointOf.at(i, j) == RecoveredGrid::kNoPoint) continue;
+            ++count[static_cast<std::size_t>(j % phases)];
+            ++all;
+        }
+        const auto most = std::max_element(count.begin(), count.end());
+        found.push_back(all > 0 && *most >= kNearlyAll * all ? static_cast<int>(most - count.begin()) : -1);
+    }
+    return found;
+}
+
+/// Phase of line i is (first + step * i) % phases.
+struct Turns {
+    int phases = 1, first = 0, step = 0;
+    [[nodiscard]] int phase(int line) const { return (first + step * line) % phases; }
+};
+
+Turns turnsIn(const Grid<std::uint32_t>& pointOf) {
+    for (int phases = std::min(kMostPhases, pointOf.lines / kFewestTurns); phases > 1; --phases) {
+        const std::vector<int> phase = phasesOf(pointOf, phases);
+        const auto known = std::count_if(phase.begin(), phase.end(), [](int p) { return p >= 0; });
+        if (static_cast<double>(known) < kNearlyAll * pointOf.lines) continue;
+        for (int step = 1; step < phases; ++step) {
+            if (std::gcd(step, phases) != 1) continue;
+            for (int first = 0; first < phases; ++first) {
+                const Turns turns{phases, first, step};
+                int agreeing = 0;
+                for (int i = 0; i < pointOf.lines; ++i) agreeing += phase[static_cast<std::size_t>(i)] == turns.phase(i) ? 1 : 0;
+                if (agreeing >= kNearlyAll * pointOf.lines) return turns;
+            }
+        }
+    }
+    return {};
+}
+
+/// Puts two to eight lines that follow each other side by side where each of them has every so many beams only, the next one those next to
+/// them, in turn over the whole grid; each beam keeps the angle of its line as its skew. Returns how many lines make one, 1 when nothing
+/// was changed.
+int foldPhases(RecoveredGrid& grid) {
+    const Turns turns = turnsIn(grid.pointOf);
+    if (turns.phases == 1) return 1;
+    const int rows = (grid.pointOf.lines + turns.phases - 1) / turns.phases;
+    const int beams = grid.pointOf.beams;
+    const std::vector<double>& lineDeg = grid.geometry.lineDeg;
+    const double stepDeg = meanStepDeg(lineDeg);
+    std::vector<double> rowDeg;
+    std::vector<double> ahead(static_cast<std::size_t>(turns.phases), 0.0); // of its row, by place among the lines of the row
+    for (int row = 0; row < rows; ++row) {
+        const auto first = static_cast<std::size_t>(row * turns.phases);
+        const std::size_t count = std::min(static_cast<std::size_t>(turns.phases), lineDeg.size() - first);
+        const double sum = std::accumulate(lineDeg.begin() + static_cast<std::ptrdiff_t>(first),
+                                           lineDeg.begin() + static_cast<std::ptrdiff_t>(first + count), 0.0);
+        rowDeg.push_back(sum / static_cast<double>(count) +
+                         0.5 * stepDeg * static_cast<double>(static_cast<std::size_t>(turns.phases) - count));
+        for (std::size_t k = 0; k < ahead.size(); ++k) {
+            const double deg =
+                k < count ? lineDeg[first + k] : rowDeg.back() + stepDeg * (static_cast<double>(k) - 0.5 * (turns.phases - 1));
+            ahead[k] += (deg - rowDeg.back()) / rows;
+        }
+    }
+    Grid<std::uint32_t> pointOf(rows, beams, RecoveredGrid::kNoPoint);
+    grid.geometry.lineSkewDeg.assign(static_cast<std::size_t>(beams), 0.0);
+    for (int line = 0; line < grid.pointOf.lines; ++line) {
+        const int row = line / turns.phases;
+        for (int j = 0; j < beams; ++j) {
+            const std::uint32_t point = grid.pointOf.at(line, j);
+            if (j % turns.phases == turns.phase(line)) {
+                pointOf.at(row, j) = point;
+                grid.geometry.lineSkewDeg[static_cast<std::size_t>(j)] = ahead[static_cast<std::size_t>(line % turns.phases)];
+            } else {
+                grid.unplaced += point != RecoveredGrid::kNoPoint ? 1 : 0;
+            }
+        }
+    }
+    grid.pointOf = std::move(pointOf);
+    grid.geometry.lineDeg = std::move(rowDeg);
+    grid.remarks.push_back("Each line has every " + std::to_string(turns.phases) + "th beam only, in turn: " +
+                           std::to_string(turns.phases) + " lines that follow each other were put side by side.");
+    return turns.phases;
+}
+
+// Beams of the far side are those of the near side with their tilt negated.
+
+constexpr double kSameBeam = 0.25;      // steps
+constexpr double kClearOfAxis = 2.0;    // steps
+constexpr double kMostUnpaired = 0.1;   // of the beams, seen on one side only
+constexpr double kCoversHalfTurn = 0.9; // of the lines of a half turn
+
+/// A beam of either side, at its tilt on the near side, 0..pi.
+struct SideBeam {
+    double tilt = 0.0;
+    int column = 0;
+    bool far = false;
+};
+
+std::vector<SideBeam> sideBeams(const std::vector<double>& tilts) {
+    std::vector<SideBeam> beams;
+    for (std::size_t j = 0; j < tilts.size(); ++j) {
+        const double tilt = std::remainder(tilts[j], 2 * kPi);
+        beams.push_back({std::abs(tilt), static_cast<int>(j), tilt < 0});
+    }
+    std::ranges::sort(beams, {}, &SideBeam::tilt);
+    return beams;
+}
+
+/// Beams of both sides that are one; -1 where a side has none.
+struct BeamPair {
+    double tilt = 0.0;
+    int near = -1, far = -1;
+};
+
+std::vector<BeamPair> pairsOf(const std::vector<SideBeam>& beams, double step) {
+    std::vector<BeamPair> pairs;
+    for (const SideBeam& beam : beams) {
+        const bool joins =
+            !pairs.empty() && beam.tilt - pairs.back().tilt <= kSameBeam * step && (beam.far ? pairs.back().far : pairs.back().near) < 0;
+        if (!joins) pairs.push_back({beam.tilt});
+        (beam.far ? pairs.back().far : pairs.back().near) = beam.column;
+        if (joins) pairs.back().tilt = (pairs.back().tilt + beam.tilt) / 2;
+    }
+    return pairs;
+}
+
+/// A scanner that turns round and round with several beams to one side (a spinning lidar) puts two of its lines into one plane through the
+/// axis. Points in any order are found as such planes, with beams to both sides. Where both sides have the same beams, no line comes near
+/// the axis and the planes cover the half turn, each plane becomes the two lines that it is, so that a line's neighbours go on all round.
+/// Returns whether it was so.
+bool unfoldHalves(Fit& fit) {
+    if (fit.plane.size() < 2 || fit.tilt.size() < 2) return false;
+    const double beamStep = medianStep(fit.tilt);
+    const double lineStep = medianStep(fit.plane);
+    const std::vector<SideBeam> beams = sideBeams(fit.tilt);
+    if (beams.front().tilt < kClearOfAxis * beamStep || kPi - beams.back().tilt < kClearOfAxis * beamStep) return false;
+    if (std::abs(fit.plane.back() - fit.plane.front()) + lineStep < kCoversHalfTurn * kPi) return false;
+    const std::vector<BeamPair> pairs = pairsOf(beams, beamStep);
+    const auto unpaired = std::ranges::count_if(pairs, [](const BeamPair& pair) { return pair.near < 0 || pair.far < 0; });
+    if (static_cast<double>(unpaired) > kMostUnpaired * static_cast<double>(pairs.size())) return false;
+
+    const int lines = fit.pointOf.lines;
+    Grid<std::uint32_t> pointOf(2 * lines, static_cast<int>(pairs.size()), kNone);
+    for (int i = 0; i < lines; ++i) {
+        for (int j = 0; j < pointOf.beams; ++j) {
+            const BeamPair& pair = pairs[static_cast<std::size_t>(j)];
+            if (pair.near >= 0) pointOf.at(i, j) = fit.pointOf.at(i, pair.near);
+            if (pair.far >= 0) pointOf.at(lines + i, j) = fit.pointOf.at(i, pair.far);
+        }
+    }
+    const double halfTurn = fit.plane.back() > fit.plane.front() ? kPi : -kPi;
+    for (int i = 0; i < lines; ++i) fit.plane.push_back(fit.plane[static_cast<std::size_t>(i)] + halfTurn);
+    fit.tilt.clear();
+    for (const BeamPair& pair : pairs) fit.tilt.push_back(pair.tilt);
+    fit.pointOf = std::move(pointOf);
+    return true;
+}
 
 constexpr std::size_t kFewestPoints = 12;
 

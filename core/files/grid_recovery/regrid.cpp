@@ -5,7 +5,8 @@
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
-#include "core/files/grid_recovery/regrid_parts.h"
+#include "core/files/grid_recovery/parts.h"
+#include "core/files/grid_recovery/rings.h"
 
 #include <Eigen/Geometry>
 
@@ -13,11 +14,194 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace edgescan::files {
 namespace {
 
-using namespace regridding;
+using recognition::AxisPoint;
+using recognition::kPi;
+using recognition::Ring;
+
+/// A return as seen from the sensor. Radians, growing to the right and downwards.
+struct Sight {
+    double across = 0.0;
+    double down = 0.0;
+    double range = 0.0;
+    std::uint32_t point = 0;
+};
+
+struct Window {
+    double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
+
+    [[nodiscard]] double width() const { return right - left; }
+    [[nodiscard]] double height() const { return bottom - top; }
+    [[nodiscard]] bool holds(const Sight& s) const { return s.across >= left && s.across <= right && s.down >= top && s.down <= bottom; }
+};
+
+/// Cells of a step over a window: how many points fill, and how closed the filled area is.
+struct Cover {
+    std::size_t filled = 0;
+    double closed = 0.0; ///< share of the neighbours of filled cells that are filled too
+};
+
+// Share of the neighbours of filled cells that are filled. Cells of the points' own spacing, laid askew, give about 0.8; random points, two
+// to a cell, 0.86. From 0.91 on surfaces hide what is behind them, and rocks keep their outlines (tried on river boulders, a Livox cloud).
+constexpr double kClosed = 0.91;
+constexpr double kClosedEnough = 0.85; // where real holes keep the rest open, which so many points to a cell show:
+constexpr double kPlentyPerCell = 5;
+constexpr double kNearlyBest = 0.95; // of the largest share, where strewn points never come that far
+constexpr double kFinest = 64;       // cells per point to begin with, because clouds fill small parts of their windows
+constexpr double kMostTried = 5e8;
+
+/// `sidewaysOnly`: neighbours are those in the same line.
+Cover coverOf(const std::vector<Sight>& sights, const Window& window, double stepAcross, double stepDown, bool sidewaysOnly) {
+    const std::size_t stride = static_cast<std::size_t>(window.width() / stepAcross) + 3; // with an empty cell all around
+    std::vector<bool> filled(stride * (static_cast<std::size_t>(window.height() / stepDown) + 3), false);
+    std::vector<std::size_t> first;
+    for (const Sight& s : sights) {
+        if (!window.holds(s)) continue;
+        const auto i = static_cast<std::size_t>((s.down - window.top) / stepDown) + 1;
+        const auto j = static_cast<std::size_t>((s.across - window.left) / stepAcross) + 1;
+        const std::size_t at = i * stride + j;
+        if (filled[at]) continue;
+        filled[at] = true;
+        first.push_back(at);
+    }
+    std::size_t neighbours = 0;
+    for (const std::size_t at : first) {
+        neighbours += (filled[at - 1] ? 1U : 0U) + (filled[at + 1] ? 1U : 0U);
+        if (sidewaysOnly) continue;
+        for (const std::size_t row : {at - stride, at + stride})
+            neighbours += (filled[row - 1] ? 1U : 0U) + (filled[row] ? 1U : 0U) + (filled[row + 1] ? 1U : 0U);
+    }
+    const double all = static_cast<double>(first.size()) * (sidewaysOnly ? 2 : 8);
+    return {first.size(), all > 0 ? static_cast<double>(neighbours) / all : 0.0};
+}
+
+/// The smallest step, radians, at which the filled area closes: between points that are neighbours in angle no cell stays empty.
+/// For a fan (`lineStep` > 0) the step along the lines only.
+double spacingOf(const std::vector<Sight>& sights, const Window& window, double lineStep) {
+    const bool fan = lineStep > 0;
+    const double area = fan ? window.width() * (window.height() / lineStep + 1) : window.width() * window.height();
+    const double perPoint = std::max(area, 1e-30) / static_cast<double>(sights.size());
+    double step = fan ? perPoint / kFinest : std::sqrt(perPoint / kFinest);
+    const double longest = std::max(window.width(), fan ? 0.0 : window.height());
+    const auto cellCount = [&](double s) { return (window.width() / s + 3) * (window.height() / (fan ? lineStep : s) + 3); };
+    while (cellCount(step) > kMostTried) step *= 2;
+    std::vector<std::pair<double, double>> tried; // step, closed
+    for (; step < longest / 8; step *= std::numbers::sqrt2) {
+        const auto [filled, closed] = coverOf(sights, window, step, fan ? lineStep : step, fan);
+        if (closed < kClosed) {
+            if (closed >= kClosedEnough && static_cast<double>(sights.size()) >= kPlentyPerCell * static_cast<double>(filled)) return step;
+            tried.emplace_back(step, closed);
+            continue;
+        }
+        if (tried.empty()) return step;
+        return step / std::pow(std::numbers::sqrt2, (closed - kClosed) / std::max(closed - tried.back().second, 1e-9));
+    }
+    if (tried.empty()) return step;
+    const double best = std::max_element(tried.begin(), tried.end(), [](auto& a, auto& b) { return a.second < b.second; })->second;
+    return std::find_if(tried.begin(), tried.end(), [&](auto& t) { return t.second >= kNearlyBest * best; })->first;
+}
+
+/// Lines of a scanner among the sights of a cloud: rings about the sensor's upright axis (a spinning scanner with several beams), or
+/// planes through one of the axes (a fan on a stepper whose beams are uneven). Empty when no lines are distinct.
+struct Fan {
+    std::vector<Sight> sights;     ///< `down` is the line's number
+    std::vector<double> lineAngle; ///< radians, one per line
+};
+
+constexpr double kShareOnLines = 0.99;
+constexpr std::size_t kFewestLines = 4;
+constexpr std::size_t kPointsPerLine = 12; // on average, at least
+constexpr std::size_t kSample = 60000;     // points of a first look: lines that do not show here do not exist
+
+std::vector<AxisPoint> axisPointsOf(const LooseCloud& cloud, int axis) {
+    std::vector<AxisPoint> seen;
+    seen.reserve(cloud.points.size());
+    for (const Eigen::Vector3d& p : cloud.points) {
+        const Eigen::Vector3d ray = p - cloud.sensor;
+        if (isReturn(p) && isReturn(ray))
+            seen.push_back({ray[axis], ray[(axis + 1) % 3], ray[(axis + 2) % 3]});
+        else
+            seen.emplace_back();
+    }
+    return seen;
+}
+
+/// The clearest ring of groups that holds nearly all angles, among every `stride`-th point.
+template <class Angle>
+std::optional<Ring> linesAmong(const std::vector<AxisPoint>& points, std::size_t stride, double period, Angle angleOf) {
+    std::vector<double> angles;
+    for (std::size_t k = 0; k < points.size(); k += stride) {
+        if (!points[k].missing()) angles.push_back(angleOf(points[k]));
+    }
+    for (Ring& ring : recognition::ringsIn(angles, period)) {
+        if (ring.centres.size() < kFewestLines || angles.size() < ring.centres.size() * kPointsPerLine) continue;
+        const auto on = std::count_if(angles.begin(), angles.end(), [&](double angle) {
+            const Ring::Nearest near = ring.nearest(angle);
+            return near.distance <= 0.25 * near.voidWidth;
+        });
+        if (static_cast<double>(on) >= kShareOnLines * static_cast<double>(angles.size())) return std::move(ring);
+    }
+    return std::nullopt;
+}
+
+template <class Angle>
+std::optional<Ring> linesIn(const std::vector<AxisPoint>& points, double period, Angle angleOf) {
+    const std::size_t stride = points.size() / kSample | 1U; // odd, so that no place within a row is skipped
+    if (stride > 1 && !linesAmong(points, stride, period, angleOf)) return std::nullopt;
+    return linesAmong(points, 1, period, angleOf);
+}
+
+/// Rings about the upright axis: cones of one elevation each, as a spinning scanner with several beams leaves them.
+std::optional<Fan> rings(const std::vector<AxisPoint>& points) {
+    const auto elevation = [](const AxisPoint& p) { return std::asin(std::clamp(p.u / p.range(), -1.0, 1.0)); };
+    const auto ring = linesIn(points, 2 * kPi, elevation);
+    if (!ring) return std::nullopt;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const AxisPoint& p : points) sum += p.missing() ? Eigen::Vector2d::Zero() : Eigen::Vector2d(p.v, p.w).normalized();
+    const double middle = std::atan2(sum.y(), sum.x());
+    Fan fan;
+    fan.lineAngle.assign(ring->centres.rbegin(), ring->centres.rend()); // the highest first
+    for (std::uint32_t k = 0; k < points.size(); ++k) {
+        const AxisPoint& p = points[k];
+        if (p.missing()) continue;
+        const auto line = static_cast<double>(ring->centres.size() - 1 - ring->nearest(elevation(p)).group);
+        fan.sights.push_back({-std::remainder(p.plane() - middle, 2 * kPi), line, p.range(), k});
+    }
+    return fan;
+}
+
+/// Planes through an axis: a fan that was turned step by step.
+std::optional<Fan> planes(const std::vector<AxisPoint>& points) {
+    const auto plane = [](const AxisPoint& p) { return p.plane(); };
+    const auto ring = linesIn(points, kPi, plane);
+    if (!ring) return std::nullopt;
+    Fan fan;
+    fan.lineAngle = ring->centres;
+    for (std::uint32_t k = 0; k < points.size(); ++k) {
+        const AxisPoint& p = points[k];
+        if (p.missing()) continue;
+        const std::size_t line = ring->nearest(p.plane()).group;
+        const double radius = p.radiusIn(std::cos(ring->centres[line]), std::sin(ring->centres[line]));
+        fan.sights.push_back({std::atan2(radius, p.u), static_cast<double>(line), p.range(), k});
+    }
+    return fan;
+}
+
+std::optional<Fan> findFan(const LooseCloud& cloud) {
+    static constexpr std::array<int, 3> kUprightFirst{2, 0, 1};
+    for (const int axis : kUprightFirst) {
+        const std::vector<AxisPoint> points = axisPointsOf(cloud, axis);
+        if (axis == 2) {
+            if (auto fan = rings(points)) return fan;
+        }
+        if (auto fan = planes(points)) return fan;
+    }
+    return std::nullopt;
+}
 
 constexpr std::size_t kFewestReturns = 64;
 constexpr double kNarrowestDeg = 2.0; // all points in less than that: the sensor cannot have been there

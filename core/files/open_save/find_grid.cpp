@@ -1,14 +1,53 @@
 // The grid of a table's points, by the directions in which they lie from the sensor.
 #include "core/files/open_save/find_grid.h"
 
-#include "core/files/grid_recovery/axis.h"
+#include "core/base/grid.h"
+#include "core/files/grid_recovery/recover_grid.h"
 #include "core/files/grid_recovery/regrid.h"
 #include "core/files/open_save/table_numbers.h"
 
+#include <Eigen/Core>
+#include <Eigen/Dense>
+
 #include <algorithm>
+#include <optional>
 
 namespace edgescan::files {
 namespace {
+
+// Directions of one beam differ only across the axis.
+
+/// `points`: lines x beams about the sensor, any unit; not finite or (0, 0, 0) = missing. A turn that makes the axis the z axis: all points
+/// of a beam have the same angle from it. Empty when too few show it.
+std::optional<Eigen::Matrix3d> turnToAxis(const Grid<Eigen::Vector3d>& points) {
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    std::size_t told = 0;
+    for (int j = 0; j < points.beams; ++j) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+        double count = 0;
+        for (int i = 0; i < points.lines; ++i) {
+            const Eigen::Vector3d& p = points.at(i, j);
+            if (!isReturn(p)) continue;
+            const Eigen::Vector3d direction = p.normalized();
+            sum += direction;
+            squares += direction * direction.transpose();
+            ++count;
+        }
+        if (count < 3) continue;
+        ++told;
+        spread += squares - sum * sum.transpose() / count;
+    }
+    if (told < 2) return std::nullopt;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+    if (solver.info() != Eigen::Success || solver.eigenvalues()[1] < 1e-12 * static_cast<double>(points.size())) return std::nullopt;
+    Eigen::Vector3d axis = solver.eigenvectors().col(0);
+    if (axis.cwiseAbs().maxCoeff() == -axis.minCoeff()) axis = -axis; // along the positive side of the nearest axis of the frame
+    const Eigen::Vector3d across = axis.unitOrthogonal();
+    Eigen::Matrix3d turn;
+    turn << across.transpose(), axis.cross(across).transpose(), axis.transpose();
+    return turn;
+}
 
 /// Progress from one half on: the first half is reading.
 std::function<bool(const char*, double)> secondHalf(const Source& source) {

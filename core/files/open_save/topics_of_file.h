@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/files/addons/addon.h"
-#include "core/files/addons/topics.h"
 #include "core/scan/grid/reading_options.h"
 
 namespace edgescan::files {

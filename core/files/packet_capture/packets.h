@@ -4,6 +4,7 @@
 #include "core/base/bytes.h"
 #include "core/base/result.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,12 @@ struct PacketFile {
 
 /// Error: no such file, or damaged at a byte that it names.
 Result<PacketFile> readPackets(ByteView file, const std::string& where);
+
+/// Numbers as networks send them; the caller has checked that they are there.
+[[nodiscard]] inline std::uint32_t netU16(ByteView bytes, std::size_t at) { return std::uint32_t{bytes[at]} << 8U | bytes[at + 1]; }
+[[nodiscard]] inline std::uint32_t netU32(ByteView bytes, std::size_t at) { return netU16(bytes, at) << 16U | netU16(bytes, at + 2); }
+
+/// Empty: another protocol, or a link that is not known.
+[[nodiscard]] std::optional<ByteView> ipPacket(const Packet& packet);
 
 } // namespace edgescan::files

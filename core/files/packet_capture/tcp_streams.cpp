@@ -1,7 +1,7 @@
 // From link to IP to TCP, and from segments to streams.
 #include "core/files/packet_capture/tcp_streams.h"
 
-#include "core/files/packet_capture/ip_packets.h"
+#include "core/files/packet_capture/packets.h"
 
 #include <algorithm>
 #include <array>

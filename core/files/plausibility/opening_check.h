@@ -1,7 +1,7 @@
 // What was taken for granted when a scan was opened, what speaks against it, and how else it can be read.
 #pragma once
 
-#include "core/files/addons/topics.h"
+#include "core/files/addons/addon.h"
 #include "core/files/plausibility/sentence.h"
 #include "core/scan/grid/reading_options.h"
 

@@ -4,7 +4,6 @@
 #include "core/base/bands.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
-#include "core/files/point_tables/float_text.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,22 +28,8 @@ constexpr int kMineDecimals = 4;            // tenths of a millimetre: seventeen
 
 template <class Number>
 char* writeShortest(char* to, char* end, Number value) {
-    if (value != value) { // whatever its sign
-        for (const char c : {'n', 'a', 'n'}) *to++ = c;
-        return to;
-    }
-    if constexpr (std::is_same_v<Number, float>) {
-        constexpr float kMostWhole = 99999; // from here on an exponent may be shorter
-        if (!(value > 0 && value <= kMostWhole)) return writeFloat(to, end, value);
-        const auto whole = static_cast<std::int32_t>(value); // as ranges in mm are
-        return static_cast<float>(whole) == value ? std::to_chars(to, end, whole).ptr : writeFloat(to, end, value);
-    } else if constexpr (std::is_integral_v<Number>) {
-        if (value >= 10) return std::to_chars(to, end, value).ptr;
-        *to++ = static_cast<char>('0' + value);
-        return to;
-    } else {
-        return std::to_chars(to, end, value).ptr;
-    }
+    if (value != value) return std::copy_n("nan", 3, to); // whatever its sign
+    return std::to_chars(to, end, value).ptr;
 }
 
 // At most so many decimals, without zeros at their end.

@@ -1,11 +1,10 @@
 // Reading the JSON description: every key is checked, because it may come from anywhere.
 #include "core/files/point_tables/description.h"
-#include "core/base/number_text.h"
 
 #include "core/base/checked_size.h"
 #include "core/base/json_fields.h"
 #include "core/base/json_text.h"
-#include "core/files/point_tables/acquisition_json.h"
+#include "core/base/number_text.h"
 #include "core/scan/georef/placement_json.h"
 
 #include <nlohmann/json.hpp>
@@ -16,9 +15,22 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 namespace edgescan::files {
 namespace {
+
+constexpr std::array<std::pair<const char*, std::string Acquisition::*>, 9> kTexts{{
+    {"vendor", &Acquisition::vendor},
+    {"model", &Acquisition::model},
+    {"serial", &Acquisition::serial},
+    {"firmware", &Acquisition::firmware},
+    {"start_utc", &Acquisition::startUtc},
+    {"end_utc", &Acquisition::endUtc},
+    {"clock_source", &Acquisition::clockSource},
+    {"contamination", &Acquisition::contamination},
+    {"echo_filter", &Acquisition::echoFilter},
+}};
 
 constexpr const char* kFormat = "edgescan-raw-grid/1";
 constexpr auto kMostCells = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
@@ -117,6 +129,27 @@ nlohmann::json angleJson(const std::vector<double>& degrees) {
 }
 
 } // namespace
+
+nlohmann::ordered_json acquisitionToJson(const Acquisition& acquisition) {
+    nlohmann::ordered_json object = nlohmann::ordered_json::object();
+    for (const auto& [key, member] : kTexts) {
+        if (!(acquisition.*member).empty()) object[key] = acquisition.*member;
+    }
+    if (acquisition.linesExpected > 0) object["lines_expected"] = acquisition.linesExpected;
+    return object;
+}
+
+Result<std::shared_ptr<const Acquisition>> acquisitionFromJson(const nlohmann::json& object, const std::string& where) {
+    const char* hint = "save the scan again, or remove \"acquisition\"";
+    if (!object.is_object()) return Error{"\"acquisition\" must be an object {...}", where, hint};
+    JsonFields fields(object, where, hint);
+    auto acquisition = std::make_shared<Acquisition>();
+    for (const auto& [key, member] : kTexts) (*acquisition).*member = fields.text(key);
+    acquisition->linesExpected = static_cast<int>(fields.number("lines_expected", 0, {0, 1e9}));
+    fields.done();
+    if (fields.problem()) return *fields.problem();
+    return std::shared_ptr<const Acquisition>(acquisition);
+}
 
 Result<GridDescription> parseDescription(std::string_view json, const std::string& where) {
     const auto object = parseJsonObject(json, kFormat, where);

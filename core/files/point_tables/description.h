@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/scan.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +16,12 @@
 #include <vector>
 
 namespace edgescan::files {
+
+/// Only what is known; without the times of the lines.
+[[nodiscard]] nlohmann::ordered_json acquisitionToJson(const Acquisition& acquisition);
+
+/// Error: an unknown key, or no text where text is needed. `where` goes into it.
+Result<std::shared_ptr<const Acquisition>> acquisitionFromJson(const nlohmann::json& object, const std::string& where);
 
 /// {"start","step"}: even angles.
 struct AngleSteps {

@@ -21,6 +21,17 @@ std::uint8_t stateByte(double value) { return value >= 0 && value < 256 ? static
 
 } // namespace
 
+bool addToDescription(std::string_view comment, std::string& description) {
+    while (comment.starts_with(' ')) comment.remove_prefix(1);
+    while (comment.ends_with(' ') || comment.ends_with('\r')) comment.remove_suffix(1);
+    constexpr std::string_view kOurs = "edgescan ";
+    if (!comment.starts_with(kOurs)) return false;
+    comment.remove_prefix(kOurs.size());
+    if (description.empty() && !comment.starts_with('{')) return false;
+    description += comment;
+    return true;
+}
+
 std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
     std::vector<std::string> names;
     for (const RecordField& field : fields) names.push_back(field.name);

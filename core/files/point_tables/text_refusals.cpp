@@ -1,7 +1,7 @@
 // The causes, the likeliest first.
 #include "core/files/point_tables/text_refusals.h"
 
-#include "core/files/point_tables/row_below_names.h"
+#include "core/files/point_tables/text_layout.h"
 #include "core/files/point_tables/text_words.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "core/containers/mcap/writer.h"
 #include "core/scanner/sweep_assembly/counters.h"
-#include "core/scanner/sweep_assembly/stepper_track.h"
+#include "core/scanner/sweep_assembly/line_angles.h"
 
 #include <array>
 #include <map>

@@ -1,6 +1,8 @@
 // ROS topics of an MCAP recording.
 #include "core/base/checked_size.h"
+#include "core/base/memory.h"
 #include "core/base/number_text.h"
+#include "core/containers/compression/chunks.h"
 #include "core/containers/mcap/reader.h"
 #include "core/robots/bags/bag.h"
 
@@ -10,6 +12,8 @@
 namespace edgescan::robots {
 namespace {
 
+constexpr std::uint64_t kAskFrom = 1 << 20; // of the machine's memory: less is always there
+
 std::optional<RosTopic> topicOf(const containers::McapContent& content, const containers::McapChannel& channel) {
     const auto schema = content.schemas.find(channel.schema);
     if (schema == content.schemas.end()) return std::nullopt;
@@ -17,6 +21,27 @@ std::optional<RosTopic> topicOf(const containers::McapContent& content, const co
 }
 
 } // namespace
+
+// Compressed parts of bags.
+
+Result<ByteView> unpackedInto(RosBag& bag, const std::string& compression, ByteView packed, std::uint64_t size, const std::string& where,
+                              const std::function<bool()>& goOn) {
+    if (size > bag.mayUnpack) return Error{"it promises to unpack to more than a bag of this size holds", where, ""};
+    if (size >= kAskFrom) {
+        if (auto enough = checkMemory(size, where); !enough) return enough.error();
+    }
+    auto unpacked = containers::unpackChunk(compression, packed, size, where, goOn);
+    if (!unpacked) return unpacked.error();
+    bag.mayUnpack -= size;
+    return ByteView(bag.unpacked.emplace_back(std::move(*unpacked)));
+}
+
+std::optional<ByteView> plainMessage(RosBag& bag, ByteView message, const std::string& where, const std::function<bool()>& goOn) {
+    if (!containers::isZstd(message)) return message;
+    const auto size = containers::zstdSize(message);
+    const auto unpacked = size ? unpackedInto(bag, "zstd", message, *size, where, goOn) : Result<ByteView>(Error{"", where, ""});
+    return unpacked ? std::optional(*unpacked) : std::nullopt;
+}
 
 std::optional<RosTopic> rosTopic(const std::string& name, std::string_view encoding, std::string_view type,
                                  std::string_view definitionEncoding, const std::string& definition) {

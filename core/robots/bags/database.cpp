@@ -10,7 +10,6 @@
 #include <utility>
 
 #ifdef EDGESCAN_SQLITE
-#include "core/robots/bags/database_allowance.h"
 #include "core/robots/bags/database_log.h"
 #endif
 

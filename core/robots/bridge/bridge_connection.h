@@ -1,13 +1,35 @@
 // A permanent connection to a Foxglove bridge: connect, choose topics, subscribe, watch, reconnect; on its own thread. It only reads.
 #pragma once
 
+#include "core/base/bytes.h"
 #include "core/robots/bridge/protocol.h"
-#include "core/robots/bridge/web_socket.h"
+#include "core/scanner/cola/link.h"
 #include "core/scanner/sick_lms/scanner_connection.h"
 
 #include <map>
+#include <optional>
+#include <string>
 
 namespace edgescan::robots {
+
+struct WebSocketMessage {
+    bool isText = false;
+    Bytes bytes;
+    scanner::HostTime received;
+};
+
+class WebSocket : public scanner::Link {
+public:
+    WebSocket();
+
+    Result<Done> send(const std::string& text, Clock::duration timeout);
+    /// Empty if the deadline passes or another thread interrupts. Error: the connection is gone, or a message is longer than 64 MB.
+    Result<std::optional<WebSocketMessage>> receive(Clock::time_point deadline);
+
+private:
+    struct Messages;
+    [[nodiscard]] Messages& messages() const;
+};
 
 /// The topics of a bridge that are wanted.
 struct BridgeChoice {

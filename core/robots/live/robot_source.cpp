@@ -1,24 +1,45 @@
 // Chooses topics, counts messages, and passes them to the laser or to the clouds.
 #include "core/robots/live/robot_source.h"
 
+#include "core/files/formats/reading.h"
 #include "core/files/live_feed/live_feed.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/robots/bags/definition.h"
 #include "core/robots/bridge/bridge_connection.h"
-#include "core/robots/live/bridge_topics.h"
-#include "core/robots/live/live_cloud.h"
-#include "core/robots/sweeps/bag_listing.h"
+#include "core/robots/sweeps/bag_sweep.h"
+#include "core/robots/sweeps/bag_topics.h"
 #include "core/robots/sweeps/live_laser.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace edgescan::robots {
 namespace {
+
+/// The name of a laser that a motor turns often says so; which one turns is known only when its lines come.
+bool namesATurn(const std::string& topic) {
+    constexpr std::array<std::string_view, 6> kWords{"tilt", "nod", "spin", "turn", "rotat", "sweep"};
+    return std::ranges::any_of(kWords, [&](std::string_view word) { return topic.find(word) != std::string::npos; });
+}
+
+std::string namesOf(const std::vector<BridgeChannelPtr>& channels) {
+    constexpr std::size_t kLongest = 300;
+    std::string names;
+    for (const BridgeChannelPtr& channel : channels) {
+        if (names.size() > kLongest) return names + " and others";
+        names += (names.empty() ? "" : ", ") + channel->topic;
+    }
+    return names;
+}
 
 constexpr std::size_t kMostStanding = 64;
 constexpr auto kLive = scanner::ConnectionPhase::Live;
@@ -159,6 +180,131 @@ void RobotSource::finish() {
 }
 
 } // namespace
+
+LiveCloud::~LiveCloud() { ending_ = true; }
+
+void LiveCloud::receive(RosTopic topic, files::RecordingMessagePtr message) {
+    {
+        const std::lock_guard lock(mutex_);
+        ++messages_;
+        arrivedNs_ = message->hostNs;
+        waiting_ = Waiting{std::move(topic), std::move(message)};
+    }
+    lane_.post([this] { makeScan(); });
+}
+
+void LiveCloud::finish() {
+    lane_.end();
+    makeScan();
+    const std::lock_guard lock(mutex_);
+    growing_ = false;
+}
+
+Result<Scan> LiveCloud::scanOf(const Waiting& newest) const {
+    RosBag bag;
+    bag.topics.push_back(newest.topic);
+    bag.messages.push_back({0, newest.message->hostNs, newest.message->payload});
+    ReadingOptions options;
+    options.topic = newest.topic.name;
+    options.progress = [this](const char*, double) { return !ending_; };
+    const files::Source source{newest.topic.name, {}, &options, true};
+    try {
+        auto table = cloudOfBag(bag, {0, TopicGives::Clouds, 1, 0, newest.message->payload.size()}, source);
+        if (!table) return table.error();
+        return files::scanOfReading(files::Reading(std::move(*table)), source, false);
+    } catch (const std::bad_alloc&) {
+        return Error{"there is not enough memory for this cloud", newest.topic.name, "close other programs"};
+    }
+}
+
+void LiveCloud::makeScan() {
+    std::optional<Waiting> newest;
+    {
+        const std::lock_guard lock(mutex_);
+        newest = std::exchange(waiting_, std::nullopt);
+    }
+    if (!newest) return;
+    auto scan = scanOf(*newest);
+    {
+        const std::lock_guard lock(mutex_);
+        if (!scan) {
+            ++unusable_;
+            why_ = scan.error();
+        } else {
+            scan->name = newest->topic.name;
+            scanner::SweepProgress& progress = newest_.progress;
+            progress.lines = progress.received = progress.expected = scan->lines();
+            progress.cells = countCells(*scan);
+            progress.newestNs = newest->message->hostNs;
+            ++progress.account.sweeps;
+            progress.account.lines += scan->lines();
+            progress.account.cells += static_cast<std::int64_t>(scan->cells());
+            newest_.scan = std::make_shared<const Scan>(std::move(*scan));
+        }
+    }
+    changed_();
+}
+
+scanner::SweepState LiveCloud::newest() const {
+    const std::lock_guard lock(mutex_);
+    scanner::SweepState state = newest_;
+    state.progress.growing = growing_;
+    return state;
+}
+
+scanner::SweepProgress LiveCloud::progress() const {
+    const std::lock_guard lock(mutex_);
+    scanner::SweepProgress progress = newest_.progress;
+    progress.growing = growing_;
+    progress.newestNs = arrivedNs_;
+    progress.account.telegrams = messages_;
+    progress.account.unusable = unusable_;
+    progress.account.placed = messages_ - unusable_;
+    return progress;
+}
+
+std::int64_t LiveCloud::unusable() const {
+    const std::lock_guard lock(mutex_);
+    return unusable_;
+}
+
+std::optional<Error> LiveCloud::whyUnusable() const {
+    const std::lock_guard lock(mutex_);
+    return why_;
+}
+
+bool isCloud(const BridgeChannel& channel) { return givenBy(rosTypeName(channel.type)) == TopicGives::Clouds; }
+
+Result<BridgeChoice> chooseTopics(const std::vector<BridgeChannelPtr>& offered, const std::string& topic, const std::string& where) {
+    BridgeChoice choice;
+    std::vector<BridgeChannelPtr> lasers, clouds;
+    for (const BridgeChannelPtr& channel : offered) {
+        const std::string type = rosTypeName(channel->type);
+        const bool readable = channel->encoding == "cdr" || channel->encoding == "ros1";
+        if (readable && givenBy(type) == TopicGives::Lines) lasers.push_back(channel);
+        if (readable && givenBy(type) == TopicGives::Clouds) clouds.push_back(channel);
+        if (readable && givesAngles(type)) choice.channels.push_back(channel);
+    }
+    const auto byName = [](const BridgeChannelPtr& channel) { return std::pair(!namesATurn(channel->topic), channel->topic); };
+    std::ranges::stable_sort(lasers, {}, byName);
+    std::ranges::stable_sort(clouds, {}, byName);
+    lasers.insert(lasers.end(), clouds.begin(), clouds.end());
+    if (lasers.empty())
+        return Error{"the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)" +
+                         (offered.empty() ? std::string() : ": " + namesOf(offered)),
+                     where, "check that the laser's driver runs"};
+    const auto taken =
+        topic.empty() ? lasers.begin() : std::ranges::find(lasers, topic, [](const auto& channel) { return channel->topic; });
+    if (taken == lasers.end())
+        return Error{"the bridge offers no topic of a laser called \"" + topic + "\"", where, "choose one of " + namesOf(lasers)};
+    choice.lines = *taken;
+    if (isCloud(**taken)) choice.channels.clear(); // its points need no angles
+    choice.channels.push_back(*taken);
+    lasers.erase(taken);
+    if (topic.empty() && !lasers.empty())
+        choice.note = "GUESS: the topic " + choice.lines->topic + " was taken; --topic chooses another: " + namesOf(lasers) + ".";
+    return choice;
+}
 
 std::unique_ptr<files::LiveSource> liveRobot(const scanner::ConnectionSettings& asked, const scanner::SweepSettings& sweep,
                                              std::function<void()> changed, std::mutex& mutex) {

@@ -3,18 +3,83 @@
 
 #include "core/base/held_file.h"
 #include "core/base/inputs.h"
+#include "core/base/pipe.h"
+#include "core/base/sha256.h"
+#include "core/base/utc_time.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/files/open_save/pose_sidecar.h"
+#include "core/files/open_save/unpack.h"
 #include "core/robots/bags/bag.h"
 #include "core/robots/sweeps/bag_sweep.h"
-#include "core/robots/sweeps/repeated_messages.h"
-#include "core/robots/sweeps/turned_first.h"
+#include "core/robots/sweeps/bag_topics.h"
+#include "core/robots/sweeps/live_laser.h"
 
 #include <algorithm>
 #include <list>
+#include <map>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
 
 namespace edgescan::robots {
 namespace {
 
 namespace fs = std::filesystem;
+using files::RecordedMessage;
+
+/// The bag with each message of lines, clouds, transforms and joints once. A warning counts the others by topic, but for transforms that
+/// never change: their topic (tf_static) is sent again and again.
+RosBag onceEach(RosBag bag) {
+    std::vector<bool> looked;
+    for (const RosTopic& topic : bag.topics) looked.push_back(givenBy(topic.type) != TopicGives::Nothing || givesAngles(topic.type));
+    std::map<std::string, std::pair<std::unordered_set<std::string_view>, std::size_t>> topics; // by name: bytes, and how many repeat
+    std::erase_if(bag.messages, [&](const RosBagMessage& message) {
+        if (!looked[message.topic]) return false;
+        auto& [known, repeated] = topics[bag.topics[message.topic].name];
+        const bool again = !known.insert({reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size()}).second;
+        repeated += again ? 1 : 0;
+        return again;
+    });
+    for (const auto& [name, messages] : topics) {
+        if (messages.second > 0 && !name.ends_with("tf_static"))
+            bag.warnings.push_back(std::to_string(messages.second) + " messages of the topic " + name +
+                                   " are in the bag twice: each was read once.");
+    }
+    return bag;
+}
+
+class RecordedBag final : public files::RecordedSource {
+public:
+    explicit RecordedBag(RosBag bag) : bag_(std::move(bag)) {}
+
+    [[nodiscard]] const std::string& kind() const override { return bag_.kind; }
+    [[nodiscard]] std::vector<RecordedMessage> messages() const override {
+        std::vector<RecordedMessage> messages;
+        for (const RosBagMessage& message : bag_.messages) {
+            const std::int64_t ns = std::clamp(message.logNs, std::int64_t{0}, kLatestNs);
+            messages.push_back({files::RecordingTopic::Bridge, ns, ns, message.bytes, message.topic});
+        }
+        std::ranges::stable_sort(messages, {}, &RecordedMessage::logNs); // some bags are by topic
+        return messages;
+    }
+    [[nodiscard]] std::optional<files::LinePlayer> player(const scanner::SweepSettings& settings,
+                                                          const ReadingOptions& options) const override {
+        auto topics = topicsToTry(bag_, options.topic, "");
+        if (!topics) return std::nullopt;
+        turnedFirst(bag_, options.joint, *topics, [&] { return !options.progress || options.progress("reading", 1.0); });
+        if (topics->front().gives != TopicGives::Lines) return std::nullopt;
+        const std::uint32_t lines = topics->front().topic;
+        return files::LinePlayer{
+            [lines](const RecordedMessage& message) { return message.sourceTopic == lines; },
+            [this, lines, laser = LiveLaser(settings, options.joint)](const RecordedMessage& message, scanner::SweepAssembler& to) mutable {
+                const RosTopic& topic = bag_.topics[message.sourceTopic];
+                if (message.sourceTopic == lines || givesAngles(topic.type)) laser.receive(topic, message.payload, to);
+            }};
+    }
+
+private:
+    const RosBag bag_;
+};
 
 std::function<bool()> goOnOf(const files::Source& source) {
     return [&source] { return source.goOn("reading", 0.0); };
@@ -93,6 +158,12 @@ Result<files::Reading> readBag(const files::Source& source) {
     return scanIn(onceEach(std::move(*bag)), source);
 }
 
+/// A part of a bag that was split.
+struct BagPart {
+    fs::path path;                    // of its file
+    std::span<const std::byte> bytes; // not packed
+};
+
 /// A bag of several parts, with the content that its messages point into.
 struct WholeBag {
     std::list<containers::McapContent> contents;
@@ -128,6 +199,7 @@ void append(RosBag& whole, RosBag part, const std::string& name) {
     if (whole.kind.empty()) whole.kind = part.kind;
 }
 
+/// A part that cannot be read is left out with a warning that names it. Error: there is nothing in them.
 Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& where, const ReadingOptions* options) {
     WholeBag whole;
     std::optional<Error> first;
@@ -148,21 +220,75 @@ Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& 
     return whole;
 }
 
-} // namespace
+/// A bag that was split into several files, in memory.
+struct SplitBag {
+    std::vector<BagPart> parts;             // those that could be read; they point into the rest
+    std::list<HeldFile> files;              // as they are on the disk
+    std::list<files::UnpackedSource> plain; // without their packing
+    std::vector<std::string> warnings;      // parts that are missing or damaged, by name
+    std::string sha256;                     // of the files in their order, one behind the other
+};
 
-files::Format rosBagFormat() {
-    return {
-        .title = "ROS bag", .reads = {".bag", ".db3"}, .recognises = looksLikeBag, .read = readBag, .options = {"topic", "joint", "scan"}};
+/// Error: no part can be read.
+Result<SplitBag> holdSplitBag(const BagFiles& bag, const ReadingOptions& options) {
+    SplitBag all;
+    Sha256 sha256;
+    std::optional<Error> first;
+    const auto leaveOut = [&](const std::filesystem::path& part, const Error& error) {
+        all.warnings.push_back("The part " + part.filename().string() + " of the bag could not be read (" + error.what +
+                               "): its messages are not in the scan.");
+        if (!first) first = error;
+    };
+    for (const std::string& name : bag.missing)
+        all.warnings.push_back("The part " + name + " of the bag is missing: its messages are not in the scan.");
+    for (const std::string& name : bag.others)
+        all.warnings.push_back("metadata.yaml names " + name +
+                               ", whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.");
+    for (const std::filesystem::path& part : bag.parts) {
+        if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", bag.path.string(), ""};
+        claimInput(part);
+        auto file = holdFile(part);
+        if (!file) {
+            leaveOut(part, file.error());
+            continue;
+        }
+        const HeldFile& held = all.files.emplace_back(std::move(*file));
+        sha256.add(held.bytes());
+        auto plain = files::unpack({part, held.bytes(), &options});
+        if (!plain) {
+            leaveOut(part, plain.error());
+            continue;
+        }
+        all.plain.push_back(std::move(*plain));
+        all.parts.push_back({part, all.plain.back().source.bytes});
+    }
+    if (all.parts.empty()) return first.value_or(Error{"no part of the bag is there", bag.path.string(), "copy it again"});
+    all.sha256 = sha256.hex();
+    return all;
 }
 
-std::optional<Result<files::Reading>> readRosMcap(const files::Source& source) {
-    const auto content = containers::readMcap(source.octets(), source.path.string(), goOnOf(source));
-    if (!content || !hasRosTopics(*content)) return std::nullopt;
-    auto bag = rosBagOf(*content, source.path.string(), goOnOf(source));
-    if (!bag) return Result<files::Reading>(bag.error());
-    return scanIn(onceEach(std::move(*bag)), source);
+/// It has the name of the folder.
+Result<Scan> scanOf(const BagFiles& bag, const ReadingOptions& options, const files::LinePlayed& played) {
+    const std::filesystem::path folder = std::filesystem::absolute(bag.parts.front()).parent_path();
+    auto held = holdSplitBag(bag, options);
+    if (!held) return held.error();
+    const ReadingOptions withPose = files::withPoseSidecar(options, folder);
+    const files::Source source{folder, held->parts.front().bytes, &withPose, false, played};
+    const auto whole = wholeBag(held->parts, folder.string(), &withPose);
+    if (!whole) return whole.error();
+    auto reading = scanIn(whole->bag, source);
+    if (!reading) return reading.error();
+    auto scan = files::scanOfReading(std::move(*reading), source, false);
+    if (!scan) return scan;
+    scan->warnings.insert(scan->warnings.begin(), held->warnings.begin(), held->warnings.end());
+    scan->name = folder.filename().string();
+    scan->sha256 = held->sha256;
+    scan->path = bag.path.string();
+    if (!source.goOn("opened", 1.0)) return source.cancelled();
+    return scan;
 }
 
+/// The topics of a bag. Empty: it is none. Error: it cannot be read.
 std::optional<Result<BagListing>> bagListing(const files::Source& source) {
     if (containers::looksLikeMcap(source.octets())) {
         const auto content = containers::readMcap(source.octets(), source.path.string(), goOnOf(source));
@@ -175,16 +301,54 @@ std::optional<Result<BagListing>> bagListing(const files::Source& source) {
     return bag ? Result<BagListing>(listingOf(onceEach(std::move(*bag)))) : Result<BagListing>(bag.error());
 }
 
-Result<files::Reading> readBagParts(const std::vector<BagPart>& parts, const files::Source& whole) {
-    const auto bag = wholeBag(parts, whole.path.string(), whole.options);
-    if (!bag) return bag.error();
-    return scanIn(bag->bag, whole);
+} // namespace
+
+std::optional<Result<Scan>> openSplitBag(std::filesystem::path& path, const ReadingOptions& options, const files::LinePlayed& played) {
+    const auto bag = filesOfBag(path);
+    if (!bag) return Result<Scan>(bag.error());
+    if (bag->isSplit()) return scanOf(*bag, options, played);
+    path = bag->parts.front();
+    return std::nullopt;
 }
 
-Result<BagListing> listingOfParts(const std::vector<BagPart>& parts, const files::Source& whole) {
-    const auto bag = wholeBag(parts, whole.path.string(), whole.options);
+std::optional<Result<files::BagListing>> topicsOfBag(const std::filesystem::path& path, const ReadingOptions& options) {
+    const auto bag = filesOfBag(path);
+    if (bag && bag->isSplit()) {
+        const auto held = holdSplitBag(*bag, options);
+        if (!held) return Result<files::BagListing>(held.error());
+        const auto whole = wholeBag(held->parts, bag->path.string(), &options);
+        if (!whole) return Result<BagListing>(whole.error());
+        BagListing listing = listingOf(whole->bag);
+        listing.warnings.insert(listing.warnings.begin(), held->warnings.begin(), held->warnings.end());
+        return Result<BagListing>(std::move(listing));
+    }
+    if (!bag || isPipe(bag->parts.front())) return std::nullopt;
+    const auto bytes = holdFile(bag->parts.front());
+    if (!bytes) return std::nullopt;
+    const auto plain = files::unpack({bag->parts.front(), bytes->bytes(), &options});
+    if (!plain) return std::nullopt;
+    return bagListing(plain->source);
+}
+
+Result<std::unique_ptr<files::RecordedSource>> recordedBag(const containers::McapContent& content, const std::string& where,
+                                                           const std::function<bool()>& goOn) {
+    auto bag = rosBagOf(content, where, goOn);
     if (!bag) return bag.error();
-    return listingOf(bag->bag);
+    if (bag->topics.empty()) return std::unique_ptr<files::RecordedSource>();
+    return std::unique_ptr<files::RecordedSource>(std::make_unique<RecordedBag>(std::move(*bag)));
+}
+
+files::Format rosBagFormat() {
+    return {
+        .title = "ROS bag", .reads = {".bag", ".db3"}, .recognises = looksLikeBag, .read = readBag, .options = {"topic", "joint", "scan"}};
+}
+
+std::optional<Result<files::Reading>> readRosMcap(const files::Source& source) {
+    const auto content = containers::readMcap(source.octets(), source.path.string(), goOnOf(source));
+    if (!content || !hasRosTopics(*content)) return std::nullopt;
+    auto bag = rosBagOf(*content, source.path.string(), goOnOf(source));
+    if (!bag) return Result<files::Reading>(bag.error());
+    return scanIn(onceEach(std::move(*bag)), source);
 }
 
 } // namespace edgescan::robots

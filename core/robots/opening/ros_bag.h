@@ -1,14 +1,17 @@
-// ROS bags in any container.
+// ROS bags in any container, also in several files, and played line by line.
 #pragma once
 
 #include "core/containers/mcap/reader.h"
 #include "core/files/formats/format.h"
-#include "core/robots/sweeps/bag_listing.h"
+#include "core/files/recording/recorded_source.h"
+#include "core/robots/sweeps/bag_folder.h"
+#include "core/robots/sweeps/bag_topics.h"
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace edgescan::robots {
 
@@ -18,19 +21,12 @@ files::Format rosBagFormat();
 /// The scan of the ROS topics of an MCAP file; empty: it holds none.
 std::optional<Result<files::Reading>> readRosMcap(const files::Source& source);
 
-/// The topics of a bag. Empty: it is none. Error: it cannot be read.
-std::optional<Result<BagListing>> bagListing(const files::Source& source);
+/// As Addon::openSeveral and Addon::topicsOf.
+std::optional<Result<Scan>> openSplitBag(std::filesystem::path& path, const ReadingOptions& options, const files::LinePlayed& played);
+std::optional<Result<files::BagListing>> topicsOfBag(const std::filesystem::path& path, const ReadingOptions& options);
 
-/// A part of a bag that was split.
-struct BagPart {
-    std::filesystem::path path;       ///< of its file
-    std::span<const std::byte> bytes; ///< not packed
-};
-
-/// The scan of all parts, whatever container each is; `whole` has the options and the path. A part that cannot be read is left out with a
-/// warning that names it. Error: there is no scan in them.
-Result<files::Reading> readBagParts(const std::vector<BagPart>& parts, const files::Source& whole);
-/// Their topics.
-Result<BagListing> listingOfParts(const std::vector<BagPart>& parts, const files::Source& whole);
+/// As Addon::recorded.
+Result<std::unique_ptr<files::RecordedSource>> recordedBag(const containers::McapContent& content, const std::string& where,
+                                                           const std::function<bool()>& goOn);
 
 } // namespace edgescan::robots

@@ -4,7 +4,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/inputs.h"
-#include "core/files/packet_capture/ip_packets.h"
+#include "core/files/packet_capture/packets.h"
 #include "core/files/packet_capture/tcp_streams.h"
 #include "core/robots/spinning/os_packet.h"
 #include "core/robots/spinning/vlp16.h"

@@ -2,6 +2,7 @@
 #include "core/robots/spinning/turns.h"
 #include "core/base/number_text.h"
 
+#include "core/base/order_statistic.h"
 #include "core/base/utc_time.h"
 #include "core/scan/grid/acquisition.h"
 
@@ -24,10 +25,7 @@ double aheadDeg(const SpinningColumn& from, const SpinningColumn& to) {
 double usualStepDeg(const std::vector<SpinningColumn>& columns, std::size_t first, std::size_t last) {
     std::vector<double> steps;
     for (std::size_t n = first + 1; n < last; ++n) steps.push_back(aheadDeg(columns[n - 1], columns[n]));
-    if (steps.empty()) return 0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::ranges::nth_element(steps, middle);
-    return *middle;
+    return median(std::move(steps));
 }
 
 /// Degrees per second over a turn; 0: not known.

@@ -2,11 +2,11 @@
 #include "core/robots/sweeps/bag_sweep.h"
 
 #include "core/base/number_text.h"
-#include "core/robots/sweeps/bag_place.h"
+#include "core/base/order_statistic.h"
 #include "core/robots/sweeps/laser_lines.h"
 #include "core/robots/sweeps/laser_motion.h"
 #include "core/scan/grid/acquisition.h"
-#include "core/scanner/sweep_assembly/played_line.h"
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,9 +144,7 @@ private:
             if (moved(n) > 0) steps.push_back(moved(n));
         }
         if (steps.empty()) return;
-        const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-        std::ranges::nth_element(steps, middle);
-        const double least = kStillShare * *middle;
+        const double least = kStillShare * median(std::move(steps));
         std::vector<LaserLine> turning;
         for (std::size_t n = 0; n < all.size(); ++n) {
             if ((n > 0 && moved(n) > least) || (n == 0 && all.size() > 1 && moved(1) > least)) turning.push_back(std::move(all[n]));

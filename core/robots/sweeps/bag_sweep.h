@@ -15,4 +15,8 @@ Result<Scan> sweepOfBag(const RosBag& bag, const BagTopic& topic, const files::S
 /// The points of one message of a topic of clouds: that with most of them, or message ReadingOptions::scanIndex if it is given.
 Result<files::PointTable> cloudOfBag(const RosBag& bag, const BagTopic& topic, const files::Source& source);
 
+/// By point: the number of its firing. A firing is one shot of all beams; each beam may have its own delay in it. `times`: of the points,
+/// in any unit. Points that were not measured leave gaps. Empty: the times show no firings.
+std::optional<std::vector<std::uint32_t>> firingsOf(std::span<const std::uint32_t> rings, std::span<const double> times);
+
 } // namespace edgescan::robots

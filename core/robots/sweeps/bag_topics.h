@@ -2,14 +2,19 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/files/addons/addon.h"
 #include "core/robots/bags/bag.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace edgescan::robots {
+
+using files::BagListing;
+using files::ListedTopic;
 
 enum class TopicGives : std::uint8_t { Nothing, Lines, Clouds };
 
@@ -37,5 +42,16 @@ Result<std::vector<BagTopic>> topicsToTry(const RosBag& bag, const std::string& 
 
 /// A sentence that this topic is a guess and which others give scans; empty: a name was given, or there is only this one.
 [[nodiscard]] std::optional<std::string> guessText(const RosBag& bag, const BagTopic& taken, const std::string& name);
+
+/// A row by the first message of a topic, without counts; of a topic without messages only what its type says.
+[[nodiscard]] ListedTopic listedTopic(const RosTopic& topic, ByteView firstMessage);
+
+/// One row per topic with messages, in the order of the bag.
+[[nodiscard]] BagListing listingOf(const RosBag& bag);
+
+/// Puts topics of lines into the order in which they may be sweeps: first those whose frame the transforms turn; then those that see
+/// something else where the joint that turned furthest is at its other end (or `joint`, if it has a name); then those whose names share
+/// most words with it. Topics of clouds go behind them. `goOn`: false ends the work early, in any order.
+void turnedFirst(const RosBag& bag, const std::string& joint, std::vector<BagTopic>& topics, const std::function<bool()>& goOn);
 
 } // namespace edgescan::robots

@@ -3,6 +3,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
 #include "core/base/physical_limits.h"
 #include "core/robots/sweeps/frames.h"
 
@@ -55,12 +56,6 @@ void storeRanges(scanner::SweepLine& line, const std::vector<double>& rangesM, d
 
 double secondsBetween(const LaserLine& a, const LaserLine& b) { return static_cast<double>(b.stampNs - a.stampNs) / kNsPerS; }
 
-double medianOf(std::vector<double> numbers) {
-    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-    std::ranges::nth_element(numbers, middle);
-    return *middle;
-}
-
 /// The times from each line to the one that follows it after so many, by one of them.
 std::vector<double> periodsOver(const std::vector<LaserLine>& lines, std::size_t after) {
     std::vector<double> periods;
@@ -103,11 +98,11 @@ double usualPeriodS(const std::vector<LaserLine>& lines) {
     constexpr double kNear = 0.1;
     std::vector<double> periods = periodsOver(lines, 1);
     if (periods.empty()) return scanner::LineCount{}.periodS;
-    const double median = medianOf(periods);
+    const double middle = median(periods);
     const std::size_t all = periods.size();
-    std::erase_if(periods, [&](double s) { return std::abs(s - median) > kNear * median; });
+    std::erase_if(periods, [&](double s) { return std::abs(s - middle) > kNear * middle; });
     if (2 * periods.size() < all && lines.size() > 2 * kAhead) {
-        double best = median, least = std::numeric_limits<double>::infinity();
+        double best = middle, least = std::numeric_limits<double>::infinity();
         const auto judge = [&](double periodS) {
             const Missing missing = missingWith(lines, periodS);
             if (missing.doubt < least) {

@@ -3,16 +3,71 @@
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
-#include "core/robots/sweeps/each_message.h"
+#include "core/base/physical_limits.h"
+#include "core/scan/georef/chain.h"
+#include "core/scan/georef/place_scan.h"
 #include "core/scan/georef/rotations.h"
+#include "core/scan/grid/acquisition.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace edgescan::robots {
 namespace {
+
+// The messages of some topics of a bag, read in one pass: a bag may have as many topics as messages.
+
+/// Calls `visit` with topic and message for each message whose type `isWanted` accepts, in the order of the bag, and `damaged` for one that
+/// cannot be read. `goOn`: false cancels; empty: never. Error: a definition is not understood, or cancelled.
+template <class IsWanted, class Visit, class Damaged>
+Result<Done> eachMessage(const RosBag& bag, const IsWanted& isWanted, const std::string& where, const Visit& visit, const Damaged& damaged,
+                         const std::function<bool()>& goOn) {
+    constexpr std::size_t kBetweenLooks = 16; // at the wish to stop
+    std::vector<std::optional<RosDefinition>> definitions(bag.topics.size());
+    for (std::size_t topic = 0; topic < bag.topics.size(); ++topic) {
+        if (!isWanted(bag.topics[topic].type)) continue;
+        auto definition = rosDefinition(bag.topics[topic].type, bag.topics[topic].definition, where);
+        if (!definition) return definition.error();
+        definitions[topic] = std::move(*definition);
+    }
+    std::size_t read = 0;
+    for (const RosBagMessage& stored : bag.messages) {
+        if (!definitions[stored.topic]) continue;
+        if (goOn && read++ % kBetweenLooks == 0 && !goOn()) return Error{"cancelled", where, ""};
+        const auto message = rosMessage(*definitions[stored.topic], bag.topics[stored.topic].encoding, stored.bytes, where);
+        if (message)
+            visit(stored.topic, *message);
+        else
+            damaged();
+    }
+    return Done{};
+}
+
+constexpr std::array<std::string_view, 4> kMapFrames{"mine", "map", "utm", "world"};
+constexpr double kStayedM = 1e-4, kStayedTurn = 1e-5; // of an element of the rotation
+
+bool isMap(const std::string& frame) {
+    return std::ranges::find(kMapFrames, std::string_view(frame).substr(frame.rfind('/') + 1)) != kMapFrames.end();
+}
+
+/// The highest frame above `frame` with such a name; empty: there is not one.
+std::string mapAbove(const FrameTree& tree, const std::string& frame) {
+    std::string found;
+    for (const std::string& at : tree.chain(frame)) {
+        if (isMap(at)) found = at;
+    }
+    return found;
+}
+
+bool stayed(const std::vector<RigidTransform>& poses) {
+    return std::ranges::all_of(poses, [&](const RigidTransform& pose) {
+        return (pose.translationM - poses.front().translationM).norm() <= kStayedM &&
+               (pose.rotation - poses.front().rotation).cwiseAbs().maxCoeff() <= kStayedTurn;
+    });
+}
 
 constexpr double kMostWobbleDeg = 1.0;      // of a rotation about one axis
 constexpr double kMostOutOfPlaneDeg = 30.0; // a fan that turns in its own plane, or nearly so, does not sweep
@@ -91,6 +146,63 @@ std::string namesOf(const JointAngles& joints) {
 }
 
 } // namespace
+
+Result<FrameTree> transformsIn(const RosBag& bag, const std::string& where, const std::function<bool()>& goOn) {
+    const auto holdsThem = [](const std::string& type) { return type == "tf2_msgs/TFMessage" || type == "tf/tfMessage"; };
+    FrameTree tree;
+    const auto read = eachMessage(
+        bag, holdsThem, where, [&](std::uint32_t, const RosValue& message) { tree.add(message); }, [&] { tree.addDamagedMessage(); }, goOn);
+    if (!read) return read.error();
+    return tree;
+}
+
+void addPoses(FrameTree& tree, const RosBag& bag, const std::string& frame, std::vector<std::string>& warnings) {
+    if (!mapAbove(tree, frame).empty()) return;
+    const std::string highest = tree.chain(frame).back();
+    std::map<std::uint32_t, std::vector<NamedPose>> found; // by topic
+    const auto addPose = [&](std::uint32_t topic, const RosValue& message) {
+        const std::string map = frameNameOf(message.text("header.frame_id"));
+        const auto pose = isMap(map) ? poseIn(message, "pose.position", "pose.orientation") : std::nullopt;
+        if (pose) found[topic].push_back({highest, map, *pose});
+    };
+    const auto read = eachMessage(
+        bag, [](const std::string& type) { return type == "geometry_msgs/PoseStamped"; }, "", addPose, [] {}, {});
+    if (!read || found.empty()) return; // a pose is only a guess
+    for (const NamedPose& pose : found.begin()->second) tree.add(pose);
+    warnings.push_back("GUESS: the poses of the topic " + bag.topics[found.begin()->first].name + " are those of the frame " + highest +
+                       ".");
+}
+
+void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion, std::vector<std::string>& warnings) {
+    const std::string map = motion.baseFrame.empty() ? std::string() : mapAbove(tree, motion.baseFrame);
+    if (map.empty() || !scan.acquisition || scan.acquisition->lineTimesS.empty()) return;
+    const std::vector<std::string> up = tree.chain(motion.baseFrame);
+    std::vector<RigidTransform> poses;
+    for (const double seconds : scan.acquisition->lineTimesS) {
+        const auto base = tree.inFrame(up, map, static_cast<std::int64_t>(seconds * 1e9));
+        if (!base) return;
+        poses.push_back(*base * motion.base);
+        const Eigen::Vector3d& at = poses.back().translationM;
+        if (!physical::kPlaceM.hold(at.x()) || !physical::kPlaceM.hold(at.y()) || !physical::kElevationM.hold(at.z())) {
+            warnings.push_back("The transforms put the scanner at " + significantText(at.x(), 6) + ", " + significantText(at.y(), 6) +
+                               ", " + significantText(at.z(), 6) + " m, where nothing on earth is: the scan stays in the scanner's frame.");
+            return;
+        }
+    }
+    if (stayed(poses)) poses.resize(1);
+    auto placement = std::make_shared<Placement>();
+    placement->mount = motion.mount;
+    placement->originEnhM = chooseOrigin(poses.front().translationM);
+    for (RigidTransform& pose : poses) pose.translationM -= placement->originEnhM;
+    placement->poses = std::move(poses);
+    placement->grid = "the frame " + map + " of the bag";
+    placement->source = "the transforms of the bag";
+    placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
+    placement->warnings = {"GUESS: the frame " + map +
+                           " of the bag is taken as the mine grid, with x to the east, y to the north and z up."};
+    judgeSpeed(*placement, scan.acquisition->lineTimesS);
+    scan.placement = std::move(placement);
+}
 
 AngleAt angleAt(const std::vector<TimedAngle>& angles, std::int64_t ns) {
     const auto after = std::ranges::upper_bound(angles, ns, {}, &TimedAngle::ns);

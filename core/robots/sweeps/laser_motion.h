@@ -67,4 +67,15 @@ Result<LaserMotion> motionOfJoints(JointAngles joints, const std::string& joint,
 Result<LaserMotion> motionByJoint(const RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,
                                   const std::string& where, const std::function<bool()>& goOn);
 
+/// All transforms of the bag; call FrameTree::finish() before it is used. Error: their definition is not understood, or cancelled.
+Result<FrameTree> transformsIn(const RosBag& bag, const std::string& where, const std::function<bool()>& goOn);
+
+/// Where no frame of a map is above `frame`, but the bag has geometry_msgs/PoseStamped in one: they become the transforms of the highest
+/// frame above it. A warning says that it is a guess. Call it before FrameTree::finish().
+void addPoses(FrameTree& tree, const RosBag& bag, const std::string& frame, std::vector<std::string>& warnings);
+
+/// Gives the scan its place where a frame of a map is above the laser: map, mine, utm or world, also behind a namespace. One pose if that
+/// frame stayed, else one for each line. Its axes are east, north and up (REP 105); a warning says that it is a guess.
+void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion, std::vector<std::string>& warnings);
+
 } // namespace edgescan::robots

@@ -2,6 +2,7 @@
 #include "core/robots/sweeps/live_laser.h"
 
 #include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +22,7 @@ constexpr double kOfNewLine = 0.2;  // share of a new line in the usual time
 constexpr double kLongestGap = 30000;
 constexpr double kAtMostM = 0.001; // as near to range_max is range_max
 
-double middleOf(const std::deque<double>& numbers) {
-    std::vector<double> sorted(numbers.begin(), numbers.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::ranges::nth_element(sorted, middle);
-    return *middle;
-}
+double middleOf(const std::deque<double>& numbers) { return median(std::vector<double>(numbers.begin(), numbers.end())); }
 
 void keepLast(std::deque<double>& numbers, double newest, std::size_t most) {
     numbers.push_back(newest);
@@ -194,7 +190,7 @@ int LiveLaser::push(scanner::SweepAssembler& to) {
 /// A line at rest repeats the one before it.
 bool LiveLaser::rests(double deg) {
     const double moved = lastDeg_ ? std::abs(deg - *lastDeg_) : 0.0;
-    const double usual = movesDeg_.empty() ? 0.0 : middleOf(movesDeg_);
+    const double usual = middleOf(movesDeg_);
     const bool resting = lastDeg_ && moved <= kRestShare * usual;
     if (moved > 0 && !resting) keepLast(movesDeg_, moved, kMoves);
     if (!resting) lastDeg_ = deg;

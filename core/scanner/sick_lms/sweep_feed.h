@@ -2,12 +2,20 @@
 #pragma once
 
 #include "core/scanner/cola/frames.h"
+#include "core/scanner/sick_lms/scan_telegram.h"
 #include "core/scanner/sweep_assembly/sweep_assembler.h"
+#include "core/scanner/sweep_assembly/sweep_settings.h"
 
 #include <cstdint>
 #include <string>
 
 namespace edgescan::scanner {
+
+/// The telegram's counters and clocks.
+[[nodiscard]] LineCount countOf(const ScanTelegram& telegram);
+
+/// The line in a telegram: ranges of the requested echo, beams, counters, device status.
+[[nodiscard]] SweepLine sweepLine(const ScanTelegram& telegram, Echo echo);
 
 /// Decodes what was received and pushes it into an assembler.
 class SweepFeed {

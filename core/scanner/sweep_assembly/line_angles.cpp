@@ -7,6 +7,17 @@
 namespace edgescan::scanner {
 namespace {
 
+constexpr std::size_t kReadings = 64; // readings stored for later lines
+constexpr std::size_t kLines = 256;   // number of earlier lines that a reading can change
+
+double rateOf(const StepperReading& reading) { return reading.moving ? reading.degPerSecond : 0.0; }
+
+void setStepperAngle(LineTiming& line, double deg, double rate, bool settled) {
+    line.stepperDeg = deg;
+    line.degPerSecond = rate;
+    line.stepperSettled = settled;
+}
+
 /// Interpolates between known angles, and extrapolates outside of them by `step`.
 void fill(std::vector<double>& lineDeg, const std::vector<int>& known, double step) {
     const auto at = [&](int row) -> double& { return lineDeg[static_cast<std::size_t>(row)]; };
@@ -68,6 +79,34 @@ std::optional<double> angleOf(std::span<const LineTiming> lines, std::size_t row
 }
 
 } // namespace
+
+void StepperTrack::line(LineTiming& line) const {
+    if (last_.empty()) return;
+    const auto latched = std::find_if(last_.rbegin(), last_.rend(), [&](const StepperReading& r) { return r.hostNs == line.hostNs; });
+    if (latched != last_.rend()) return setStepperAngle(line, latched->phiDeg, rateOf(*latched), true);
+    const StepperReading& newest = last_.back();
+    setStepperAngle(line, newest.phiDeg + rateOf(newest) * secondsBetween(newest.hostNs, line.stampNs), rateOf(newest), false);
+}
+
+void StepperTrack::reading(const StepperReading& reading, std::span<LineTiming> lines) {
+    const std::size_t first = lines.size() > kLines ? lines.size() - kLines : 0;
+    for (std::size_t row = lines.size(); row-- > first;) {
+        LineTiming& line = lines[row];
+        if (!line.received) continue;
+        if (line.hostNs == reading.hostNs) {
+            setStepperAngle(line, reading.phiDeg, rateOf(reading), true);
+        } else if (!line.stepperSettled && line.stampNs > reading.hostNs) {
+            setStepperAngle(line, reading.phiDeg + rateOf(reading) * secondsBetween(reading.hostNs, line.stampNs), rateOf(reading), false);
+        } else if (!line.stepperSettled && !last_.empty() && line.stampNs >= last_.back().hostNs && line.stampNs <= reading.hostNs) {
+            const StepperReading& before = last_.back();
+            const double whole = secondsBetween(before.hostNs, reading.hostNs);
+            const double share = whole > 0 ? secondsBetween(before.hostNs, line.stampNs) / whole : 0.0;
+            setStepperAngle(line, before.phiDeg + (reading.phiDeg - before.phiDeg) * share, rateOf(reading), true);
+        }
+    }
+    last_.push_back(reading);
+    if (last_.size() > kReadings) last_.pop_front();
+}
 
 AngleSource angleSourceOf(std::span<const LineTiming> lines, const SweepSettings& settings) {
     if (settings.ticksPerDeg && std::any_of(lines.begin(), lines.end(), [](const LineTiming& l) { return l.encoder.has_value(); }))

@@ -5,7 +5,7 @@
 #include "core/scanner/sweep_assembly/counters.h"
 #include "core/scanner/sweep_assembly/growing_sweep.h"
 #include "core/scanner/sweep_assembly/irregularities.h"
-#include "core/scanner/sweep_assembly/stepper_track.h"
+#include "core/scanner/sweep_assembly/line_angles.h"
 
 #include <array>
 #include <deque>
@@ -137,6 +137,13 @@ private:
     std::shared_ptr<const Scan> snapshot_;
     SweepProgress finishedProgress_;
     bool changed_ = true; // since snapshot_
+};
+
+struct PlayedLine {
+    int line = 0;            ///< over the whole recording, from 0
+    std::int64_t timeNs = 0; ///< when it was received
+    std::int64_t nextNs = 0; ///< the same of the next line; 0: it is the last one
+    SweepProgress progress;  ///< with this line
 };
 
 } // namespace edgescan::scanner

@@ -4,7 +4,7 @@
 #include "core/base/json_fields.h"
 #include "core/edges/settings/presets.h"
 #include "core/exports/verify.h"
-#include "core/files/recording/recorded_robot.h"
+#include "core/files/recording/replay.h"
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 #include "tests/support/bytes.h"
 #include "tests/support/live_lines.h"

@@ -1,14 +1,53 @@
 // The cloud's view of a sweep while it grows, until the operator moves it.
+#include "core/base/order_statistic.h"
 #include "core/scan/grid/mean_step.h"
+#include "core/scan/grid/scan.h"
 #include "ui/engine/linked_views/linked_views.h"
+#include "ui/views/cloud/cloud_geometry.h"
 #include "ui/views/cloud/cloud_view.h"
-#include "ui/views/cloud/whole_sweep.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kCoarseSide = 33;     // lines and beams of the coarse cloud
+constexpr double kHalfTurn = 180.0; // degrees
+
+float medianRange(const Scan& scan) {
+    std::vector<float> ranges;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state.cells[k] == CellState::Valid) ranges.push_back(scan.rangeMm.cells[k]);
+    }
+    return median(std::move(ranges));
+}
+
+/// A coarse cloud in the directions of all lines of a sweep, at the median range of its first ones: a view that shows it need not move
+/// while the sweep grows. `expectedLines` 0: not known, half a turn. Null: fewer than two lines, or no line angles.
+std::shared_ptr<const CloudGeometry> wholeSweep(const Scan& scan, int expectedLines) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr || scan.placement || polar->lineDeg.size() < 2 || polar->beamDeg.size() < 2) return nullptr;
+    const double step = meanStepDeg(polar->lineDeg);
+    const float range = medianRange(scan);
+    if (!std::isfinite(step) || step == 0.0 || range <= 0.0F) return nullptr;
+    const double lines = expectedLines > 0 ? expectedLines : std::max<double>(scan.lines(), 1.0 + kHalfTurn / std::abs(step));
+    PolarGeometry coarse{{}, {}, polar->axis, polar->lineDirection};
+    for (int n = 0; n < kCoarseSide; ++n) {
+        const double share = n / (kCoarseSide - 1.0);
+        coarse.lineDeg.push_back(polar->lineDeg.front() + share * step * (lines - 1.0));
+        coarse.beamDeg.push_back(std::lerp(polar->beamDeg.front(), polar->beamDeg.back(), share));
+    }
+    Scan whole;
+    whole.rangeMm = Grid<float>(kCoarseSide, kCoarseSide, range);
+    whole.state = Grid<CellState>(kCoarseSide, kCoarseSide, CellState::Valid);
+    whole.geometry = std::move(coarse);
+    return makeCloudGeometry(whole);
+}
 
 constexpr double kSeen = 0.1;     // share of the points: half a turn in a narrow cloud has .15
 constexpr double kMuchMore = 1.2; // times

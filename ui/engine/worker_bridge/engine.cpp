@@ -2,25 +2,35 @@
 #include "ui/engine/worker_bridge/engine.h"
 
 #include "core/base/stop.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
+#include "core/scan/grid/every_nth.h"
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/demo_scan.h"
 #include "ui/engine/worker_bridge/in_background.h"
-#include "ui/engine/worker_bridge/stage_words.h"
+#include "ui/engine/worker_bridge/works.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
-
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <new>
 #include <utility>
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kLeastStep = 3;
+constexpr double kMostCells = 2.0e6; // about: what is read, placed and drawn in a fraction of a second
+
+int stepFor(std::size_t cells) {
+    return std::max(kLeastStep, static_cast<int>(std::lround(std::sqrt(static_cast<double>(cells) / kMostCells))));
+}
 
 Error outOfMemory(const QString& where) {
     return {"there is not enough memory for this scan", exactBytes(where), "close other programs or open a smaller scan"};
@@ -34,6 +44,20 @@ constexpr double kReadingShare = 0.6; // of the time of an opening
 constexpr auto kBetweenProgress = std::chrono::milliseconds(40);
 
 } // namespace
+
+std::shared_ptr<const CoarsePicture> makeCoarsePicture(const Scan& scan, const edges::Settings& settings) {
+    const auto some = std::make_shared<const Scan>(everyNth(scan, stepFor(scan.cells())));
+    edges::Detection detection;
+    detection.scan = some;
+    detection.settings = settings;
+    detection.gray = MadeWhenRead<edges::GrayImage>([some, settings] { return edges::grayImage(*some, settings); });
+    auto coarse = std::make_shared<CoarsePicture>();
+    coarse->cells = scan.cells();
+    coarse->cloud = makeCloudGeometry(*some);
+    coarse->gray = std::make_shared<const QImage>(grayPicture(detection, std::nullopt, some->lines()));
+    coarse->detection = std::make_shared<const edges::Detection>(std::move(detection));
+    return coarse;
+}
 
 Engine::Engine(QObject* parent)
     : QObject(parent), borders_(

@@ -4,19 +4,21 @@
 #include "core/base/inputs.h"
 #include "core/base/result.h"
 #include "core/edges/gray/steady_window.h"
+#include "core/edges/pipeline/detection.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/settings.h"
 #include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
-#include "ui/engine/worker_bridge/coarse_picture.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"
 #include "ui/engine/worker_bridge/works.h"
+#include "ui/views/cloud/cloud_geometry.h"
 
+#include <QImage>
 #include <QObject>
 #include <QString>
 #include <QTimer>
-
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -24,6 +26,20 @@
 #include <vector>
 
 namespace edgescan::ui {
+
+/// Larger scans have a coarse picture first.
+inline constexpr std::size_t kCoarseAbove = 2'000'000; // cells
+
+/// Only for the eye: its cells are not those of the scan, and nothing is counted, stored or exported from it.
+struct CoarsePicture {
+    std::size_t cells = 0;                             ///< of the whole scan
+    std::shared_ptr<const edges::Detection> detection; ///< every n-th line and beam, and its gray levels; without mask and edges
+    std::shared_ptr<const CloudGeometry> cloud;
+    std::shared_ptr<const QImage> gray;
+};
+
+/// Every third line and beam, fewer of scans with more than some 20 million cells. Pool's thread.
+[[nodiscard]] std::shared_ptr<const CoarsePicture> makeCoarsePicture(const Scan& scan, const edges::Settings& settings);
 
 /// GUI thread only. The screen does not change until the next scan has its first picture; while it is empty, a large scan has a coarse one
 /// before.

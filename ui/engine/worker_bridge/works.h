@@ -5,12 +5,14 @@
 #include <QObject>
 #include <QPointer>
 #include <QString>
-
 #include <functional>
 #include <memory>
 #include <vector>
 
 namespace edgescan::ui {
+
+/// `stage`: as the core names it.
+[[nodiscard]] QString stageWords(const char* stage);
 
 /// GUI thread only.
 class Works : public QObject {

@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/inspect/change_detection/scene_change.h"
-#include "core/inspect/registration/cloud_distance.h"
+#include "core/inspect/registration/point_index.h"
 #include "core/scan/grid/reading_options.h"
 #include "ui/engine/worker_bridge/picture.h"
 

@@ -260,9 +260,7 @@ double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int v
         pixels.push_back(spacing * wide);
     }
     if (pixels.empty()) return kLeast;
-    const auto wanted = pixels.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(pixels.size() - 1));
-    std::nth_element(pixels.begin(), wanted, pixels.end());
-    return std::clamp(*wanted, kLeast, kMost);
+    return std::clamp(quantile(pixels, kShare), kLeast, kMost);
 }
 
 } // namespace edgescan::ui

@@ -39,7 +39,7 @@ struct CloudGeometry {
     int lines = 0;
     int beams = 0;
     std::vector<float> xyz;                                        ///< 3 per cell k, local; the sensor's position for invalid cells
-    std::vector<float> normals;                                    ///< 3 per cell k, for shading (cloud_normals.h)
+    std::vector<float> normals;                                    ///< 3 per cell k, for shading
     std::vector<std::uint8_t> valid;                               ///< 1 per valid cell
     std::array<std::vector<std::uint32_t>, kCloudParts> drawOrder; ///< valid cells, spread evenly; ascending in each part
     std::size_t validCount = 0;

@@ -10,7 +10,6 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QPixmap>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -32,6 +31,24 @@ const QColor kCloudBright(230, 230, 230);
 double edgeSizeFor(double pointSize) { return std::max(2.5, 1.25 * pointSize); }
 
 } // namespace
+
+DragAction dragAction(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, MousePreset preset) {
+    if (button == Qt::LeftButton) {
+        if (modifiers & Qt::ShiftModifier) return DragAction::Pan;
+        if (modifiers & Qt::ControlModifier) return DragAction::Roll;
+        return DragAction::Rotate;
+    }
+    const bool cloudCompare = preset == MousePreset::CloudCompare;
+    if (button == Qt::MiddleButton) return cloudCompare ? DragAction::Zoom : DragAction::Pan;
+    if (button == Qt::RightButton) return cloudCompare ? DragAction::Pan : DragAction::Zoom;
+    return DragAction::None;
+}
+
+WheelAction wheelAction(Qt::KeyboardModifiers modifiers) {
+    if (modifiers & Qt::ControlModifier) return modifiers & Qt::ShiftModifier ? WheelAction::FarClip : WheelAction::NearClip;
+    if (modifiers & Qt::AltModifier) return WheelAction::PointSize;
+    return WheelAction::Zoom;
+}
 
 QSurfaceFormat CloudView::surfaceFormat() {
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();

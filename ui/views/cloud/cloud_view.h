@@ -11,17 +11,16 @@
 #include "ui/views/cloud/drawing_budget.h"
 #include "ui/views/cloud/edge_cells.h"
 #include "ui/views/cloud/ground_grid.h"
-#include "ui/views/cloud/mouse_bindings.h"
 #include "ui/views/cloud/point_pick.h"
+
+#include <QVTKOpenGLNativeWidget.h>
 
 #include <QColor>
 #include <QImage>
 #include <QPolygonF>
 #include <QString>
 #include <QTimer>
-
-#include <QVTKOpenGLNativeWidget.h>
-
+#include <Qt>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -29,6 +28,13 @@
 #include <vector>
 
 namespace edgescan::ui {
+
+enum class MousePreset { Default, CloudCompare };
+enum class DragAction { None, Rotate, Pan, Zoom, Roll, Select };
+enum class WheelAction { Zoom, PointSize, NearClip, FarClip };
+
+[[nodiscard]] DragAction dragAction(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, MousePreset preset = MousePreset::Default);
+[[nodiscard]] WheelAction wheelAction(Qt::KeyboardModifiers modifiers);
 
 class CloudOverlay;
 class CloudScene;

@@ -1,6 +1,8 @@
 // The grid below the rocks.
 #include "ui/views/cloud/ground_grid.h"
 
+#include "core/base/order_statistic.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,8 +26,7 @@ GroundGrid groundOf(const CloudGeometry& cloud) {
         for (const std::uint32_t k : part) heights.push_back(up.dot(cloud.point(k).cast<double>()));
         if (heights.size() >= 2000) break;
     }
-    const auto lowest = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 100);
-    std::ranges::nth_element(heights, lowest);
+    const double lowest = valueInOrder(heights, heights.size() / 100);
     double from[2] = {1e300, 1e300}, to[2] = {-1e300, -1e300};
     for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3d at = cloud.mainBounds.corner(static_cast<Box3f::CornerType>(corner)).cast<double>();
@@ -41,7 +42,7 @@ GroundGrid groundOf(const CloudGeometry& cloud) {
         from[n] = std::floor(from[n] / grid.stepM) * grid.stepM;
         to[n] = std::ceil(to[n] / grid.stepM) * grid.stepM;
     }
-    const auto place = [&](double x, double y) { return Eigen::Vector3f((right * x + forward * y + up * *lowest).cast<float>()); };
+    const auto place = [&](double x, double y) { return Eigen::Vector3f((right * x + forward * y + up * lowest).cast<float>()); };
     for (double x = from[0]; x <= to[0] + 1e-9; x += grid.stepM) grid.lines.push_back({place(x, from[1]), place(x, to[1])});
     for (double y = from[1]; y <= to[1] + 1e-9; y += grid.stepM) grid.lines.push_back({place(from[0], y), place(to[0], y)});
     return grid;

@@ -4,7 +4,7 @@
 #include "app/lab/sim/simulate.h"
 #include "core/edges/explain/why.h"
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/why_report.h"
+#include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
 #include "tests/support/depth_edges.h"
 #include "tests/support/scans.h"

@@ -2,7 +2,7 @@
 #include "app/lab/sim/simulate.h"
 #include "core/edges/explain/why.h"
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/why_report.h"
+#include "core/exports/report.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

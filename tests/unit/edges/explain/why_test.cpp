@@ -8,7 +8,7 @@
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "core/edges/settings/slider_scale.h"
-#include "core/exports/why_report.h"
+#include "core/exports/report.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "core/base/utc_time.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/files/recording/recorded_robot.h"
+#include "core/files/recording/replay.h"
 #include "core/files/recording/save_recording.h"
 #include "core/files/recording/writer.h"
 #include "core/scan/georef/place_scan.h"

@@ -1,5 +1,5 @@
 // The nearest points are those of a slow search, also among equal points and without points; distances and histogram likewise.
-#include "core/inspect/registration/cloud_distance.h"
+#include "core/inspect/registration/point_index.h"
 
 #include <gtest/gtest.h>
 

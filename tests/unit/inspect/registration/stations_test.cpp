@@ -1,5 +1,5 @@
 // Scans from two stations of a simulated bell: the surfaces correct a wrong pose, and the truth is known.
-#include "core/inspect/registration/cloud_distance.h"
+#include "core/inspect/registration/point_index.h"
 #include "core/inspect/registration/scan_alignment.h"
 #include "core/inspect/registration/stations.h"
 #include "tests/support/stations.h"

@@ -2,7 +2,7 @@
 #include "app/lab/robots/bridge.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/robots/live/bridge_topics.h"
+#include "core/robots/live/robot_source.h"
 #include "tests/support/folders.h"
 #include "tests/support/live_session.h"
 #include "tests/support/python_peer.h"

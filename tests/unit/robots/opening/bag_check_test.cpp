@@ -1,7 +1,7 @@
 // What of a bag can be read otherwise: its topics, its sweeps, its joints; every choice opens.
 #include "core/files/open_save/open_scan.h"
 #include "core/files/plausibility/opening_check.h"
-#include "core/robots/sweeps/bag_listing.h"
+#include "core/robots/sweeps/bag_topics.h"
 #include "tests/support/ros_sweeps.h"
 #include "tests/support/scans.h"
 

@@ -1,7 +1,7 @@
 // Clouds through ROS bags: scanners with several beams become the grid of their rings and firings.
 #include "core/files/open_save/open_scan.h"
 #include "core/robots/bags/bag.h"
-#include "core/robots/sweeps/firing_grid.h"
+#include "core/robots/sweeps/bag_sweep.h"
 #include "core/scan/grid/cartesian.h"
 #include "tests/support/ros_clouds.h"
 

@@ -1,5 +1,5 @@
 // What a list of a bag's topics says that are not scans.
-#include "core/robots/sweeps/bag_listing.h"
+#include "core/robots/sweeps/bag_topics.h"
 #include "tests/support/ros_bags.h"
 
 #include <gtest/gtest.h>

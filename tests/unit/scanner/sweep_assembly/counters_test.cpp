@@ -1,6 +1,6 @@
 // Losses, wraps, duplicates and restarts, detected from the scanner's counters and clock.
 #include "core/base/utc_time.h"
-#include "core/scanner/sick_lms/telegram_line.h"
+#include "core/scanner/sick_lms/sweep_feed.h"
 #include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/cola_vectors.h"
 

@@ -1,5 +1,5 @@
 // Nodes of the text by their ancestors; keys by their numbers (OGC 19-008, "GeoTIFF").
-#include "core/files/formats/las_units.h"
+#include "core/files/formats/las_records.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
@@ -76,6 +76,23 @@ std::uint16_t u16At(std::span<const std::byte> bytes, std::size_t at) {
     return value;
 }
 
+/// Calls visit(user, id, content) for each of the records from `at` on; damaged ones end it.
+template <class Visit>
+void eachRecord(std::span<const std::byte> file, std::uint64_t at, std::uint64_t records, std::uint64_t end, bool extended, Visit visit) {
+    const std::uint64_t header = extended ? kExtendedHeader : kRecordHeader;
+    end = std::min<std::uint64_t>(end, file.size());
+    for (std::uint64_t n = 0; n < records && at <= end && end - at >= header; ++n) {
+        std::uint64_t length = u16At(file, at + kRecordLength);
+        if (extended) std::memcpy(&length, file.data() + at + kRecordLength, sizeof length);
+        const std::uint64_t from = at + header;
+        if (length > end - from) return;
+        std::array<char, 17> user{};
+        std::memcpy(user.data(), file.data() + at + kRecordUser, 16);
+        visit(std::string_view(user.data()), u16At(file, at + kRecordId), file.subspan(from, length));
+        at = from + length;
+    }
+}
+
 std::optional<double> linearUnitMm(std::uint16_t code) {
     constexpr std::uint16_t kMetre = 9001, kFoot = 9002, kUsFoot = 9003;
     if (code == kMetre) return kMmPerM;
@@ -135,6 +152,38 @@ StatedUnits unitsOfKeys(const Keys& keys) {
     return stated;
 }
 
+// Extra bytes of points: further columns by name (ASPRS LAS 1.4 R15, "Extra Bytes").
+constexpr std::size_t kDescriptor = 192;
+constexpr std::size_t kTypeAt = 2, kOptionsAt = 3, kNameAt = 4, kNameBytes = 32;
+constexpr std::uint16_t kExtraBytes = 4; // record id, of user LASF_Spec
+
+constexpr std::array<Scalar, 10> kTypes{Scalar::UInt8, Scalar::Int8,   Scalar::UInt16, Scalar::Int16,   Scalar::UInt32,
+                                        Scalar::Int32, Scalar::UInt64, Scalar::Int64,  Scalar::Float32, Scalar::Float64};
+
+std::string nameIn(std::span<const std::byte> descriptor) {
+    std::string name(reinterpret_cast<const char*>(descriptor.data() + kNameAt), kNameBytes);
+    return name.substr(0, name.find('\0'));
+}
+
+/// The fields of one record of descriptors; those of types that are not a single number only move the next ones on.
+std::vector<RecordField> fieldsIn(std::span<const std::byte> record, std::size_t from, std::size_t pointBytes) {
+    std::vector<RecordField> fields;
+    for (std::size_t at = 0; at + kDescriptor <= record.size() && from < pointBytes; at += kDescriptor) {
+        const auto descriptor = record.subspan(at, kDescriptor);
+        const auto type = std::to_integer<std::size_t>(descriptor[kTypeAt]);
+        if (type == 0) { // so many undescribed bytes
+            from += std::to_integer<std::size_t>(descriptor[kOptionsAt]);
+            continue;
+        }
+        if (type > 3 * kTypes.size()) break;
+        const Scalar scalar = kTypes[(type - 1) % kTypes.size()];
+        const std::size_t count = (type - 1) / kTypes.size() + 1; // two or three of them, in old files
+        if (count == 1 && from + sizeOf(scalar) <= pointBytes) fields.push_back({nameIn(descriptor), scalar, 0, from, pointBytes});
+        from += count * sizeOf(scalar);
+    }
+    return fields;
+}
+
 } // namespace
 
 StatedUnits unitsOfWkt(std::string_view text) {
@@ -168,28 +217,25 @@ StatedUnits unitsOfWkt(std::string_view text) {
 StatedUnits statedUnits(std::span<const std::byte> file, const RecordPlaces& places) {
     StatedUnits text;
     Keys keys;
-    const auto read = [&](std::uint64_t at, std::uint64_t records, std::uint64_t end, bool extended) {
-        const std::uint64_t header = extended ? kExtendedHeader : kRecordHeader;
-        end = std::min<std::uint64_t>(end, file.size());
-        for (std::uint64_t n = 0; n < records && at <= end && end - at >= header; ++n) {
-            std::uint64_t length = u16At(file, at + kRecordLength);
-            if (extended) std::memcpy(&length, file.data() + at + kRecordLength, sizeof length);
-            const std::uint64_t from = at + header;
-            if (length > end - from) return;
-            const auto content = file.subspan(from, length);
-            std::array<char, 17> user{};
-            std::memcpy(user.data(), file.data() + at + kRecordUser, 16);
-            const std::uint16_t id = u16At(file, at + kRecordId);
-            const bool projection = std::strcmp(user.data(), "LASF_Projection") == 0;
-            if (projection && id == kWktId) text = unitsOfWkt({reinterpret_cast<const char*>(content.data()), content.size()});
-            if (projection && id == kKeysId) keys.directory = content;
-            if (projection && id == kDoublesId) keys.doubles = content;
-            at = from + length;
-        }
+    const auto read = [&](std::string_view user, std::uint16_t id, std::span<const std::byte> content) {
+        if (user != "LASF_Projection") return;
+        if (id == kWktId) text = unitsOfWkt({reinterpret_cast<const char*>(content.data()), content.size()});
+        if (id == kKeysId) keys.directory = content;
+        if (id == kDoublesId) keys.doubles = content;
     };
-    read(places.recordsAt, places.records, places.recordsEnd, false);
-    if (places.extendedAt > 0) read(places.extendedAt, places.extended, file.size(), true);
+    eachRecord(file, places.recordsAt, places.records, places.recordsEnd, false, read);
+    if (places.extendedAt > 0) eachRecord(file, places.extendedAt, places.extended, file.size(), true, read);
     return text.mm || text.degrees ? text : unitsOfKeys(keys);
+}
+
+std::vector<RecordField> extraFields(std::span<const std::byte> file, std::uint64_t recordsAt, std::uint64_t records,
+                                     std::uint64_t recordsEnd, std::size_t from, std::size_t pointBytes) {
+    std::optional<std::vector<RecordField>> fields; // of the first such record
+    eachRecord(file, recordsAt, records, recordsEnd, false,
+               [&](std::string_view user, std::uint16_t id, std::span<const std::byte> content) {
+                   if (!fields && user == "LASF_Spec" && id == kExtraBytes) fields = fieldsIn(content, from, pointBytes);
+               });
+    return std::move(fields).value_or(std::vector<RecordField>());
 }
 
 } // namespace edgescan::files::las

@@ -1,5 +1,8 @@
-// The units of a LAS file's coordinates, as its coordinate system states them: well-known text or GeoTIFF keys.
+// What the records behind the header of a LAS file say: the units of its coordinates, by the well-known text or the GeoTIFF keys of their
+// system, and further columns of its points.
 #pragma once
+
+#include "core/files/point_tables/point_columns.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -7,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace edgescan::files::las {
 
@@ -27,5 +31,10 @@ struct RecordPlaces {
 };
 /// Of all records of the user LASF_Projection; the text goes before the keys. Damaged records are not read.
 [[nodiscard]] StatedUnits statedUnits(std::span<const std::byte> file, const RecordPlaces& places);
+
+/// Further columns of a file's points, with their places in a point of `pointBytes` bytes, `from` byte on; empty where no record of the
+/// header describes them. Records are from `recordsAt` to `recordsEnd`.
+[[nodiscard]] std::vector<RecordField> extraFields(std::span<const std::byte> file, std::uint64_t recordsAt, std::uint64_t records,
+                                                   std::uint64_t recordsEnd, std::size_t from, std::size_t pointBytes);
 
 } // namespace edgescan::files::las
