@@ -4,6 +4,7 @@
 #include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
+#include "core/edges/settings/parameters.h"
 #include "tests/support/scans.h"
 #include "tests/support/simulated_bell.h"
 
