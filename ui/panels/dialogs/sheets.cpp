@@ -214,7 +214,7 @@ void showAbout(QWidget* parent, const QString& renderer) {
     box.setTextFormat(Qt::RichText);
     box.setText(words("<h3>EdgeScan %1</h3>Finds the edges of rocks in a laser range scan and shows them in the cloud.<br>"
                       "It shows geometry from one viewpoint. It does not judge any rock.<br><br>Licence: BSD-3-Clause<br>Drawn by %2")
-                    .arg(version(), renderer.toHtmlEscaped()));
+                    .arg(QString(version()) + " (" + commit() + ")", renderer.toHtmlEscaped()));
     box.setStandardButtons(QMessageBox::Ok);
     box.exec();
 }
