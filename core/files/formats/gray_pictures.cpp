@@ -1,6 +1,7 @@
 // From a picture's numbers to a scan; PNG of 16 bits through libpng. Its errors leave by longjmp: see png.cpp.
 #include "core/files/formats/gray_pictures.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
@@ -77,13 +78,15 @@ struct PngReader {
 
 Result<Done> checkHeader(const Header& header, const Source& source) {
     if (header.depth != 16 || header.colour != PNG_COLOR_TYPE_GRAY) {
-        return source.refused("this is a PNG picture of " + std::to_string(header.depth) +
-                                  (header.colour == PNG_COLOR_TYPE_GRAY ? " bit gray" : " bit colour") + ", and ranges need 16 bit gray",
+        return source.refused(withValues(header.colour == PNG_COLOR_TYPE_GRAY
+                                             ? "this is a PNG picture of %1 bit gray, and ranges need 16 bit gray"
+                                             : "this is a PNG picture of %1 bit colour, and ranges need 16 bit gray",
+                                         {header.depth}),
                               "choose a scan, or a range picture of 16 bits per pixel");
     }
     const std::uint64_t pixels = productOf({header.width, header.height});
     if (auto possible = checkUnpacked(productOf({pixels, 2}), source); !possible) return possible;
-    if (auto known = checkAnglesKnown(header.width, "picture", source); !known) return known.error();
+    if (auto known = checkAnglesKnown(header.width, kPicture, source); !known) return known.error();
     return checkMemory(productOf({pixels, kBytesPerPixel}), source.path.string());
 }
 
@@ -167,13 +170,14 @@ Format rangePictureFormat() {
 
 std::optional<std::string> orientationNotApplied(std::uint64_t orientation) {
     if (orientation < 2 || orientation > 8) return std::nullopt;
-    return "The picture asks to be turned or mirrored when it is shown (orientation " + std::to_string(orientation) +
-           "): its rows were taken as scan lines as they are stored.";
+    return withValues("The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as "
+                      "they are stored.",
+                      {orientation});
 }
 
 Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source) {
     if (bytes <= mostUnpackedBytes(source.bytes.size())) return Done{};
-    return source.refused("the picture promises more pixels than a file of " + sizeText(source.bytes.size()) + " holds of a scan",
+    return source.refused(withValues("the picture promises more pixels than a file of %1 holds of a scan", {sizeText(source.bytes.size())}),
                           "copy the file again");
 }
 
@@ -194,14 +198,13 @@ Result<Scan> scanFromPicture(const Grid<float>& values, bool counts, const char*
     if (counts && !options.unitMm) options.unitMm = 1.0;
     Source asked = source;
     asked.options = &options;
-    auto scan = scanFromRanges(std::move(ranges), "picture", asked, [](std::size_t, std::size_t) { return std::string("a pixel"); });
+    auto scan = scanFromRanges(std::move(ranges), kPicture, asked, [](std::size_t, std::size_t) { return std::string("a pixel"); });
     if (!scan) return scan;
     scan->format = format;
     scan->unitMm = source.options->unitMm.value_or(1.0);
     if (odd > 0)
-        scan->warnings.push_back(counted(odd, "pixel holds no range (negative, not a number, or too far) and was",
-                                         "pixels hold no range (negative, not a number, or too far) and were") +
-                                 " taken as no return.");
+        scan->warnings.push_back(counted(odd, "pixel holds no range (negative, not a number, or too far) and was taken as no return.",
+                                         "pixels hold no range (negative, not a number, or too far) and were taken as no return."));
     if (counts && !source.options->unitMm) scan->warnings.emplace_back("Unit taken as millimetres, as range pictures have it.");
     return scan;
 }

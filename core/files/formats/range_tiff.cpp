@@ -3,6 +3,7 @@
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 #include "core/files/formats/gray_pictures.h"
 #include "core/files/formats/range_geometry.h"
 
@@ -87,15 +88,15 @@ std::uint64_t endOfPicture(TIFF* tiff, std::span<const std::byte> file) {
 
 Result<Done> checkShape(const TiffShape& shape, TIFF* tiff, const Source& source) {
     if (shape.samples != 1 || !(shape.floats() || (shape.bits == 16 && shape.format != SAMPLEFORMAT_IEEEFP))) {
-        return source.refused("this TIFF picture has " + counted(shape.samples, "channel") + " of " + std::to_string(shape.bits) +
-                                  " bits, and ranges need one of 16 bits or of 4-byte floats",
+        return source.refused(withValues("this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats",
+                                         {counted(shape.samples, "channel"), shape.bits}),
                               "choose a scan, or a range picture of 16 bits per pixel");
     }
     if (TIFFIsTiled(tiff) != 0) return source.refused("this TIFF picture is stored in tiles", "save it in strips");
     const std::uint64_t pixels = productOf({shape.width, shape.height});
     if (pixels == 0) return source.refused("the picture has no pixels", "choose another file");
     if (auto possible = checkUnpacked(productOf({pixels, shape.bits / 8U}), source); !possible) return possible;
-    if (auto known = checkAnglesKnown(shape.width, "picture", source); !known) return known.error();
+    if (auto known = checkAnglesKnown(shape.width, kPicture, source); !known) return known.error();
     return checkMemory(productOf({pixels, kBytesPerPixel}), source.path.string());
 }
 
@@ -139,7 +140,7 @@ Result<Scan> readRangeTiff(const Source& source) {
     std::size_t more = 0;
     constexpr std::size_t kMostPictures = 1000;
     for (; more < kMostPictures && TIFFReadDirectory(tiff.get()) != 0; ++more) end = std::max(end, endOfPicture(tiff.get(), source.bytes));
-    if (more > 0) scan->warnings.push_back("The file holds " + counted(more + 1, "picture") + " (pages); the first was read.");
+    if (more > 0) scan->warnings.push_back(withValues("The file holds %1 (pages); the first was read.", {counted(more + 1, "picture")}));
     if (auto behind = bytesBehind(source.bytes.subspan(std::min<std::uint64_t>(end, source.bytes.size())), "the picture"))
         scan->warnings.push_back(std::move(*behind));
     return scan;

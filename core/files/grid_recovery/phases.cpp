@@ -1,5 +1,6 @@
 // Beams modulo the number of phases.
 #include "core/files/grid_recovery/phases.h"
+#include "core/base/translated_text.h"
 
 #include "core/scan/grid/mean_step.h"
 
@@ -95,8 +96,8 @@ int foldPhases(RecoveredGrid& grid) {
     }
     grid.pointOf = std::move(pointOf);
     grid.geometry.lineDeg = std::move(rowDeg);
-    grid.remarks.push_back("Each line has every " + std::to_string(turns.phases) + "th beam only, in turn: " +
-                           std::to_string(turns.phases) + " lines that follow each other were put side by side.");
+    grid.remarks.push_back(withValues("Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.",
+                                      {turns.phases, turns.phases}));
     return turns.phases;
 }
 

@@ -1,6 +1,7 @@
 // Reading the JSON description: every key is checked, because it may come from anywhere.
 #include "core/files/point_tables/description.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/checked_size.h"
 #include "core/base/json_fields.h"
@@ -47,7 +48,7 @@ std::vector<std::uint32_t> codesIn(JsonFields& fields, const char* key, std::vec
         codes.push_back(static_cast<std::uint32_t>(value));
     }
     if (codes.size() > kMostCodes)
-        return fields.refuse(key, "holds " + counted(codes.size(), "count") + ", and there are " + std::to_string(kMostCodes)), missing;
+        return fields.refuse(key, withValues("holds %1, and there are %2", {counted(codes.size(), "count"), kMostCodes})), missing;
     return codes;
 }
 
@@ -59,7 +60,7 @@ std::optional<AngleList> anglesIn(JsonFields& fields, const char* key, std::uint
         return AngleSteps{steps.number("start", 0, limits), steps.number("step", 0, physical::kStepDeg.limits)};
     }
     auto list = fields.numbers(key, limits);
-    if (list.size() != count) fields.refuse(key, "holds " + counted(list.size(), "angle") + ", " + std::to_string(count) + " are needed");
+    if (list.size() != count) fields.refuse(key, withValues("holds %1, %2 are needed", {counted(list.size(), "angle"), count}));
     return AngleList{std::move(list)};
 }
 
@@ -89,7 +90,7 @@ void readStateRuns(JsonFields& fields, GridDescription& grid) {
     for (std::size_t i = 1; i < grid.stateRuns.size(); ++i) {
         const StateRun& before = grid.stateRuns[i - 1];
         if (before.firstCell + before.cells > grid.stateRuns[i].firstCell)
-            return fields.refuse("state_runs", "names cell " + std::to_string(grid.stateRuns[i].firstCell) + " twice");
+            return fields.refuse("state_runs", withValues("names cell %1 twice", {grid.stateRuns[i].firstCell}));
     }
 }
 
@@ -124,7 +125,7 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
         const auto own = std::ranges::find_if(
             kOwnFiles, [&](const OwnFile& one) { return json.find("\"" + std::string(one.format) + "\"") != json.npos; });
         if (own == kOwnFiles.end()) return object.error();
-        return Error{"this is " + std::string(own->what) + " and not a scan", where, std::string(own->hint)};
+        return Error{withValues("this is %1 and not a scan", {std::string(own->what)}), where, std::string(own->hint)};
     }
     JsonFields fields(*object, where, kSeeFormat);
     GridDescription grid;

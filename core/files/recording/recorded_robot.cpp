@@ -1,6 +1,7 @@
 // Reading robot, poses and scanner out of a recording.
 #include "core/files/recording/recorded_robot.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bounded_json.h"
 #include "core/base/physical_limits.h"
@@ -81,7 +82,8 @@ private:
         return v;
     }
     void refuse(const char* key) {
-        refused_.push_back("the recording's \"" + std::string(key) + "\" is \"" + text(key).substr(0, 40) + "\", which cannot be used.");
+        refused_.push_back(
+            withValues("the recording's \"%1\" is \"%2\", which cannot be used.", {std::string(key), text(key).substr(0, 40)}));
     }
 
     const scanner::SweepMetadata& metadata_;
@@ -220,7 +222,8 @@ std::optional<PoseTrack> posesOf(const Recording& recording, double startS, doub
         if (poses.grid.empty()) poses.grid = gridOf(reading);
     }
     if (unusable > 0)
-        warnings.push_back(counted(unusable, "reading of inclinometer or TALIN", "readings of inclinometer or TALIN") + " cannot be used.");
+        warnings.push_back(
+            counted(unusable, "reading of inclinometer or TALIN cannot be used.", "readings of inclinometer or TALIN cannot be used."));
     cutToSweep(poses.inclinometer, startS, endS);
     cutToSweep(poses.talin, startS, endS);
     if (poses.inclinometer.empty() || poses.talin.empty()) return std::nullopt;
@@ -268,7 +271,7 @@ Result<Known> knownOf(RecordedRobot robot, const ReadingOptions& options, const 
         known.calibration = *calibration;
         const auto source = sourceOf(options.calibration);
         if (!source) return source.error();
-        known.source += " with " + *source;
+        known.source += withValues(" with %1", {*source});
     }
     if (!options.pose.empty() && !known.calibration)
         return Error{"a pose needs the robot's calibration, and the recording holds none", where, "give --calibration ROBOT.json too"};
@@ -302,7 +305,7 @@ Result<Done> placeRecordedSweep(Scan& scan, const Recording& recording, const Re
     const auto placed = placeScan(scan, *known->calibration, *known->poses, times);
     if (!placed && asked) return Error{placed.error().what, where, placed.error().hint};
     if (!placed) {
-        scan.warnings.push_back("The recording's pose cannot be used: " + placed.error().what + ".");
+        scan.warnings.push_back(withValues("The recording's pose cannot be used: %1.", {placed.error().what}));
         return Done{};
     }
     auto named = std::make_shared<Placement>(**placed);
