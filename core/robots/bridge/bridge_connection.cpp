@@ -1,5 +1,6 @@
 // Chooses topics of a bridge, subscribes to them and passes their messages on.
 #include "core/robots/bridge/bridge_connection.h"
+#include "core/base/translated_text.h"
 
 namespace edgescan::robots {
 
@@ -21,7 +22,7 @@ Result<Done> BridgeConnection::start() {
     lines_.reset();
     noChoice_.reset();
     said_.clear();
-    enter(scanner::ConnectionPhase::Identifying, where() + " accepts the connection; asking for its topics.");
+    enter(scanner::ConnectionPhase::Identifying, withValues("%1 accepts the connection; asking for its topics.", {where()}));
     return Done{};
 }
 
@@ -38,9 +39,10 @@ Result<Done> BridgeConnection::receive(Clock::time_point deadline) {
 
 Error BridgeConnection::silent(const std::string& time) const {
     if (noChoice_) return *noChoice_;
-    if (!said_.empty()) return {"the bridge says: " + said_, where(), "check foxglove_bridge on the robot"};
+    if (!said_.empty()) return {withValues("the bridge says: %1", {said_}), where(), "check foxglove_bridge on the robot"};
     if (!lines_) return {"the bridge offers no topics", where(), "check that the robot's programs run"};
-    return {"no scan line of " + lines_->topic + " for " + time, where(), "check whether the laser runs and publishes this topic"};
+    return {withValues("no scan line of %1 for %2", {lines_->topic, time}), where(),
+            "check whether the laser runs and publishes this topic"};
 }
 
 Result<Done> BridgeConnection::receiveText(std::string_view json) {

@@ -1,5 +1,6 @@
 // One WebSocket to a bridge (Boost.Beast).
 #include "core/robots/bridge/web_socket.h"
+#include "core/base/translated_text.h"
 
 #include "core/scanner/cola/link_socket.h"
 
@@ -22,7 +23,7 @@ Error brokenError(const error_code& problem, const std::string& where) {
     if (problem == asio::error::eof || problem == websocket::error::closed) return {"the bridge closed the connection", where, {}};
     if (problem == websocket::error::message_too_big || problem == websocket::error::buffer_overflow)
         return {"the bridge sends a message of more than 64 MB", where, "choose another topic"};
-    return {"the connection broke (" + problem.message() + ")", where, {}};
+    return {withValues("the connection broke (%1)", {problem.message()}), where, {}};
 }
 
 } // namespace
@@ -103,7 +104,7 @@ Result<Done> WebSocket::send(const std::string& text, Clock::duration timeout) {
         done = true;
     });
     if (!s.finished(done, Clock::now() + timeout)) problem = asio::error::timed_out;
-    if (problem) return Error{"the subscription cannot be sent (" + problem.message() + ")", s.where, "check the network"};
+    if (problem) return Error{withValues("the subscription cannot be sent (%1)", {problem.message()}), s.where, "check the network"};
     return Done{};
 }
 

@@ -1,5 +1,6 @@
 // Chooses by type and name.
 #include "core/robots/live/bridge_topics.h"
+#include "core/base/translated_text.h"
 
 #include "core/robots/bags/definition.h"
 #include "core/robots/sweeps/bag_topics.h"
@@ -22,7 +23,7 @@ std::string namesOf(const std::vector<BridgeChannelPtr>& channels) {
     constexpr std::size_t kLongest = 300;
     std::string names;
     for (const BridgeChannelPtr& channel : channels) {
-        if (names.size() > kLongest) return names + " and others";
+        if (names.size() > kLongest) return withValues("%1 and others", {names});
         names += (names.empty() ? "" : ", ") + channel->topic;
     }
     return names;
@@ -47,19 +48,20 @@ Result<BridgeChoice> chooseTopics(const std::vector<BridgeChannelPtr>& offered, 
     std::ranges::stable_sort(clouds, {}, byName);
     lasers.insert(lasers.end(), clouds.begin(), clouds.end());
     if (lasers.empty())
-        return Error{"the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)" +
-                         (offered.empty() ? std::string() : ": " + namesOf(offered)),
+        return Error{withValues("the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)%1",
+                                {offered.empty() ? std::string() : ": " + namesOf(offered)}),
                      where, "check that the laser's driver runs"};
     const auto taken =
         topic.empty() ? lasers.begin() : std::ranges::find(lasers, topic, [](const auto& channel) { return channel->topic; });
     if (taken == lasers.end())
-        return Error{"the bridge offers no topic of a laser called \"" + topic + "\"", where, "choose one of " + namesOf(lasers)};
+        return Error{withValues("the bridge offers no topic of a laser called \"%1\"", {topic}), where,
+                     withValues("choose one of %1", {namesOf(lasers)})};
     choice.lines = *taken;
     if (isCloud(**taken)) choice.channels.clear(); // its points need no angles
     choice.channels.push_back(*taken);
     lasers.erase(taken);
     if (topic.empty() && !lasers.empty())
-        choice.note = "GUESS: the topic " + choice.lines->topic + " was taken; --topic chooses another: " + namesOf(lasers) + ".";
+        choice.note = withValues("GUESS: the topic %1 was taken; --topic chooses another: %2.", {choice.lines->topic, namesOf(lasers)});
     return choice;
 }
 

@@ -1,5 +1,6 @@
 // Chooses topics, counts messages, and passes them to the laser or to the clouds.
 #include "core/robots/live/robot_source.h"
+#include "core/base/translated_text.h"
 
 #include "core/files/live_feed/live_feed.h"
 #include "core/robots/bridge/bridge_connection.h"
@@ -116,7 +117,7 @@ void RobotSource::complete(files::LiveStatus& status) const {
     status.wholeClouds = cloud_ != nullptr;
     const bool live = status.connection.phase == kLive;
     if (const std::string wait = laser_.waitsFor(); !wait.empty() && status.lines == 0 && live) {
-        const Error unknown{"lines come, but their angle is not known: " + wait, linesTopic_,
+        const Error unknown{withValues("lines come, but their angle is not known: %1", {wait}), linesTopic_,
                             "give the joint that turns the laser (--joint), or the step from line to line (--line-step)"};
         status.connection.sentence = unknown.sentence();
         status.connection.problem = unknown;

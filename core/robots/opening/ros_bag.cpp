@@ -1,5 +1,6 @@
 // ROS bags: ROS 1, and ROS 2 in MCAP and in SQLite. Read only.
 #include "core/robots/opening/ros_bag.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/held_file.h"
 #include "core/base/inputs.h"
@@ -140,8 +141,8 @@ Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& 
         }
         if (bag.error().what == "cancelled") return bag.error();
         if (!first) first = Error{bag.error().what, where, bag.error().hint};
-        whole.bag.warnings.push_back("The part " + name + " of the bag could not be read (" + bag.error().what +
-                                     "): its messages are not in the scan.");
+        whole.bag.warnings.push_back(
+            withValues("The part %1 of the bag could not be read (%2): its messages are not in the scan.", {name, bag.error().what}));
     }
     if (whole.bag.topics.empty() && first) return *first;
     whole.bag = onceEach(std::move(whole.bag));

@@ -1,5 +1,6 @@
 // Holds every part; what is missing costs only itself.
 #include "core/robots/opening/split_bag.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/inputs.h"
 #include "core/base/pipe.h"
@@ -14,15 +15,15 @@ Result<SplitBag> holdSplitBag(const BagFiles& bag, const ReadingOptions& options
     Sha256 sha256;
     std::optional<Error> first;
     const auto leaveOut = [&](const std::filesystem::path& part, const Error& error) {
-        all.warnings.push_back("The part " + part.filename().string() + " of the bag could not be read (" + error.what +
-                               "): its messages are not in the scan.");
+        all.warnings.push_back(withValues("The part %1 of the bag could not be read (%2): its messages are not in the scan.",
+                                          {part.filename().string(), error.what}));
         if (!first) first = error;
     };
     for (const std::string& name : bag.missing)
-        all.warnings.push_back("The part " + name + " of the bag is missing: its messages are not in the scan.");
+        all.warnings.push_back(withValues("The part %1 of the bag is missing: its messages are not in the scan.", {name}));
     for (const std::string& name : bag.others)
-        all.warnings.push_back("metadata.yaml names " + name +
-                               ", whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.");
+        all.warnings.push_back(withValues(
+            "metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.", {name}));
     for (const std::filesystem::path& part : bag.parts) {
         if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", bag.path.string(), ""};
         claimInput(part);

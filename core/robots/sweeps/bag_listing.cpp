@@ -1,5 +1,6 @@
 // Words for topics, from the first message of each.
 #include "core/robots/sweeps/bag_listing.h"
+#include "core/base/translated_text.h"
 
 #include "core/robots/sweeps/bag_topics.h"
 #include "core/robots/sweeps/frames.h"
@@ -16,7 +17,7 @@ std::string textIn(const RosValue& value) { return {reinterpret_cast<const char*
 std::string joined(const std::vector<std::string>& names) {
     std::string text;
     for (std::size_t n = 0; n < std::min(names.size(), kMostNames); ++n) text += (n == 0 ? "" : ", ") + names[n];
-    return names.size() > kMostNames ? text + " and others" : text;
+    return names.size() > kMostNames ? withValues("%1 and others", {text}) : text;
 }
 
 std::size_t lengthOf(const RosValue& message, const char* path) {
@@ -50,24 +51,24 @@ std::string fieldsIn(const RosValue& message) {
     if (const RosValue* all = message.at("fields")) {
         for (const RosValue& field : all->inside) names.emplace_back(field.text("name"));
     }
-    return wholeText(message, "height") + " x " + wholeText(message, "width") + " points with " + joined(names);
+    return withValues("%1 x %2 points with %3", {wholeText(message, "height"), wholeText(message, "width"), joined(names)});
 }
 
 /// REP 145: a covariance of -1 means that there is no orientation.
 std::string inertialIn(const RosValue& message) {
     const std::vector<double> covariance = message.numbers("orientation_covariance");
     const bool oriented = covariance.empty() || covariance.front() != -1;
-    return std::string(oriented ? "orientation, " : "") +
-           "turn rates and accelerations, which are not used: transforms and joints turn the laser";
+    return withValues("%1turn rates and accelerations, which are not used: transforms and joints turn the laser",
+                      {std::string(oriented ? "orientation, " : "")});
 }
 
 std::string given(const std::string& type, const RosValue& message) {
     if (type == "sensor_msgs/LaserScan" || type == "sensor_msgs/MultiEchoLaserScan")
-        return "scan lines of " + std::to_string(lengthOf(message, "ranges")) + " beams";
+        return withValues("scan lines of %1 beams", {lengthOf(message, "ranges")});
     if (type == "sensor_msgs/PointCloud2") return fieldsIn(message);
     if (type == "sensor_msgs/JointState") return "joints: " + joined(jointsIn(message));
     if (type == "tf2_msgs/TFMessage" || type == "tf/tfMessage") return linksIn(message);
-    if (type == "geometry_msgs/PoseStamped") return "poses in the frame " + frameNameOf(message.text("header.frame_id"));
+    if (type == "geometry_msgs/PoseStamped") return withValues("poses in the frame %1", {frameNameOf(message.text("header.frame_id"))});
     if (type == "sensor_msgs/Imu") return inertialIn(message);
     return {};
 }

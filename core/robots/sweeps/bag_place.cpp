@@ -1,5 +1,6 @@
 // Map frame from axis base, for each line.
 #include "core/robots/sweeps/bag_place.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
@@ -63,8 +64,8 @@ void addPoses(FrameTree& tree, const RosBag& bag, const std::string& frame, std:
         bag, [](const std::string& type) { return type == "geometry_msgs/PoseStamped"; }, "", addPose, [] {}, {});
     if (!read || found.empty()) return; // a pose is only a guess
     for (const NamedPose& pose : found.begin()->second) tree.add(pose);
-    warnings.push_back("GUESS: the poses of the topic " + bag.topics[found.begin()->first].name + " are those of the frame " + highest +
-                       ".");
+    warnings.push_back(
+        withValues("GUESS: the poses of the topic %1 are those of the frame %2.", {bag.topics[found.begin()->first].name, highest}));
 }
 
 void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion, std::vector<std::string>& warnings) {
@@ -78,8 +79,9 @@ void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion,
         poses.push_back(*base * motion.base);
         const Eigen::Vector3d& at = poses.back().translationM;
         if (!physical::kPlaceM.hold(at.x()) || !physical::kPlaceM.hold(at.y()) || !physical::kElevationM.hold(at.z())) {
-            warnings.push_back("The transforms put the scanner at " + significantText(at.x(), 6) + ", " + significantText(at.y(), 6) +
-                               ", " + significantText(at.z(), 6) + " m, where nothing on earth is: the scan stays in the scanner's frame.");
+            warnings.push_back(withValues(
+                "The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.",
+                {significantText(at.x(), 6), significantText(at.y(), 6), significantText(at.z(), 6)}));
             return;
         }
     }
@@ -89,11 +91,11 @@ void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion,
     placement->originEnhM = chooseOrigin(poses.front().translationM);
     for (RigidTransform& pose : poses) pose.translationM -= placement->originEnhM;
     placement->poses = std::move(poses);
-    placement->grid = "the frame " + map + " of the bag";
+    placement->grid = withValues("the frame %1 of the bag", {map});
     placement->source = "the transforms of the bag";
     placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
-    placement->warnings = {"GUESS: the frame " + map +
-                           " of the bag is taken as the mine grid, with x to the east, y to the north and z up."};
+    placement->warnings = {
+        withValues("GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.", {map})};
     judgeSpeed(*placement, scan.acquisition->lineTimesS);
     scan.placement = std::move(placement);
 }

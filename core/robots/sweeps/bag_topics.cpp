@@ -1,5 +1,6 @@
 // Which topic of a bag is a scan.
 #include "core/robots/sweeps/bag_topics.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 
@@ -16,7 +17,7 @@ std::string listed(const RosBag& bag, const std::vector<BagTopic>& topics, bool 
     std::string text;
     for (const BagTopic& topic : topics) {
         if (scansOnly && topic.gives == TopicGives::Nothing) continue;
-        if (text.size() > kLongest) return text + " and others";
+        if (text.size() > kLongest) return withValues("%1 and others", {text});
         text += (text.empty() ? "" : ", ") + topicText(bag, topic);
     }
     return text;
@@ -59,8 +60,8 @@ std::vector<BagTopic> bagTopics(const RosBag& bag) {
 
 std::string topicText(const RosBag& bag, const BagTopic& topic) {
     const RosTopic& of = bag.topics[topic.topic];
-    return of.name + " (" + of.type + ", " + std::to_string(topic.messages) + (topic.messages == 1 ? " message" : " messages") +
-           (topic.hertz > 0 ? " at " + significantText(topic.hertz, 3) + " Hz" : "") + ")";
+    return of.name + " (" + of.type + ", " + counted(topic.messages, "message") +
+           (topic.hertz > 0 ? withValues(" at %1 Hz", {significantText(topic.hertz, 3)}) : "") + ")";
 }
 
 std::optional<std::string> guessText(const RosBag& bag, const BagTopic& taken, const std::string& name) {
@@ -68,7 +69,7 @@ std::optional<std::string> guessText(const RosBag& bag, const BagTopic& taken, c
     std::erase_if(others, [&](const BagTopic& topic) { return topic.topic == taken.topic; });
     const std::string scans = listed(bag, others);
     if (!name.empty() || scans.empty()) return std::nullopt;
-    return "GUESS: the topic " + topicText(bag, taken) + " was taken; --topic chooses another: " + scans + ".";
+    return withValues("GUESS: the topic %1 was taken; --topic chooses another: %2.", {topicText(bag, taken), scans});
 }
 
 Result<std::vector<BagTopic>> topicsToTry(const RosBag& bag, const std::string& name, const std::string& where) {
@@ -76,18 +77,19 @@ Result<std::vector<BagTopic>> topicsToTry(const RosBag& bag, const std::string& 
     const std::string scans = listed(bag, topics);
     const std::string leftOut = bag.warnings.empty() ? "" : "; " + bag.warnings.front().substr(0, bag.warnings.front().rfind('.'));
     if (scans.empty())
-        return Error{"no topic of this " + bag.kind + " is a laser's" + (topics.empty() ? "" : ": " + listed(bag, topics, false)) + leftOut,
+        return Error{withValues("no topic of this %1 is a laser's%2%3",
+                                {bag.kind, topics.empty() ? "" : ": " + listed(bag, topics, false), leftOut}),
                      where, "choose another bag"};
     std::vector<BagTopic> found;
     for (const BagTopic& topic : topics) {
         const bool wanted = name.empty() ? topic.gives != TopicGives::Nothing : bag.topics[topic.topic].name == name;
         if (wanted) found.push_back(topic);
     }
-    if (found.empty()) return Error{"the bag has no topic \"" + name + "\"", where, "choose one of " + scans};
+    if (found.empty()) return Error{withValues("the bag has no topic \"%1\"", {name}), where, withValues("choose one of %1", {scans})};
     const auto rank = [](const BagTopic& topic) { return std::pair(topic.gives == TopicGives::Lines, topic.messages * topic.largest); };
     std::ranges::stable_sort(found, std::greater<>(), rank);
     std::erase_if(found, [](const BagTopic& topic) { return topic.gives == TopicGives::Nothing; });
-    if (found.empty()) return Error{"the topic " + name + " holds no scan", where, "choose one of " + scans};
+    if (found.empty()) return Error{withValues("the topic %1 holds no scan", {name}), where, withValues("choose one of %1", {scans})};
     return found;
 }
 

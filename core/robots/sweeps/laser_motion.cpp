@@ -1,5 +1,6 @@
 // The axis and the angles of a laser that is turned.
 #include "core/robots/sweeps/laser_motion.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
@@ -84,7 +85,7 @@ std::string namesOf(const JointAngles& joints) {
     constexpr std::size_t kMost = 500;
     std::string names;
     for (const auto& [name, angles] : joints) {
-        if (names.size() > kMost) return names + " and others";
+        if (names.size() > kMost) return withValues("%1 and others", {names});
         names += (names.empty() ? "" : ", ") + name;
     }
     return names;
@@ -119,7 +120,7 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
         }
         LaserMotion motion;
         motion.mover = at;
-        motion.source = "the transform of the frame " + at + " in " + link->parent;
+        motion.source = withValues("the transform of the frame %1 in %2", {at, link->parent});
         double wobble = 0, last = 0;
         const double startDeg = angleOfJoint(poses.front().rotation, axis);
         for (const TimedPose& pose : poses) {
@@ -130,12 +131,12 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
             motion.angles.push_back({pose.ns, last = deg});
         }
         if (wobble > kMostWobbleDeg)
-            return Error{motion.source + " turns about more than one axis (" + significantText(wobble, 2) + " degrees off)", where,
-                         "choose another topic, or give the joint that turns the laser"};
+            return Error{withValues("%1 turns about more than one axis (%2 degrees off)", {motion.source, significantText(wobble, 2)}),
+                         where, "choose another topic, or give the joint that turns the laser"};
         Eigen::Vector3d u = laserInMover.rotation.transpose() * axis;
         motion.outOfPlaneDeg = std::abs(degrees(std::asin(std::clamp(u.z(), -1.0, 1.0))));
         if (motion.outOfPlaneDeg > kMostOutOfPlaneDeg)
-            return Error{motion.source + " turns the laser in the plane of its own fan: that is not a sweep", where,
+            return Error{withValues("%1 turns the laser in the plane of its own fan: that is not a sweep", {motion.source}), where,
                          "choose another topic"};
         motion.offAxisM = laserInMover.translationM.cross(axis).norm();
         // The axis from the middle of the fan on: 0 is a spin, -90 a sweep, and 180 more is the axis the other way round.
@@ -154,7 +155,7 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
         motion.mount = {laserInMover * RigidTransform{fan, Eigen::Vector3d::Zero()}, axis, -startDeg, turnAbout ? -1.0 : 1.0};
         return motion;
     }
-    return Error{"no transform turns the laser's frame " + frame + " while it measures", where,
+    return Error{withValues("no transform turns the laser's frame %1 while it measures", {frame}), where,
                  "give the joint that turns it (--joint), or the step from line to line (--line-step) and the axis (--axis)"};
 }
 
@@ -211,14 +212,14 @@ Result<LaserMotion> motionOfJoints(JointAngles joints, const std::string& joint,
         best = name;
     }
     if (!joints.contains(best))
-        return Error{joint.empty() ? "no joint turned while the laser measured" : "there is no joint called " + joint, where,
+        return Error{joint.empty() ? "no joint turned while the laser measured" : withValues("there is no joint called %1", {joint}), where,
                      joints.empty() ? "give the step from line to line (--line-step), or choose another topic"
-                                    : "choose one of " + namesOf(joints)};
+                                    : withValues("choose one of %1", {namesOf(joints)})};
     LaserMotion motion;
     motion.axis = axisByName(best);
     motion.axisAssumed = true;
     motion.mover = best;
-    motion.source = "the joint " + best;
+    motion.source = withValues("the joint %1", {best});
     motion.angles = std::move(joints[best]);
     return motion;
 }

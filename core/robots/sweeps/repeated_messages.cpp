@@ -1,5 +1,6 @@
 // Messages with the same topic and bytes: they hold their stamps.
 #include "core/robots/sweeps/repeated_messages.h"
+#include "core/base/translated_text.h"
 
 #include "core/robots/sweeps/bag_topics.h"
 
@@ -23,8 +24,8 @@ RosBag onceEach(RosBag bag) {
     });
     for (const auto& [name, messages] : topics) {
         if (messages.second > 0 && !name.ends_with("tf_static"))
-            bag.warnings.push_back(std::to_string(messages.second) + " messages of the topic " + name +
-                                   " are in the bag twice: each was read once.");
+            bag.warnings.push_back(
+                withValues("%1 messages of the topic %2 are in the bag twice: each was read once.", {messages.second, name}));
     }
     return bag;
 }

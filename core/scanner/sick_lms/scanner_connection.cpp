@@ -1,5 +1,6 @@
 // Connects to a scanner and reconnects after a loss.
 #include "core/scanner/sick_lms/scanner_connection.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 
@@ -72,19 +73,19 @@ void LiveConnection::run() {
         scansHere_ = 0;
         Error end = connection();
         link().close();
-        if (link().interrupted()) return enter(ConnectionPhase::Stopped, where() + ": disconnected.");
+        if (link().interrupted()) return enter(ConnectionPhase::Stopped, withValues("%1: disconnected.", {where()}));
         if (end.where.empty()) end.where = where();
         if (scansHere_ > 0) failures = 0;
         const auto& rests = settings_.timeouts.rests;
         const auto rest = rests.empty() ? std::chrono::milliseconds(0) : rests[std::min(failures, rests.size() - 1)];
         ++failures;
-        enter(ConnectionPhase::Lost, end.sentence() + " Trying again in " + seconds(rest) + ".", end);
+        enter(ConnectionPhase::Lost, withValues("%1 Trying again in %2.", {end.sentence(), seconds(rest)}), end);
         link().pause(rest);
     }
 }
 
 Error LiveConnection::connection() {
-    enter(ConnectionPhase::Connecting, "Connecting to " + where() + ".");
+    enter(ConnectionPhase::Connecting, withValues("Connecting to %1.", {where()}));
     if (const auto connected = link().connect(settings_.host, settings_.port, settings_.timeouts.connect); !connected)
         return connected.error();
     ++connections_;
@@ -118,7 +119,7 @@ Error LiveConnection::watch() {
         }
         const auto silence = Clock::now() - silentSince;
         if (silence >= timeout) return silent(seconds(timeout));
-        if (live && silence >= timeout / 2) enter(ConnectionPhase::Stale, where() + ": no scan for " + seconds(silence) + ".");
+        if (live && silence >= timeout / 2) enter(ConnectionPhase::Stale, withValues("%1: no scan for %2.", {where(), seconds(silence)}));
     }
     return {"interrupted", where(), {}};
 }
@@ -130,7 +131,7 @@ ScannerConnection::ScannerConnection(ConnectionSettings settings, ConnectionEven
 }
 
 Result<Done> ScannerConnection::start() {
-    enter(ConnectionPhase::Identifying, where() + " accepts the connection; asking what it is.");
+    enter(ConnectionPhase::Identifying, withValues("%1 accepts the connection; asking what it is.", {where()}));
     ScannerDialogue dialogue(link_, settings_.timeouts, [this](const ColaFrame& frame) { noticeScan(frame); });
     const auto deviceState = dialogue.detect(dialect_, settings_.dialect.has_value());
     if (!deviceState) return deviceState.error();
@@ -146,7 +147,8 @@ Result<Done> ScannerConnection::start() {
     const auto answer = dialogue.ask({ColaRequest::Kind::Subscribe, "LMDscandata"});
     if (!answer) return answer.error();
     if (answer->kind == AnswerKind::Refused)
-        return Error{"the scanner refuses to send scans: " + std::string(refusalText(answer->refusal)), where(), "check what else uses it"};
+        return Error{withValues("the scanner refuses to send scans: %1", {std::string(refusalText(answer->refusal))}), where(),
+                     "check what else uses it"};
     return Done{};
 }
 
@@ -169,7 +171,7 @@ Result<Done> ScannerConnection::receive(Clock::time_point deadline) {
 }
 
 Error ScannerConnection::silent(const std::string& time) const {
-    return {"no scan for " + time, where(), "check the cable and whether the scanner's mirror turns"};
+    return {withValues("no scan for %1", {time}), where(), "check the cable and whether the scanner's mirror turns"};
 }
 
 } // namespace edgescan::scanner

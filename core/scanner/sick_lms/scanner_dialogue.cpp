@@ -1,5 +1,6 @@
 // Sends requests to a scanner, waits for answers, and identifies the scanner.
 #include "core/scanner/sick_lms/scanner_dialogue.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 
@@ -35,10 +36,10 @@ std::string ScannerIdentity::words() const {
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
     if (device) add(trimmed(device->name) + " " + trimmed(device->version));
     if (location && !trimmed(*location).empty()) add(trimmed(*location));
-    if (firmware) add("firmware " + trimmed(*firmware));
+    if (firmware) add(withValues("firmware %1", {trimmed(*firmware)}));
     add(dialectName(dialect));
     if (scan) add(degrees(scan->frequency * 100.0) + " Hz");
-    if (range) add(degrees(range->step) + " degrees from " + degrees(range->startAngle) + " to " + degrees(range->stopAngle));
+    if (range) add(withValues("%1 degrees from %2 to %3", {degrees(range->step), degrees(range->startAngle), degrees(range->stopAngle)}));
     if (deviceState && *deviceState != 1) add(deviceStateText(*deviceState));
     return text;
 }
@@ -80,7 +81,7 @@ Result<ColaAnswer> ScannerDialogue::ask(const ColaRequest& request) {
     if (const auto sent = link_.send(encodeRequest(request, dialect_), dialect_, timeouts_.answer); !sent) return sent.error();
     auto answer = await(request, timeouts_.answer);
     if (!answer) return answer.error();
-    if (!*answer) return Error{"no answer to \"" + requestText(request) + "\"", {}, "check the connection"};
+    if (!*answer) return Error{withValues("no answer to \"%1\"", {requestText(request)}), {}, "check the connection"};
     return std::move(**answer);
 }
 
