@@ -1697,7 +1697,6 @@ Doble clic: volver al preajuste</translation></message>
 </translation></message>
 <message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>El recorrido ha terminado; Ayuda &gt; Recorrido lo empieza de nuevo.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La ventana no tiene sitio para las imágenes junto a este panel: vuelven cuando usted lo pliega.</translation></message>
-<message><source>CoLa stream</source><translation>Flujo CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dibujo con las líneas de los bordes</translation></message>
 <message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Imagen de distancias</translation></message>
@@ -2055,6 +2054,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>this is the file that was read as an input under the name %1</source><translation>este es el archivo que se leyó como entrada con el nombre %1</translation></message>
 <message><source>choose another name</source><translation>elija otro nombre</translation></message>
 <message><source>nothing (null)</source><translation>nada (null)</translation></message>
+<message><source>a list [...]</source><translation>una lista [...]</translation></message>
+<message><source>an object {...}</source><translation>un objeto {...}</translation></message>
 <message><source>holds %1 where a number is needed</source><translation>contiene %1 donde se necesita un número</translation></message>
 <message><source>holds a number out of all reason</source><translation>contiene un número fuera de toda razón</translation></message>
 <message><source>%1 or more</source><translation>%1 o más</translation></message>
@@ -2074,6 +2075,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>mirrors instead of turning: its determinant is -1</source><translation>refleja en vez de girar: su determinante es -1</translation></message>
 <message><source>must be a time in UTC like "2026-11-20T10:15:30.250Z"</source><translation>debe ser una hora UTC como "2026-11-20T10:15:30.250Z"</translation></message>
 <message><source>must be a list of texts</source><translation>debe ser una lista de textos</translation></message>
+<message><source>must be an object {...}</source><translation>debe ser un objeto {...}</translation></message>
+<message><source>must be a list of objects {...}</source><translation>debe ser una lista de objetos {...}</translation></message>
 <message><source>is not a key here, but "%1" is: units belong to the name</source><translation>no es una clave aquí, pero «%1» sí: las unidades son parte del nombre</translation></message>
 <message><source>is not a key here; known are %1</source><translation>no es una clave aquí; se conocen %1</translation></message>
 <message><source>"format": "%1"</source><translation>"format": "%1"</translation></message>
@@ -2100,6 +2103,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>tilt, pitch</source><translation>inclinación, cabeceo</translation></message>
 <message><source>beyond it, it is the other way round</source><translation>más allá está al revés</translation></message>
 <message><source>roll, convergence</source><translation>alabeo, convergencia</translation></message>
+<message><source>half a turn</source><translation>media vuelta</translation></message>
 <message><source>easting, northing, place of a sensor</source><translation>este, norte, lugar de un sensor</translation></message>
 <message><source>more than the way round the earth</source><translation>más que la vuelta a la Tierra</translation></message>
 <message><source>deeper than any mine, higher than any mountain</source><translation>más profundo que cualquier mina, más alto que cualquier montaña</translation></message>
@@ -2119,6 +2123,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>no program writes into this pipe</source><translation>ningún programa escribe en este conducto</translation></message>
 <message><source>start the program that fills it, then open it again</source><translation>inicie el programa que lo llena y ábralo de nuevo</translation></message>
 <message><source>this is a device, not a scan</source><translation>esto es un dispositivo, no un escaneo</translation></message>
+<message><source>choose a file</source><translation>elija un archivo</translation></message>
 <message><source>the file cannot be opened: </source><translation>no se puede abrir el archivo: </translation></message>
 <message><source>check the path</source><translation>compruebe la ruta</translation></message>
 <message><source>this is not a regular file</source><translation>esto no es un archivo normal</translation></message>
@@ -2255,6 +2260,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n message</source><translation>%n mensaje</translation></message>
 <message><source>%n messages</source><translation>%n mensajes</translation></message>
 <message><source>this is not an MCAP recording of a known version</source><translation>no es una grabación MCAP de una versión conocida</translation></message>
+<message><source>choose a recording</source><translation>elija una grabación</translation></message>
 <message><source>unknown reason</source><translation>motivo desconocido</translation></message>
 <message><source>out of memory</source><translation>sin memoria suficiente</translation></message>
 <message><source>the file ends too early</source><translation>el archivo termina demasiado pronto</translation></message>
@@ -2399,6 +2405,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>close other programs</source><translation>cierre otros programas</translation></message>
 <message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>La imagen pide girarse o reflejarse al mostrarse (orientación %1): sus filas se tomaron como líneas tal como están guardadas.</translation></message>
 <message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>la imagen anuncia más píxeles de los que contiene de un escaneo un archivo de %1</translation></message>
+<message><source>a pixel</source><translation>un píxel</translation></message>
 <message><source>%n pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation>%n píxel no contiene distancia (negativo, no numérico o demasiado lejos) y se tomó como sin retorno.</translation></message>
 <message><source>%n pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation>%n píxeles no contienen distancia (negativos, no numéricos o demasiado lejos) y se tomaron como sin retorno.</translation></message>
 <message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidad tomada como milímetros, como en las imágenes de distancias.</translation></message>
@@ -2448,6 +2455,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>a numpy array of shape %1 is larger than any scan</source><translation>una matriz numpy de forma %1 es mayor que cualquier escaneo</translation></message>
 <message><source>split it</source><translation>divídala</translation></message>
 <message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>una matriz numpy de forma %1 pueden ser puntos con los ejes cambiados, o tres líneas de distancias</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>guarde los puntos como (n, 3), que es points.T, o indique los ángulos: --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>una matriz numpy de forma %1 no es ni distancias (líneas, haces) ni puntos (n, 3) o (líneas, haces, 3)</translation></message>
 <message><source>save it in one of these shapes</source><translation>guárdela en una de estas formas</translation></message>
 <message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>El archivo contiene más de una matriz (numpy.save más de una vez); se leyó la primera.</translation></message>
@@ -2556,16 +2564,16 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>PTX holds one point per cell, and points behind the nearest of their cell were asked for</source><translation>PTX contiene un punto por celda, y se pidieron también los puntos detrás del más cercano de su celda</translation></message>
 <message><source>use .pcd, .ply, .csv, .xyz, .las or .obj for them</source><translation>use para ellos .pcd, .ply, .csv, .xyz, .las u .obj</translation></message>
 <message><source>column %1 holds %2, so this is not a table of ranges</source><translation>la columna %1 contiene %2, así que esto no es una tabla de distancias</translation></message>
+<message><source>for a list of points call its columns x, y and z in a first row, and leave out --beam-step and --line-step</source><translation>para una lista de puntos llame a sus columnas x, y y z en una primera fila, y deje fuera --beam-step y --line-step</translation></message>
 <message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; o guárdela con una fila por línea: tiene tantas filas como haces un LMS511</translation></message>
 <message><source>holds %1 where the first line holds %2</source><translation>contiene %1 donde la primera línea contiene %2</translation></message>
 <message><source>%n range</source><translation>%n distancia</translation></message>
 <message><source>%n ranges</source><translation>%n distancias</translation></message>
 <message><source>copy or export the file again</source><translation>copie o exporte de nuevo el archivo</translation></message>
-<message><source>The angles of the %1 were taken from %2: %3 to %4 degrees.</source><translation>Los ángulos de %1 se tomaron de %2: de %3 a %4 grados.</translation></message>
 <message><source>%n column is not ranges, by the header, and not read: %1.</source><translation>%n columna no son distancias, según el encabezado, y no se leyó: %1.</translation></message>
 <message><source>%n columns are not ranges, by the header, and not read: %1.</source><translation>%n columnas no son distancias, según el encabezado, y no se leyeron: %1.</translation></message>
-<message><source>the header</source><translation>el encabezado</translation></message>
-<message><source>the first column</source><translation>la primera columna</translation></message>
+<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Los ángulos de los haces se tomaron del encabezado: de %1 a %2 grados.</translation></message>
+<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Los ángulos de las líneas se tomaron de la primera columna: de %1 a %2 grados.</translation></message>
 <message><source>line %1, beam %2</source><translation>línea %1, haz %2</translation></message>
 <message><source> infinite ranges were taken as no return.</source><translation> distancias infinitas se tomaron como sin retorno.</translation></message>
 <message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distancias menores que 0, todas el mismo número, se tomaron como sin retorno.</translation></message>
@@ -2598,6 +2606,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>"beam_deg" is missing</source><translation>falta "beam_deg"</translation></message>
 <message><source>"line_deg" is missing</source><translation>falta "line_deg"</translation></message>
 <message><source>"axis" is missing</source><translation>falta "axis"</translation></message>
+<message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>añádalo al archivo .json, o indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta el archivo de datos %1; en su lugar se leyó %2.</translation></message>
 <message><source>counts alone are not a raw grid</source><translation>unas cuentas solas no son una cuadrícula sin procesar</translation></message>
 <message><source>give the description before them</source><translation>indique la descripción antes que ellas</translation></message>
@@ -2622,8 +2631,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Cada línea solo tiene un haz de cada %1, por turno: %2 líneas seguidas se pusieron lado a lado.</translation></message>
 <message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>los %1 puntos no están en ángulos haz x línea alrededor del origen:</translation></message>
 <message><source>about %1 no scan lines can be recognised</source><translation>alrededor de %1 no se reconocen líneas de escaneo</translation></message>
-<message><source>about %1 %2 % lie on the best %3 line angles</source><translation>alrededor de %1 el %2 % está en los mejores %3 ángulos de línea</translation></message>
-<message><source>about %1 %2 % lie on the best %3 beam angles</source><translation>alrededor de %1 el %2 % está en los mejores %3 ángulos de haz</translation></message>
+<message><source>about %1 %2 % lie on the best %3</source><translation>alrededor de %1 el %2 % está en los mejores %3</translation></message>
+<message><source>%n line angles</source><translation>%n ángulos de línea</translation></message>
+<message><source>%n beam angles</source><translation>%n ángulos de haz</translation></message>
 <message><source> (99 % are needed)</source><translation> (se necesita el 99 %)</translation></message>
 <message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>La lista no era una cuadrícula completa en orden: se recuperaron %1 líneas x %2 haces a partir de los ángulos de sus puntos.</translation></message>
 <message><source> lines repeated the line before and were left out.</source><translation> líneas repetían la línea anterior y se dejaron fuera.</translation></message>
@@ -2641,6 +2651,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra el escaneo tal como lo guardó el escáner, con el origen en el escáner</translation></message>
 <message><source>%1 x %2 degrees</source><translation>%1 x %2 grados</translation></message>
 <message><source>cells of %1 degrees over %2 would be %3 million cells</source><translation>celdas de %1 grados sobre %2 serían %3 millones de celdas</translation></message>
+<message><source>give a larger --grid-step</source><translation>indique un --grid-step mayor</translation></message>
 <message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>los %1 puntos están todos en una sola dirección desde allí, dentro de %2 y a %3 a %4</translation></message>
 <message><source>%n point in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n punto incluido, visto sobre %1 x %2 grados; %3 de %4 celdas llenas (grado de llenado %5 %; de las celdas en torno a una llena el %6 %), %7 asignado a una celda con otro más cercano</translation></message>
 <message><source>%n points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n puntos incluidos, vistos sobre %1 x %2 grados; %3 de %4 celdas llenas (grado de llenado %5 %; de las celdas en torno a una llena el %6 %), %7 asignados a una celda con otro más cercano</translation></message>
@@ -2653,6 +2664,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n points have</source><translation>%n puntos tienen</translation></message>
 <message><source>projecting the points</source><translation>proyección de los puntos</translation></message>
 <message><source>seen from there the points make no picture: %1</source><translation>vistos desde allí los puntos no forman una imagen: %1</translation></message>
+<message><source>give a larger --grid-step, or another --sensor</source><translation>indique un --grid-step mayor, u otro --sensor</translation></message>
 <message><source>The file lists only points: </source><translation>El archivo contiene solo puntos: </translation></message>
 <message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from</source><translation>indique --sensor X,Y,Z,, el lugar en metros desde donde se tomó el escaneo</translation></message>
 <message><source>Unit taken as millimetres</source><translation>Unidad tomada como milímetros</translation></message>
@@ -2690,6 +2702,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>all %1 beams look the same way</source><translation>los %1 haces miran todos en la misma dirección</translation></message>
 <message><source>give the step from beam to beam</source><translation>indique el paso de haz a haz</translation></message>
 <message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos los puntos están a menos de %1 m entre sí y al menos a %2 m del escáner, lo que ningún escáner mide</translation></message>
+<message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from, or check --unit</source><translation>indique --sensor X,Y,Z, el lugar en metros desde donde se tomó el escaneo, o compruebe --unit</translation></message>
 <message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>El lugar del sensor se halló a partir de las distancias que el archivo contiene con sus puntos.</translation></message>
 <message><source>The columns of lines and beams hold no grid and were not used.</source><translation>Las columnas de líneas y haces no contienen ninguna cuadrícula y no se usaron.</translation></message>
 <message><source>too few points</source><translation>muy pocos puntos</translation></message>
@@ -2761,8 +2774,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the file name has no extension that names a format</source><translation>el nombre del archivo no tiene una extensión que nombre un formato</translation></message>
 <message><source>"%1" is not a format that can be written</source><translation>«%1» no es un formato que se pueda escribir</translation></message>
 <message><source>use %1</source><translation>use %1</translation></message>
-<message><source>the edge mask has %1 x %2 cells and the scan %3 x %4</source><translation>la máscara de aristas tiene %1 x %2 celdas y el escaneo %3 x %4</translation></message>
-<message><source>detect the edges of this scan again</source><translation>detecte de nuevo las aristas de este escaneo</translation></message>
+<message><source>the edge mask has %1 x %2 cells and the scan %3 x %4</source><translation>la máscara de bordes tiene %1 x %2 celdas y el escaneo %3 x %4</translation></message>
+<message><source>detect the edges of this scan again</source><translation>detecte de nuevo los bordes de este escaneo</translation></message>
 <message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>el escaneo no tiene pose, así que no se conoce su lugar en la cuadrícula de la mina</translation></message>
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>indique una pose y la calibración del robot, o guarde en el sistema del escáner</translation></message>
 <message><source>the scan has no cells</source><translation>el escaneo no tiene celdas</translation></message>
@@ -2846,9 +2859,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n telegram</source><translation>%n telegrama</translation></message>
 <message><source>%n telegrams</source><translation>%n telegramas</translation></message>
 <message><source>capture while the scanner sends scans (sEN LMDscandata 1)</source><translation>capture mientras el escáner envía escaneos (sEN LMDscandata 1)</translation></message>
+<message><source>CoLa stream</source><translation>Flujo CoLa</translation></message>
 <message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n byte del flujo no pertenece a ningún telegrama entero.</translation></message>
 <message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n bytes del flujo no pertenecen a ningún telegrama entero.</translation></message>
 <message><source>save the scan again, or remove "acquisition"</source><translation>guarde de nuevo el escaneo, o quite "acquisition"</translation></message>
+<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" debe ser un objeto {...}</translation></message>
 <message><source>radians</source><translation>radianes</translation></message>
 <message><source>milliradians</source><translation>milirradianes</translation></message>
 <message><source>angles in %1, azimuths %2</source><translation>ángulos en %1, acimuts %2</translation></message>
@@ -2862,9 +2877,16 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>angles and ranges</source><translation>ángulos y distancias</translation></message>
 <message><source>two coordinates of a point and not the third</source><translation>dos coordenadas de un punto y no la tercera</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compárelo con docs/reference/formats.md, "Raw grid"</translation></message>
+<message><source>a preset</source><translation>un preajuste</translation></message>
+<message><source>choose it in the panel Edges, or give it with --preset</source><translation>elíjalo en el panel Bordes, o indíquelo con --preset</translation></message>
+<message><source>a pose</source><translation>una pose</translation></message>
+<message><source>open its scan and give it with --pose</source><translation>abra su escaneo e indíquelo con --pose</translation></message>
+<message><source>a calibration</source><translation>una calibración</translation></message>
+<message><source>open its scan and give it with --calibration</source><translation>abra su escaneo e indíquelo con --calibration</translation></message>
 <message><source>a file of targets</source><translation>un archivo de objetivos</translation></message>
 <message><source>open its scan</source><translation>abra su escaneo</translation></message>
 <message><source>edits of rocks</source><translation>ediciones de rocas</translation></message>
+<message><source>open its scan, or give it with --edits</source><translation>abra su escaneo, o indíquelas con --edits</translation></message>
 <message><source>a record of an export</source><translation>un registro de una exportación</translation></message>
 <message><source>open its scan, or check it with edgescan-cli verify</source><translation>abra su escaneo, o compruébelo con edgescan-cli verify</translation></message>
 <message><source>must hold counts</source><translation>debe contener cuentas</translation></message>
@@ -2927,7 +2949,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este archivo MCAP no contiene nada que enviara un escáner láser</translation></message>
 <message><source>choose a recording of a sweep</source><translation>elija la grabación de un barrido</translation></message>
 <message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>en este archivo MCAP no se puede leer nada que haya enviado un escáner láser%1</translation></message>
-<message><source>, and %1 more</source><translation>y %1 más</translation></message>
+<message><source>, and %1 more</source><translation>, y %1 más</translation></message>
 <message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit no se aplica: los telegramas de una grabación dicen ellos mismos su unidad</translation></message>
 <message><source>one sweep</source><translation>un barrido</translation></message>
 <message><source>%1 sweeps</source><translation>%1 barridos</translation></message>
@@ -2978,6 +3000,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>El registro %1 del grabador termina con %2 páginas incompletas: sus mensajes no están en el escaneo.</translation></message>
 <message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>El registro %1 pertenece a varias bases de datos y no se leyó: el último cambio puede estar a medias.</translation></message>
 <message><source>the log %1 cannot be read: the folder for temporary files is missing</source><translation>no se puede leer el registro %1: falta la carpeta de archivos temporales</translation></message>
+<message><source>set TMPDIR to a folder</source><translation>ponga una carpeta en TMPDIR</translation></message>
 <message><source>it is longer than a megabyte</source><translation>ocupa más de un megabyte</translation></message>
 <message><source>a line of "=" is not followed by "MSG:"</source><translation>a una línea de "=" no le sigue "MSG:"</translation></message>
 <message><source>it names more than 1000 types</source><translation>nombra más de 1000 tipos</translation></message>
@@ -3197,10 +3220,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%1: "%2" is not a number.</source><translation>%1: «%2» no es un número.</translation></message>
 <message><source>%1: "%2" is not three numbers.</source><translation>%1: «%2» no son tres números.</translation></message>
 <message><source>%1: "%2" is not nine numbers.</source><translation>%1: «%2» no son nueve números.</translation></message>
+<message><source>the file must hold an object {...}</source><translation>el archivo debe contener un objeto {...}</translation></message>
 <message><source>choose a pose or calibration file</source><translation>elija un archivo de pose o de calibración</translation></message>
 <message><source>the pose is of robot "%1" and the calibration of "%2"</source><translation>la pose es del robot «%1» y la calibración de «%2»</translation></message>
 <message><source>give the calibration of the robot that made the scan</source><translation>indique la calibración del robot que hizo el escaneo</translation></message>
 <message><source>the scan turns about %1 and the stepper of the calibration about another axis, %2 degrees away</source><translation>el escaneo gira alrededor de %1 y el motor paso a paso de la calibración alrededor de otro eje, a %2 grados</translation></message>
+<message><source>x (sweep)</source><translation>x (sweep)</translation></message>
+<message><source>z (spin)</source><translation>z (spin)</translation></message>
 <message><source>open the scan with the right --axis, or correct "stepper.axis" of the calibration: [0, 0, 1] for a spin, [1, 0, 0] for a sweep</source><translation>abra el escaneo con el --axis correcto, o corrija "stepper.axis" de la calibración: [0, 0, 1] para spin, [1, 0, 0] para sweep</translation></message>
 <message><source>%1 line times do not fit a scan of %2 lines</source><translation>%1 tiempos de línea no corresponden a un escaneo de %2 líneas</translation></message>
 <message><source>give the times of this scan</source><translation>indique los tiempos de este escaneo</translation></message>
@@ -3223,6 +3249,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>local metres from the mine grid origin</source><translation>metros locales desde el origen de la cuadrícula de la mina</translation></message>
 <message><source>save the scan again, or remove "placement"</source><translation>guarde de nuevo el escaneo, o quite "placement"</translation></message>
 <message><source>must not be where the pivot is</source><translation>no debe estar donde está el pivote</translation></message>
+<message><source>"placement" must be an object {...}</source><translation>"placement" debe ser un objeto {...}</translation></message>
 <message><source>must be a rotation and a translation, twelve numbers</source><translation>debe ser una rotación y una traslación, doce números</translation></message>
 <message><source>must hold one pose or %1, one per line</source><translation>debe contener una pose o %1, una por línea</translation></message>
 <message><source>must hold rotations and translations, twelve numbers each</source><translation>debe contener rotaciones y traslaciones, doce números cada una</translation></message>
@@ -3277,6 +3304,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%1 is out of reason for a %2</source><translation>%1 está fuera de lo razonable para %2</translation></message>
 <message><source>%1 holds %2</source><translation>%1 contiene %2</translation></message>
 <message><source>--scan %1</source><translation>--scan %1</translation></message>
+<message><source>use --scan 0</source><translation>use --scan 0</translation></message>
 <message><source>use --scan 0 to %1</source><translation>use --scan de 0 a %1</translation></message>
 <message><source>--%1 %2 replaces %3, which the file gives.</source><translation>--%1 %2 sustituye %3, que da el archivo.</translation></message>
 <message><source>--%1 has no effect: %2; leave it out.</source><translation>--%1 no tiene efecto: %2; déjelo fuera.</translation></message>
@@ -3487,7 +3515,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>none reported</source><translation>ninguna comunicada</translation></message>
 <message><source>first echo that the scanner sent</source><translation>primer eco que envió el escáner</translation></message>
 <message><source>last echo that the scanner sent</source><translation>último eco que envió el escáner</translation></message>
-<message><source>, the motor turning on while a line is measured)</source><translation>el motor sigue girando mientras se mide una línea)</translation></message>
+<message><source>, the motor turning on while a line is measured)</source><translation>, el motor sigue girando mientras se mide una línea)</translation></message>
 <message><source>%1. Give %2 where that is wrong.</source><translation>%1. Indique %2 donde eso no sea correcto.</translation></message>
 <message><source>lines %1 and others</source><translation>líneas %1 y otras</translation></message>
 <message><source>lines %1</source><translation>líneas %1</translation></message>

@@ -1697,7 +1697,6 @@ Double-clic : retour au préréglage</translation></message>
 </translation></message>
 <message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>La visite est terminée ; Aide &gt; Visite la recommence.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La fenêtre n'a pas de place pour les images à côté de ce panneau : elles reviennent quand vous le repliez.</translation></message>
-<message><source>CoLa stream</source><translation>Flux CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dessin avec les lignes des arêtes</translation></message>
 <message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Image de distances</translation></message>
@@ -2055,6 +2054,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>this is the file that was read as an input under the name %1</source><translation>c'est le fichier qui a été lu comme entrée sous le nom %1</translation></message>
 <message><source>choose another name</source><translation>choisissez un autre nom</translation></message>
 <message><source>nothing (null)</source><translation>rien (null)</translation></message>
+<message><source>a list [...]</source><translation>une liste [...]</translation></message>
+<message><source>an object {...}</source><translation>un objet {...}</translation></message>
 <message><source>holds %1 where a number is needed</source><translation>contient %1 là où il faut un nombre</translation></message>
 <message><source>holds a number out of all reason</source><translation>contient un nombre hors de toute raison</translation></message>
 <message><source>%1 or more</source><translation>%1 ou plus</translation></message>
@@ -2074,6 +2075,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>mirrors instead of turning: its determinant is -1</source><translation>reflète au lieu de tourner : son déterminant est -1</translation></message>
 <message><source>must be a time in UTC like "2026-11-20T10:15:30.250Z"</source><translation>doit être une heure UTC comme "2026-11-20T10:15:30.250Z"</translation></message>
 <message><source>must be a list of texts</source><translation>doit être une liste de textes</translation></message>
+<message><source>must be an object {...}</source><translation>doit être un objet {...}</translation></message>
+<message><source>must be a list of objects {...}</source><translation>doit être une liste d'objets {...}</translation></message>
 <message><source>is not a key here, but "%1" is: units belong to the name</source><translation>n'est pas une clé ici, mais « %1 » en est une : les unités font partie du nom</translation></message>
 <message><source>is not a key here; known are %1</source><translation>n'est pas une clé ici ; sont connues %1</translation></message>
 <message><source>"format": "%1"</source><translation>"format": "%1"</translation></message>
@@ -2100,6 +2103,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>tilt, pitch</source><translation>inclinaison, tangage</translation></message>
 <message><source>beyond it, it is the other way round</source><translation>au-delà, c'est à l'envers</translation></message>
 <message><source>roll, convergence</source><translation>roulis, convergence</translation></message>
+<message><source>half a turn</source><translation>un demi-tour</translation></message>
 <message><source>easting, northing, place of a sensor</source><translation>est, nord, place d'un capteur</translation></message>
 <message><source>more than the way round the earth</source><translation>plus que le tour de la Terre</translation></message>
 <message><source>deeper than any mine, higher than any mountain</source><translation>plus profond que toute mine, plus haut que toute montagne</translation></message>
@@ -2119,6 +2123,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>no program writes into this pipe</source><translation>aucun programme n'écrit dans ce tube</translation></message>
 <message><source>start the program that fills it, then open it again</source><translation>démarrez le programme qui le remplit, puis ouvrez-le à nouveau</translation></message>
 <message><source>this is a device, not a scan</source><translation>ceci est un périphérique, pas un scan</translation></message>
+<message><source>choose a file</source><translation>choisissez un fichier</translation></message>
 <message><source>the file cannot be opened: </source><translation>le fichier ne peut pas être ouvert : </translation></message>
 <message><source>check the path</source><translation>vérifiez le chemin</translation></message>
 <message><source>this is not a regular file</source><translation>ceci n'est pas un fichier ordinaire</translation></message>
@@ -2255,6 +2260,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n message</source><translation>%n message</translation></message>
 <message><source>%n messages</source><translation>%n messages</translation></message>
 <message><source>this is not an MCAP recording of a known version</source><translation>ce n'est pas un enregistrement MCAP d'une version connue</translation></message>
+<message><source>choose a recording</source><translation>choisissez un enregistrement</translation></message>
 <message><source>unknown reason</source><translation>raison inconnue</translation></message>
 <message><source>out of memory</source><translation>mémoire insuffisante</translation></message>
 <message><source>the file ends too early</source><translation>le fichier finit trop tôt</translation></message>
@@ -2399,6 +2405,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>close other programs</source><translation>fermez d'autres programmes</translation></message>
 <message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>L'image demande à être tournée ou retournée à l'affichage (orientation %1) : ses rangées ont été prises comme lignes telles qu'elles sont stockées.</translation></message>
 <message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>l'image annonce plus de pixels qu'un fichier de %1 n'en contient d'un scan</translation></message>
+<message><source>a pixel</source><translation>un pixel</translation></message>
 <message><source>%n pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation>%n pixel ne contient pas de distance (négatif, pas un nombre, ou trop loin) et a été pris comme sans retour.</translation></message>
 <message><source>%n pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation>%n pixels ne contiennent pas de distance (négatifs, pas un nombre, ou trop loin) et ont été pris comme sans retour.</translation></message>
 <message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unité prise en millimètres, comme dans les images de distances.</translation></message>
@@ -2448,6 +2455,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>a numpy array of shape %1 is larger than any scan</source><translation>un tableau numpy de forme %1 est plus grand que tout scan</translation></message>
 <message><source>split it</source><translation>divisez-le</translation></message>
 <message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>un tableau numpy de forme %1 peut être des points aux axes échangés, ou trois lignes de distances</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>enregistrez les points en (n, 3), c'est-à-dire points.T, ou indiquez les angles : --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>un tableau numpy de forme %1 n'est ni des distances (lignes, faisceaux) ni des points (n, 3) ou (lignes, faisceaux, 3)</translation></message>
 <message><source>save it in one of these shapes</source><translation>enregistrez-le dans une de ces formes</translation></message>
 <message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>Le fichier contient plus d'un tableau (numpy.save plus d'une fois) ; le premier a été lu.</translation></message>
@@ -2556,16 +2564,16 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>PTX holds one point per cell, and points behind the nearest of their cell were asked for</source><translation>PTX contient un point par cellule, et les points derrière le plus proche de leur cellule ont été demandés</translation></message>
 <message><source>use .pcd, .ply, .csv, .xyz, .las or .obj for them</source><translation>utilisez pour eux .pcd, .ply, .csv, .xyz, .las ou .obj</translation></message>
 <message><source>column %1 holds %2, so this is not a table of ranges</source><translation>la colonne %1 contient %2, ce n'est donc pas un tableau de distances</translation></message>
+<message><source>for a list of points call its columns x, y and z in a first row, and leave out --beam-step and --line-step</source><translation>pour une liste de points, nommez ses colonnes x, y et z dans une première ligne, et laissez de côté --beam-step et --line-step</translation></message>
 <message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation> ; ou enregistrez-le avec une rangée par ligne : il a autant de rangées qu'un LMS511 a de faisceaux</translation></message>
 <message><source>holds %1 where the first line holds %2</source><translation>contient %1 là où la première ligne contient %2</translation></message>
 <message><source>%n range</source><translation>%n distance</translation></message>
 <message><source>%n ranges</source><translation>%n distances</translation></message>
 <message><source>copy or export the file again</source><translation>copiez ou exportez à nouveau le fichier</translation></message>
-<message><source>The angles of the %1 were taken from %2: %3 to %4 degrees.</source><translation>Les angles de %1 ont été pris de %2 : de %3 à %4 degrés.</translation></message>
 <message><source>%n column is not ranges, by the header, and not read: %1.</source><translation>%n colonne n'est pas de distances, d'après l'en-tête, et n'a pas été lue : %1.</translation></message>
 <message><source>%n columns are not ranges, by the header, and not read: %1.</source><translation>%n colonnes ne sont pas de distances, d'après l'en-tête, et n'ont pas été lues : %1.</translation></message>
-<message><source>the header</source><translation>l'en-tête</translation></message>
-<message><source>the first column</source><translation>la première colonne</translation></message>
+<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Les angles des faisceaux ont été pris de l'en-tête : de %1 à %2 degrés.</translation></message>
+<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Les angles des lignes ont été pris de la première colonne : de %1 à %2 degrés.</translation></message>
 <message><source>line %1, beam %2</source><translation>ligne %1, faisceau %2</translation></message>
 <message><source> infinite ranges were taken as no return.</source><translation> distances infinies ont été prises comme sans retour.</translation></message>
 <message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distances inférieures à 0, toutes le même nombre, ont été prises comme sans retour.</translation></message>
@@ -2598,6 +2606,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>"beam_deg" is missing</source><translation>"beam_deg" manque</translation></message>
 <message><source>"line_deg" is missing</source><translation>"line_deg" manque</translation></message>
 <message><source>"axis" is missing</source><translation>"axis" manque</translation></message>
+<message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>ajoutez-le au fichier .json, ou indiquez --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Le fichier de données %1 manque ; %2 a été lu à sa place.</translation></message>
 <message><source>counts alone are not a raw grid</source><translation>des comptes seuls ne sont pas une grille brute</translation></message>
 <message><source>give the description before them</source><translation>donnez la description avant eux</translation></message>
@@ -2622,8 +2631,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Chaque ligne n'a qu'un faisceau sur %1, à tour de rôle : %2 lignes qui se suivent ont été mises côte à côte.</translation></message>
 <message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>les %1 points ne sont pas sur des angles faisceau x ligne autour de l'origine :</translation></message>
 <message><source>about %1 no scan lines can be recognised</source><translation>autour de %1 aucune ligne de scan n'est reconnaissable</translation></message>
-<message><source>about %1 %2 % lie on the best %3 line angles</source><translation>autour de %1, %2 % sont sur les %3 meilleurs angles de ligne</translation></message>
-<message><source>about %1 %2 % lie on the best %3 beam angles</source><translation>autour de %1, %2 % sont sur les %3 meilleurs angles de faisceau</translation></message>
+<message><source>about %1 %2 % lie on the best %3</source><translation>autour de %1, %2 % sont sur les meilleurs %3</translation></message>
+<message><source>%n line angles</source><translation>%n angles de ligne</translation></message>
+<message><source>%n beam angles</source><translation>%n angles de faisceau</translation></message>
 <message><source> (99 % are needed)</source><translation> (il en faut 99 %)</translation></message>
 <message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>La liste n'était pas une grille complète en ordre : %1 lignes x %2 faisceaux ont été retrouvés d'après les angles de ses points.</translation></message>
 <message><source> lines repeated the line before and were left out.</source><translation> lignes répétaient la ligne précédente et ont été laissées de côté.</translation></message>
@@ -2641,6 +2651,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>ouvrez le scan tel que le scanner l'a enregistré, avec l'origine au scanner</translation></message>
 <message><source>%1 x %2 degrees</source><translation>%1 x %2 degrés</translation></message>
 <message><source>cells of %1 degrees over %2 would be %3 million cells</source><translation>des cellules de %1 degrés sur %2 feraient %3 millions de cellules</translation></message>
+<message><source>give a larger --grid-step</source><translation>indiquez un --grid-step plus grand</translation></message>
 <message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>les %1 points sont tous dans une seule direction depuis là, dans %2 et à %3 à %4</translation></message>
 <message><source>%n point in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n point pris, vu sur %1 x %2 degrés ; %3 de %4 cellules remplies (taux de remplissage %5 % ; des cellules autour d'une remplie %6 %), %7 rattaché à une cellule qui en a un plus proche</translation></message>
 <message><source>%n points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n points pris, vus sur %1 x %2 degrés ; %3 de %4 cellules remplies (taux de remplissage %5 % ; des cellules autour d'une remplie %6 %), %7 rattachés à une cellule qui en a un plus proche</translation></message>
@@ -2653,6 +2664,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n points have</source><translation>%n points ont</translation></message>
 <message><source>projecting the points</source><translation>projection des points</translation></message>
 <message><source>seen from there the points make no picture: %1</source><translation>vus de là, les points ne font pas d'image : %1</translation></message>
+<message><source>give a larger --grid-step, or another --sensor</source><translation>indiquez un --grid-step plus grand, ou un autre --sensor</translation></message>
 <message><source>The file lists only points: </source><translation>Le fichier ne contient que des points : </translation></message>
 <message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from</source><translation>indiquez --sensor X,Y,Z,, la place en mètres d'où le scan a été pris</translation></message>
 <message><source>Unit taken as millimetres</source><translation>Unité prise en millimètres</translation></message>
@@ -2690,6 +2702,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>all %1 beams look the same way</source><translation>les %1 faisceaux regardent tous dans la même direction</translation></message>
 <message><source>give the step from beam to beam</source><translation>indiquez le pas de faisceau à faisceau</translation></message>
 <message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>tous les points sont à moins de %1 m les uns des autres et à %2 m au moins du scanner, ce qu'aucun scanner ne mesure</translation></message>
+<message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from, or check --unit</source><translation>indiquez --sensor X,Y,Z, la place en mètres d'où le scan a été pris, ou vérifiez --unit</translation></message>
 <message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>La place du capteur a été trouvée d'après les distances que le fichier contient avec ses points.</translation></message>
 <message><source>The columns of lines and beams hold no grid and were not used.</source><translation>Les colonnes des lignes et des faisceaux ne forment pas de grille et n'ont pas été utilisées.</translation></message>
 <message><source>too few points</source><translation>trop peu de points</translation></message>
@@ -2846,9 +2859,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n telegram</source><translation>%n télégramme</translation></message>
 <message><source>%n telegrams</source><translation>%n télégrammes</translation></message>
 <message><source>capture while the scanner sends scans (sEN LMDscandata 1)</source><translation>capturez pendant que le scanner envoie des scans (sEN LMDscandata 1)</translation></message>
+<message><source>CoLa stream</source><translation>Flux CoLa</translation></message>
 <message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n octet du flux n'appartient à aucun télégramme entier.</translation></message>
 <message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n octets du flux n'appartiennent à aucun télégramme entier.</translation></message>
 <message><source>save the scan again, or remove "acquisition"</source><translation>enregistrez à nouveau le scan, ou supprimez "acquisition"</translation></message>
+<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" doit être un objet {...}</translation></message>
 <message><source>radians</source><translation>radians</translation></message>
 <message><source>milliradians</source><translation>milliradians</translation></message>
 <message><source>angles in %1, azimuths %2</source><translation>des angles en %1, des azimuts %2</translation></message>
@@ -2862,9 +2877,16 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>angles and ranges</source><translation>des angles et des distances</translation></message>
 <message><source>two coordinates of a point and not the third</source><translation>deux coordonnées d'un point et pas la troisième</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>comparez-le avec docs/reference/formats.md, "Raw grid"</translation></message>
+<message><source>a preset</source><translation>un préréglage</translation></message>
+<message><source>choose it in the panel Edges, or give it with --preset</source><translation>choisissez-le dans le panneau Arêtes, ou donnez-le avec --preset</translation></message>
+<message><source>a pose</source><translation>une pose</translation></message>
+<message><source>open its scan and give it with --pose</source><translation>ouvrez son scan et donnez-le avec --pose</translation></message>
+<message><source>a calibration</source><translation>un étalonnage</translation></message>
+<message><source>open its scan and give it with --calibration</source><translation>ouvrez son scan et donnez-le avec --calibration</translation></message>
 <message><source>a file of targets</source><translation>un fichier de cibles</translation></message>
 <message><source>open its scan</source><translation>ouvrez son scan</translation></message>
 <message><source>edits of rocks</source><translation>des modifications de roches</translation></message>
+<message><source>open its scan, or give it with --edits</source><translation>ouvrez son scan, ou donnez-les avec --edits</translation></message>
 <message><source>a record of an export</source><translation>un compte rendu d'export</translation></message>
 <message><source>open its scan, or check it with edgescan-cli verify</source><translation>ouvrez son scan, ou vérifiez-le avec edgescan-cli verify</translation></message>
 <message><source>must hold counts</source><translation>doit contenir des comptes</translation></message>
@@ -2927,7 +2949,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>ce fichier MCAP ne contient rien qu'un scanner laser ait envoyé</translation></message>
 <message><source>choose a recording of a sweep</source><translation>choisissez l'enregistrement d'un balayage</translation></message>
 <message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>rien de ce qu'un scanner laser a envoyé ne peut être lu dans ce fichier MCAP%1</translation></message>
-<message><source>, and %1 more</source><translation>et %1 de plus</translation></message>
+<message><source>, and %1 more</source><translation>, et %1 de plus</translation></message>
 <message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit ne s'applique pas : les télégrammes d'un enregistrement disent eux-mêmes leur unité</translation></message>
 <message><source>one sweep</source><translation>un balayage</translation></message>
 <message><source>%1 sweeps</source><translation>%1 balayages</translation></message>
@@ -2978,6 +3000,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>Le journal %1 de l'enregistreur finit par %2 pages incomplètes : leurs messages ne sont pas dans le scan.</translation></message>
 <message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>Le journal %1 appartient à plusieurs bases de données et n'a pas été lu : la dernière modification peut être partielle.</translation></message>
 <message><source>the log %1 cannot be read: the folder for temporary files is missing</source><translation>le journal %1 ne peut pas être lu : le dossier des fichiers temporaires manque</translation></message>
+<message><source>set TMPDIR to a folder</source><translation>mettez un dossier dans TMPDIR</translation></message>
 <message><source>it is longer than a megabyte</source><translation>elle dépasse un mégaoctet</translation></message>
 <message><source>a line of "=" is not followed by "MSG:"</source><translation>une ligne de "=" n'est pas suivie de "MSG:"</translation></message>
 <message><source>it names more than 1000 types</source><translation>elle nomme plus de 1000 types</translation></message>
@@ -3197,10 +3220,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%1: "%2" is not a number.</source><translation>%1 : « %2 » n'est pas un nombre.</translation></message>
 <message><source>%1: "%2" is not three numbers.</source><translation>%1 : « %2 » n'est pas trois nombres.</translation></message>
 <message><source>%1: "%2" is not nine numbers.</source><translation>%1 : « %2 » n'est pas neuf nombres.</translation></message>
+<message><source>the file must hold an object {...}</source><translation>le fichier doit contenir un objet {...}</translation></message>
 <message><source>choose a pose or calibration file</source><translation>choisissez un fichier de pose ou d'étalonnage</translation></message>
 <message><source>the pose is of robot "%1" and the calibration of "%2"</source><translation>la pose est du robot « %1 » et l'étalonnage de « %2 »</translation></message>
 <message><source>give the calibration of the robot that made the scan</source><translation>donnez l'étalonnage du robot qui a fait le scan</translation></message>
 <message><source>the scan turns about %1 and the stepper of the calibration about another axis, %2 degrees away</source><translation>le scan tourne autour de %1 et le moteur pas à pas de l'étalonnage autour d'un autre axe, à %2 degrés</translation></message>
+<message><source>x (sweep)</source><translation>x (sweep)</translation></message>
+<message><source>z (spin)</source><translation>z (spin)</translation></message>
 <message><source>open the scan with the right --axis, or correct "stepper.axis" of the calibration: [0, 0, 1] for a spin, [1, 0, 0] for a sweep</source><translation>ouvrez le scan avec le bon --axis, ou corrigez "stepper.axis" de l'étalonnage : [0, 0, 1] pour spin, [1, 0, 0] pour sweep</translation></message>
 <message><source>%1 line times do not fit a scan of %2 lines</source><translation>%1 instants de ligne ne correspondent pas à un scan de %2 lignes</translation></message>
 <message><source>give the times of this scan</source><translation>donnez les instants de ce scan</translation></message>
@@ -3223,6 +3249,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>local metres from the mine grid origin</source><translation>mètres locaux depuis l'origine de la grille de la mine</translation></message>
 <message><source>save the scan again, or remove "placement"</source><translation>enregistrez à nouveau le scan, ou supprimez "placement"</translation></message>
 <message><source>must not be where the pivot is</source><translation>ne doit pas être là où est le pivot</translation></message>
+<message><source>"placement" must be an object {...}</source><translation>"placement" doit être un objet {...}</translation></message>
 <message><source>must be a rotation and a translation, twelve numbers</source><translation>doit être une rotation et une translation, douze nombres</translation></message>
 <message><source>must hold one pose or %1, one per line</source><translation>doit contenir une pose ou %1, une par ligne</translation></message>
 <message><source>must hold rotations and translations, twelve numbers each</source><translation>doit contenir des rotations et des translations, douze nombres chacune</translation></message>
@@ -3277,6 +3304,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%1 is out of reason for a %2</source><translation>%1 est hors du raisonnable pour %2</translation></message>
 <message><source>%1 holds %2</source><translation>%1 contient %2</translation></message>
 <message><source>--scan %1</source><translation>--scan %1</translation></message>
+<message><source>use --scan 0</source><translation>utilisez --scan 0</translation></message>
 <message><source>use --scan 0 to %1</source><translation>utilisez --scan de 0 à %1</translation></message>
 <message><source>--%1 %2 replaces %3, which the file gives.</source><translation>--%1 %2 remplace %3, que donne le fichier.</translation></message>
 <message><source>--%1 has no effect: %2; leave it out.</source><translation>--%1 n'a pas d'effet : %2 ; laissez-le de côté.</translation></message>
@@ -3487,7 +3515,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>none reported</source><translation>aucune signalée</translation></message>
 <message><source>first echo that the scanner sent</source><translation>premier écho que le scanner a envoyé</translation></message>
 <message><source>last echo that the scanner sent</source><translation>dernier écho que le scanner a envoyé</translation></message>
-<message><source>, the motor turning on while a line is measured)</source><translation>le moteur continuant à tourner pendant la mesure d'une ligne)</translation></message>
+<message><source>, the motor turning on while a line is measured)</source><translation>, le moteur continuant à tourner pendant la mesure d'une ligne)</translation></message>
 <message><source>%1. Give %2 where that is wrong.</source><translation>%1. Indiquez %2 là où c'est faux.</translation></message>
 <message><source>lines %1 and others</source><translation>lignes %1 et d'autres</translation></message>
 <message><source>lines %1</source><translation>lignes %1</translation></message>

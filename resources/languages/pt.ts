@@ -1697,7 +1697,6 @@ Clique duplo: voltar à predefinição</translation></message>
 </translation></message>
 <message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>O passeio terminou; Ajuda &gt; Passeio começa-o de novo.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>A janela não tem espaço para as imagens ao lado deste painel: elas voltam quando você o recolhe.</translation></message>
-<message><source>CoLa stream</source><translation>Fluxo CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Desenho com as linhas das bordas</translation></message>
 <message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Imagem de distâncias</translation></message>
@@ -2055,6 +2054,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>this is the file that was read as an input under the name %1</source><translation>este é o arquivo que foi lido como entrada com o nome %1</translation></message>
 <message><source>choose another name</source><translation>escolha outro nome</translation></message>
 <message><source>nothing (null)</source><translation>nada (null)</translation></message>
+<message><source>a list [...]</source><translation>uma lista [...]</translation></message>
+<message><source>an object {...}</source><translation>um objeto {...}</translation></message>
 <message><source>holds %1 where a number is needed</source><translation>contém %1 onde é necessário um número</translation></message>
 <message><source>holds a number out of all reason</source><translation>contém um número fora de toda razão</translation></message>
 <message><source>%1 or more</source><translation>%1 ou mais</translation></message>
@@ -2074,6 +2075,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>mirrors instead of turning: its determinant is -1</source><translation>espelha em vez de girar: seu determinante é -1</translation></message>
 <message><source>must be a time in UTC like "2026-11-20T10:15:30.250Z"</source><translation>deve ser uma hora UTC como "2026-11-20T10:15:30.250Z"</translation></message>
 <message><source>must be a list of texts</source><translation>deve ser uma lista de textos</translation></message>
+<message><source>must be an object {...}</source><translation>deve ser um objeto {...}</translation></message>
+<message><source>must be a list of objects {...}</source><translation>deve ser uma lista de objetos {...}</translation></message>
 <message><source>is not a key here, but "%1" is: units belong to the name</source><translation>não é uma chave aqui, mas «%1» é: as unidades fazem parte do nome</translation></message>
 <message><source>is not a key here; known are %1</source><translation>não é uma chave aqui; são conhecidas %1</translation></message>
 <message><source>"format": "%1"</source><translation>"format": "%1"</translation></message>
@@ -2100,6 +2103,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>tilt, pitch</source><translation>inclinação, arfagem</translation></message>
 <message><source>beyond it, it is the other way round</source><translation>além disso está ao contrário</translation></message>
 <message><source>roll, convergence</source><translation>rolagem, convergência</translation></message>
+<message><source>half a turn</source><translation>meia volta</translation></message>
 <message><source>easting, northing, place of a sensor</source><translation>este, norte, lugar de um sensor</translation></message>
 <message><source>more than the way round the earth</source><translation>mais que a volta à Terra</translation></message>
 <message><source>deeper than any mine, higher than any mountain</source><translation>mais fundo que qualquer mina, mais alto que qualquer montanha</translation></message>
@@ -2119,6 +2123,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>no program writes into this pipe</source><translation>nenhum programa escreve neste pipe</translation></message>
 <message><source>start the program that fills it, then open it again</source><translation>inicie o programa que o enche e abra-o de novo</translation></message>
 <message><source>this is a device, not a scan</source><translation>isto é um dispositivo, não uma varredura</translation></message>
+<message><source>choose a file</source><translation>escolha um arquivo</translation></message>
 <message><source>the file cannot be opened: </source><translation>o arquivo não pode ser aberto: </translation></message>
 <message><source>check the path</source><translation>verifique o caminho</translation></message>
 <message><source>this is not a regular file</source><translation>isto não é um arquivo comum</translation></message>
@@ -2255,6 +2260,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n message</source><translation>%n mensagem</translation></message>
 <message><source>%n messages</source><translation>%n mensagens</translation></message>
 <message><source>this is not an MCAP recording of a known version</source><translation>não é uma gravação MCAP de versão conhecida</translation></message>
+<message><source>choose a recording</source><translation>escolha uma gravação</translation></message>
 <message><source>unknown reason</source><translation>motivo desconhecido</translation></message>
 <message><source>out of memory</source><translation>memória insuficiente</translation></message>
 <message><source>the file ends too early</source><translation>o arquivo termina cedo demais</translation></message>
@@ -2399,6 +2405,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>close other programs</source><translation>feche outros programas</translation></message>
 <message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>A imagem pede para ser girada ou espelhada ao ser mostrada (orientação %1): as suas fileiras foram tomadas como linhas tal como estão gravadas.</translation></message>
 <message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>a imagem anuncia mais pixels do que um arquivo de %1 contém de uma varredura</translation></message>
+<message><source>a pixel</source><translation>um pixel</translation></message>
 <message><source>%n pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation>%n pixel não contém distância (negativo, não numérico ou longe demais) e foi tomado como sem retorno.</translation></message>
 <message><source>%n pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation>%n pixels não contêm distância (negativos, não numéricos ou longe demais) e foram tomados como sem retorno.</translation></message>
 <message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidade tomada como milímetros, como nas imagens de distâncias.</translation></message>
@@ -2448,6 +2455,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>a numpy array of shape %1 is larger than any scan</source><translation>uma matriz numpy de forma %1 é maior que qualquer varredura</translation></message>
 <message><source>split it</source><translation>divida-a</translation></message>
 <message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>uma matriz numpy de forma %1 podem ser pontos com os eixos trocados, ou três linhas de distâncias</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>salve os pontos como (n, 3), que é points.T, ou indique os ângulos: --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>uma matriz numpy de forma %1 não é nem distâncias (linhas, feixes) nem pontos (n, 3) ou (linhas, feixes, 3)</translation></message>
 <message><source>save it in one of these shapes</source><translation>salve-a numa destas formas</translation></message>
 <message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>O arquivo contém mais de uma matriz (numpy.save mais de uma vez); foi lida a primeira.</translation></message>
@@ -2556,16 +2564,16 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>PTX holds one point per cell, and points behind the nearest of their cell were asked for</source><translation>o PTX contém um ponto por célula, e foram pedidos também os pontos atrás do mais próximo de sua célula</translation></message>
 <message><source>use .pcd, .ply, .csv, .xyz, .las or .obj for them</source><translation>use para eles .pcd, .ply, .csv, .xyz, .las ou .obj</translation></message>
 <message><source>column %1 holds %2, so this is not a table of ranges</source><translation>a coluna %1 contém %2, então isto não é uma tabela de distâncias</translation></message>
+<message><source>for a list of points call its columns x, y and z in a first row, and leave out --beam-step and --line-step</source><translation>para uma lista de pontos chame suas colunas de x, y e z numa primeira linha, e deixe de fora --beam-step e --line-step</translation></message>
 <message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; ou salve-a com uma fileira por linha: tem tantas fileiras quantos feixes um LMS511</translation></message>
 <message><source>holds %1 where the first line holds %2</source><translation>contém %1 onde a primeira linha contém %2</translation></message>
 <message><source>%n range</source><translation>%n distância</translation></message>
 <message><source>%n ranges</source><translation>%n distâncias</translation></message>
 <message><source>copy or export the file again</source><translation>copie ou exporte de novo o arquivo</translation></message>
-<message><source>The angles of the %1 were taken from %2: %3 to %4 degrees.</source><translation>Os ângulos de %1 foram tomados de %2: de %3 a %4 graus.</translation></message>
 <message><source>%n column is not ranges, by the header, and not read: %1.</source><translation>%n coluna não é de distâncias, segundo o cabeçalho, e não foi lida: %1.</translation></message>
 <message><source>%n columns are not ranges, by the header, and not read: %1.</source><translation>%n colunas não são de distâncias, segundo o cabeçalho, e não foram lidas: %1.</translation></message>
-<message><source>the header</source><translation>o cabeçalho</translation></message>
-<message><source>the first column</source><translation>a primeira coluna</translation></message>
+<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Os ângulos dos feixes foram tomados do cabeçalho: de %1 a %2 graus.</translation></message>
+<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Os ângulos das linhas foram tomados da primeira coluna: de %1 a %2 graus.</translation></message>
 <message><source>line %1, beam %2</source><translation>linha %1, feixe %2</translation></message>
 <message><source> infinite ranges were taken as no return.</source><translation> distâncias infinitas foram tomadas como sem retorno.</translation></message>
 <message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distâncias abaixo de 0, todas o mesmo número, foram tomadas como sem retorno.</translation></message>
@@ -2598,6 +2606,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>"beam_deg" is missing</source><translation>falta "beam_deg"</translation></message>
 <message><source>"line_deg" is missing</source><translation>falta "line_deg"</translation></message>
 <message><source>"axis" is missing</source><translation>falta "axis"</translation></message>
+<message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>acrescente-o ao arquivo .json, ou indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta o arquivo de dados %1; em seu lugar foi lido %2.</translation></message>
 <message><source>counts alone are not a raw grid</source><translation>contagens sozinhas não são uma grade bruta</translation></message>
 <message><source>give the description before them</source><translation>dê a descrição antes delas</translation></message>
@@ -2622,8 +2631,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Cada linha só tem um feixe em cada %1, por turno: %2 linhas seguidas foram postas lado a lado.</translation></message>
 <message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>os %1 pontos não estão em ângulos feixe x linha em torno da origem:</translation></message>
 <message><source>about %1 no scan lines can be recognised</source><translation>em torno de %1 não se reconhecem linhas de varredura</translation></message>
-<message><source>about %1 %2 % lie on the best %3 line angles</source><translation>em torno de %1 %2 % estão nos melhores %3 ângulos de linha</translation></message>
-<message><source>about %1 %2 % lie on the best %3 beam angles</source><translation>em torno de %1 %2 % estão nos melhores %3 ângulos de feixe</translation></message>
+<message><source>about %1 %2 % lie on the best %3</source><translation>em torno de %1 %2 % estão nos melhores %3</translation></message>
+<message><source>%n line angles</source><translation>%n ângulos de linha</translation></message>
+<message><source>%n beam angles</source><translation>%n ângulos de feixe</translation></message>
 <message><source> (99 % are needed)</source><translation> (são precisos 99 %)</translation></message>
 <message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>A lista não era uma grade completa em ordem: %1 linhas x %2 feixes foram recuperados a partir dos ângulos dos seus pontos.</translation></message>
 <message><source> lines repeated the line before and were left out.</source><translation> linhas repetiam a linha anterior e foram deixadas de fora.</translation></message>
@@ -2641,6 +2651,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra a varredura tal como o scanner a gravou, com a origem no scanner</translation></message>
 <message><source>%1 x %2 degrees</source><translation>%1 x %2 graus</translation></message>
 <message><source>cells of %1 degrees over %2 would be %3 million cells</source><translation>células de %1 graus sobre %2 seriam %3 milhões de células</translation></message>
+<message><source>give a larger --grid-step</source><translation>indique um --grid-step maior</translation></message>
 <message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>os %1 pontos estão todos numa só direção a partir dali, dentro de %2 e a %3 a %4</translation></message>
 <message><source>%n point in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n ponto incluído, visto sobre %1 x %2 graus; %3 de %4 células preenchidas (taxa de preenchimento %5 %; das células em torno de uma preenchida %6 %), %7 atribuído a uma célula com outro mais próximo</translation></message>
 <message><source>%n points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n pontos incluídos, vistos sobre %1 x %2 graus; %3 de %4 células preenchidas (taxa de preenchimento %5 %; das células em torno de uma preenchida %6 %), %7 atribuídos a uma célula com outro mais próximo</translation></message>
@@ -2653,6 +2664,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n points have</source><translation>%n pontos têm</translation></message>
 <message><source>projecting the points</source><translation>projeção dos pontos</translation></message>
 <message><source>seen from there the points make no picture: %1</source><translation>vistos dali os pontos não formam uma imagem: %1</translation></message>
+<message><source>give a larger --grid-step, or another --sensor</source><translation>indique um --grid-step maior, ou outro --sensor</translation></message>
 <message><source>The file lists only points: </source><translation>O arquivo contém só pontos: </translation></message>
 <message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from</source><translation>indique --sensor X,Y,Z,, o lugar em metros de onde a varredura foi feita</translation></message>
 <message><source>Unit taken as millimetres</source><translation>Unidade tomada como milímetros</translation></message>
@@ -2690,6 +2702,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>all %1 beams look the same way</source><translation>os %1 feixes olham todos na mesma direção</translation></message>
 <message><source>give the step from beam to beam</source><translation>indique o passo de feixe a feixe</translation></message>
 <message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos os pontos estão a menos de %1 m uns dos outros e a pelo menos %2 m do scanner, o que nenhum scanner mede</translation></message>
+<message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from, or check --unit</source><translation>indique --sensor X,Y,Z, o lugar em metros de onde a varredura foi feita, ou verifique --unit</translation></message>
 <message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>O lugar do sensor foi encontrado a partir das distâncias que o arquivo contém com os seus pontos.</translation></message>
 <message><source>The columns of lines and beams hold no grid and were not used.</source><translation>As colunas de linhas e feixes não contêm nenhuma grade e não foram usadas.</translation></message>
 <message><source>too few points</source><translation>pontos de menos</translation></message>
@@ -2761,8 +2774,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the file name has no extension that names a format</source><translation>o nome do arquivo não tem uma extensão que nomeie um formato</translation></message>
 <message><source>"%1" is not a format that can be written</source><translation>«%1» não é um formato que possa ser escrito</translation></message>
 <message><source>use %1</source><translation>use %1</translation></message>
-<message><source>the edge mask has %1 x %2 cells and the scan %3 x %4</source><translation>a máscara de arestas tem %1 x %2 células e a varredura %3 x %4</translation></message>
-<message><source>detect the edges of this scan again</source><translation>detecte de novo as arestas desta varredura</translation></message>
+<message><source>the edge mask has %1 x %2 cells and the scan %3 x %4</source><translation>a máscara de bordas tem %1 x %2 células e a varredura %3 x %4</translation></message>
+<message><source>detect the edges of this scan again</source><translation>detecte de novo as bordas desta varredura</translation></message>
 <message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>a varredura não tem pose, portanto o seu lugar na grade da mina não é conhecido</translation></message>
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>dê uma pose e a calibração do robô, ou salve no referencial do scanner</translation></message>
 <message><source>the scan has no cells</source><translation>a varredura não tem células</translation></message>
@@ -2846,9 +2859,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n telegram</source><translation>%n telegrama</translation></message>
 <message><source>%n telegrams</source><translation>%n telegramas</translation></message>
 <message><source>capture while the scanner sends scans (sEN LMDscandata 1)</source><translation>capture enquanto o scanner envia varreduras (sEN LMDscandata 1)</translation></message>
+<message><source>CoLa stream</source><translation>Fluxo CoLa</translation></message>
 <message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n byte do fluxo não pertence a nenhum telegrama inteiro.</translation></message>
 <message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n bytes do fluxo não pertencem a nenhum telegrama inteiro.</translation></message>
 <message><source>save the scan again, or remove "acquisition"</source><translation>salve de novo a varredura, ou remova "acquisition"</translation></message>
+<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" deve ser um objeto {...}</translation></message>
 <message><source>radians</source><translation>radianos</translation></message>
 <message><source>milliradians</source><translation>milirradianos</translation></message>
 <message><source>angles in %1, azimuths %2</source><translation>ângulos em %1, azimutes %2</translation></message>
@@ -2862,9 +2877,16 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>angles and ranges</source><translation>ângulos e distâncias</translation></message>
 <message><source>two coordinates of a point and not the third</source><translation>duas coordenadas de um ponto e não a terceira</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compare-o com docs/reference/formats.md, "Raw grid"</translation></message>
+<message><source>a preset</source><translation>uma predefinição</translation></message>
+<message><source>choose it in the panel Edges, or give it with --preset</source><translation>escolha-o no painel Bordas, ou indique-o com --preset</translation></message>
+<message><source>a pose</source><translation>uma pose</translation></message>
+<message><source>open its scan and give it with --pose</source><translation>abra sua varredura e indique-o com --pose</translation></message>
+<message><source>a calibration</source><translation>uma calibração</translation></message>
+<message><source>open its scan and give it with --calibration</source><translation>abra sua varredura e indique-o com --calibration</translation></message>
 <message><source>a file of targets</source><translation>um arquivo de alvos</translation></message>
 <message><source>open its scan</source><translation>abra sua varredura</translation></message>
 <message><source>edits of rocks</source><translation>edições de rochas</translation></message>
+<message><source>open its scan, or give it with --edits</source><translation>abra sua varredura, ou indique-as com --edits</translation></message>
 <message><source>a record of an export</source><translation>um registro de uma exportação</translation></message>
 <message><source>open its scan, or check it with edgescan-cli verify</source><translation>abra sua varredura, ou verifique-o com edgescan-cli verify</translation></message>
 <message><source>must hold counts</source><translation>deve conter contagens</translation></message>
@@ -2927,7 +2949,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este arquivo MCAP não contém nada enviado por um scanner a laser</translation></message>
 <message><source>choose a recording of a sweep</source><translation>escolha a gravação de uma varredura</translation></message>
 <message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>neste arquivo MCAP não se pode ler nada que um scanner a laser tenha enviado%1</translation></message>
-<message><source>, and %1 more</source><translation>e mais %1</translation></message>
+<message><source>, and %1 more</source><translation>, e mais %1</translation></message>
 <message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit não se aplica: os telegramas de uma gravação dizem eles mesmos sua unidade</translation></message>
 <message><source>one sweep</source><translation>uma varredura</translation></message>
 <message><source>%1 sweeps</source><translation>%1 varreduras</translation></message>
@@ -2978,6 +3000,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>O registro %1 do gravador termina com %2 páginas incompletas: as suas mensagens não estão na varredura.</translation></message>
 <message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>O registro %1 pertence a vários bancos de dados e não foi lido: a última alteração pode estar pela metade.</translation></message>
 <message><source>the log %1 cannot be read: the folder for temporary files is missing</source><translation>o registro %1 não pode ser lido: falta a pasta de arquivos temporários</translation></message>
+<message><source>set TMPDIR to a folder</source><translation>ponha uma pasta em TMPDIR</translation></message>
 <message><source>it is longer than a megabyte</source><translation>é mais longa que um megabyte</translation></message>
 <message><source>a line of "=" is not followed by "MSG:"</source><translation>a uma linha de "=" não se segue "MSG:"</translation></message>
 <message><source>it names more than 1000 types</source><translation>nomeia mais de 1000 tipos</translation></message>
@@ -3090,7 +3113,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>In %1 angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>Em %1 angle_max não está onde angle_min e angle_increment põem o último feixe: foi usado angle_increment, e os feixes podem estar espelhados ou girados.</translation></message>
 <message><source>%n message of joints is damaged and was left out.</source><translation>%n mensagem de juntas está danificada e foi deixada de fora.</translation></message>
 <message><source>%n messages of joints are damaged and were left out.</source><translation>%n mensagens de juntas estão danificadas e foram deixadas de fora.</translation></message>
-<message><source>GUESS: the angle of each line comes from %1.</source><translation>SUPOSIÇÃO: o ângulo de cada linha vem de %1.</translation></message>
+<message><source>GUESS: the angle of each line comes from %1.</source><translation>SUPOSIÇÃO: o ângulo de cada linha tem como origem %1.</translation></message>
 <message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (%1). Give --axis where that is wrong.</source><translation>Uma junta não diz como o laser está montado nela. SUPOSTO: o eixo (%1). Indique --axis onde isso estiver errado.</translation></message>
 <message><source>sweep, by the name of the joint</source><translation>sweep, pelo nome da junta</translation></message>
 <message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>O eixo está %1 graus fora do plano do leque: os pontos estão desviados outro tanto.</translation></message>
@@ -3197,10 +3220,13 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1: "%2" is not a number.</source><translation>%1: «%2» não é um número.</translation></message>
 <message><source>%1: "%2" is not three numbers.</source><translation>%1: «%2» não são três números.</translation></message>
 <message><source>%1: "%2" is not nine numbers.</source><translation>%1: «%2» não são nove números.</translation></message>
+<message><source>the file must hold an object {...}</source><translation>o arquivo deve conter um objeto {...}</translation></message>
 <message><source>choose a pose or calibration file</source><translation>escolha um arquivo de pose ou de calibração</translation></message>
 <message><source>the pose is of robot "%1" and the calibration of "%2"</source><translation>a pose é do robô «%1» e a calibração de «%2»</translation></message>
 <message><source>give the calibration of the robot that made the scan</source><translation>indique a calibração do robô que fez a varredura</translation></message>
 <message><source>the scan turns about %1 and the stepper of the calibration about another axis, %2 degrees away</source><translation>a varredura gira em torno de %1 e o motor de passo da calibração em torno de outro eixo, a %2 graus</translation></message>
+<message><source>x (sweep)</source><translation>x (sweep)</translation></message>
+<message><source>z (spin)</source><translation>z (spin)</translation></message>
 <message><source>open the scan with the right --axis, or correct "stepper.axis" of the calibration: [0, 0, 1] for a spin, [1, 0, 0] for a sweep</source><translation>abra a varredura com o --axis correto, ou corrija "stepper.axis" da calibração: [0, 0, 1] para spin, [1, 0, 0] para sweep</translation></message>
 <message><source>%1 line times do not fit a scan of %2 lines</source><translation>%1 tempos de linha não correspondem a uma varredura de %2 linhas</translation></message>
 <message><source>give the times of this scan</source><translation>indique os tempos desta varredura</translation></message>
@@ -3223,6 +3249,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>local metres from the mine grid origin</source><translation>metros locais desde a origem da grade da mina</translation></message>
 <message><source>save the scan again, or remove "placement"</source><translation>salve de novo a varredura, ou remova "placement"</translation></message>
 <message><source>must not be where the pivot is</source><translation>não deve estar onde está o pivô</translation></message>
+<message><source>"placement" must be an object {...}</source><translation>"placement" deve ser um objeto {...}</translation></message>
 <message><source>must be a rotation and a translation, twelve numbers</source><translation>deve ser uma rotação e uma translação, doze números</translation></message>
 <message><source>must hold one pose or %1, one per line</source><translation>deve conter uma pose ou %1, uma por linha</translation></message>
 <message><source>must hold rotations and translations, twelve numbers each</source><translation>deve conter rotações e translações, doze números cada uma</translation></message>
@@ -3277,6 +3304,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1 is out of reason for a %2</source><translation>%1 está fora do razoável para %2</translation></message>
 <message><source>%1 holds %2</source><translation>%1 contém %2</translation></message>
 <message><source>--scan %1</source><translation>--scan %1</translation></message>
+<message><source>use --scan 0</source><translation>use --scan 0</translation></message>
 <message><source>use --scan 0 to %1</source><translation>use --scan de 0 a %1</translation></message>
 <message><source>--%1 %2 replaces %3, which the file gives.</source><translation>--%1 %2 substitui %3, que o arquivo dá.</translation></message>
 <message><source>--%1 has no effect: %2; leave it out.</source><translation>--%1 não tem efeito: %2; deixe-o de fora.</translation></message>
@@ -3487,7 +3515,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>none reported</source><translation>nenhuma comunicada</translation></message>
 <message><source>first echo that the scanner sent</source><translation>primeiro eco que o scanner enviou</translation></message>
 <message><source>last echo that the scanner sent</source><translation>último eco que o scanner enviou</translation></message>
-<message><source>, the motor turning on while a line is measured)</source><translation>o motor continua a girar enquanto uma linha é medida)</translation></message>
+<message><source>, the motor turning on while a line is measured)</source><translation>, o motor continua a girar enquanto uma linha é medida)</translation></message>
 <message><source>%1. Give %2 where that is wrong.</source><translation>%1. Indique %2 onde isso estiver errado.</translation></message>
 <message><source>lines %1 and others</source><translation>linhas %1 e outras</translation></message>
 <message><source>lines %1</source><translation>linhas %1</translation></message>

@@ -236,15 +236,26 @@ QString CoreTexts::filled(const Text& text, const QRegularExpressionMatch& found
     return result + words.mid(at);
 }
 
+QRegularExpressionMatch CoreTexts::found(const Text& text, const QString& in, int from) {
+    auto found = text.match.match(in, from);
+    if (text.source.startsWith('%')) return found;
+    // A value does not hold the beginning of the sentence again: of "about z ..., about y 3 lines", the second.
+    for (auto later = found; later.hasMatch() && later.capturedEnd() <= found.capturedEnd();) {
+        found = later;
+        later = text.match.match(in, later.capturedStart() + 1);
+    }
+    return found;
+}
+
 QString CoreTexts::translated(QString text, QString (*inner)(const QString&)) const {
     for (const Text& each : texts_) {
         if (!text.contains(each.words)) continue;
         int at = 0; // behind what is translated already
-        for (auto found = each.match.match(text); found.hasMatch(); found = each.match.match(text, at)) {
-            const QString part = filled(each, found, inner);
+        for (auto match = found(each, text, 0); match.hasMatch(); match = found(each, text, at)) {
+            const QString part = filled(each, match, inner);
             if (whole_) return part;
-            text.replace(found.capturedStart(), found.capturedLength(), part);
-            at = found.capturedStart() + part.size();
+            text.replace(match.capturedStart(), match.capturedLength(), part);
+            at = match.capturedStart() + part.size();
         }
     }
     return text;

@@ -35,6 +35,7 @@ private:
         QStringList places; ///< "%n", "%1" ..., as they follow each other in the source
         QRegularExpression match;
     };
+    [[nodiscard]] static QRegularExpressionMatch found(const Text& text, const QString& in, int from);
     [[nodiscard]] static QString filled(const Text& text, const QRegularExpressionMatch& found, QString (*inner)(const QString&));
 
     bool whole_;

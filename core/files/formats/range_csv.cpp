@@ -163,13 +163,12 @@ Run runOf(const std::vector<double>& labels) {
 }
 
 /// Takes angles from the labels around the table, where the user gave none. What was taken, as a sentence; empty when nothing was.
-std::string applyLabelAngles(const Run& run, std::size_t count, const char* of, const char* from, std::optional<double>& start,
+std::string applyLabelAngles(const Run& run, std::size_t count, const char* sentence, std::optional<double>& start,
                              std::optional<double>& step) {
     if (start || step || count < 2 || run.step == 0 || !run.isDegrees(count)) return {};
     start = run.first;
     step = run.step;
-    return withValues("The angles of the %1 were taken from %2: %3 to %4 degrees.",
-                      {of, from, significantText(run.first, 6), significantText(run.last(count), 6)});
+    return withValues(sentence, {significantText(run.first, 6), significantText(run.last(count), 6)});
 }
 
 std::string leftOutText(const TextLayout& layout, const RangeColumns& columns) {
@@ -203,10 +202,12 @@ Result<Scan> readRangeCsv(const Source& source) {
     const auto warn = [&](std::string sentence) {
         if (!sentence.empty()) warnings.push_back(std::move(sentence));
     };
-    warn(applyLabelAngles(columns.numbers, columns.count, "beams", "the header", options.beamStartDeg, options.beamStepDeg));
+    warn(applyLabelAngles(columns.numbers, columns.count, "The angles of the beams were taken from the header: %1 to %2 degrees.",
+                          options.beamStartDeg, options.beamStepDeg));
     auto table = readTable(source, layout, columns);
     if (!table) return table.error();
-    warn(applyLabelAngles(runOf(table->labels), table->labels.size(), "lines", "the first column", options.lineStartDeg,
+    warn(applyLabelAngles(runOf(table->labels), table->labels.size(),
+                          "The angles of the lines were taken from the first column: %1 to %2 degrees.", options.lineStartDeg,
                           options.lineStepDeg));
     if (auto known = checkWidth(layout, columns, asked); !known) return known.error();
     if (table->whole && !options.unitMm) options.unitMm = 1.0; // numbers without a point are millimetres

@@ -229,10 +229,10 @@ std::string sentenceFor(const std::array<NoFit, 3>& seen, const std::vector<Hypo
     for (std::size_t h = 0; h < hypotheses.size(); ++h) {
         const bool onLines = seen[h].beams == 0;
         text += h > 0 ? ", " : " ";
-        text += withValues(seen[h].lines == 0 ? "about %1 no scan lines can be recognised"
-                           : onLines          ? "about %1 %2 % lie on the best %3 line angles"
-                                              : "about %1 %2 % lie on the best %3 beam angles",
-                           {std::string(1, hypotheses[h].letter), percent(seen[h].onGrid), onLines ? seen[h].lines : seen[h].beams});
+        text += withValues(
+            seen[h].lines == 0 ? "about %1 no scan lines can be recognised" : "about %1 %2 % lie on the best %3",
+            {std::string(1, hypotheses[h].letter), percent(seen[h].onGrid),
+             onLines ? counted(seen[h].lines, "line angles", "line angles") : counted(seen[h].beams, "beam angles", "beam angles")});
     }
     return text + " (99 % are needed)";
 }
