@@ -2877,17 +2877,17 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>angles and ranges</source><translation>ángulos y distancias</translation></message>
 <message><source>two coordinates of a point and not the third</source><translation>dos coordenadas de un punto y no la tercera</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compárelo con docs/reference/formats.md, "Raw grid"</translation></message>
-<message><source>a preset</source><translation>un preajuste</translation></message>
+<message><source>this is a preset and not a scan</source><translation>esto es un preajuste y no un escaneo</translation></message>
 <message><source>choose it in the panel Edges, or give it with --preset</source><translation>elíjalo en el panel Bordes, o indíquelo con --preset</translation></message>
-<message><source>a pose</source><translation>una pose</translation></message>
+<message><source>this is a pose and not a scan</source><translation>esto es una pose y no un escaneo</translation></message>
 <message><source>open its scan and give it with --pose</source><translation>abra su escaneo e indíquelo con --pose</translation></message>
-<message><source>a calibration</source><translation>una calibración</translation></message>
+<message><source>this is a calibration and not a scan</source><translation>esto es una calibración y no un escaneo</translation></message>
 <message><source>open its scan and give it with --calibration</source><translation>abra su escaneo e indíquelo con --calibration</translation></message>
-<message><source>a file of targets</source><translation>un archivo de objetivos</translation></message>
+<message><source>this is a file of targets and not a scan</source><translation>esto es un archivo de objetivos y no un escaneo</translation></message>
 <message><source>open its scan</source><translation>abra su escaneo</translation></message>
-<message><source>edits of rocks</source><translation>ediciones de rocas</translation></message>
+<message><source>this is edits of rocks and not a scan</source><translation>esto es una edición de rocas y no un escaneo</translation></message>
 <message><source>open its scan, or give it with --edits</source><translation>abra su escaneo, o indíquelas con --edits</translation></message>
-<message><source>a record of an export</source><translation>un registro de una exportación</translation></message>
+<message><source>this is a record of an export and not a scan</source><translation>esto es un registro de una exportación y no un escaneo</translation></message>
 <message><source>open its scan, or check it with edgescan-cli verify</source><translation>abra su escaneo, o compruébelo con edgescan-cli verify</translation></message>
 <message><source>must hold counts</source><translation>debe contener cuentas</translation></message>
 <message><source>holds %1, and there are %2</source><translation>contiene %1, y hay %2</translation></message>
@@ -2901,7 +2901,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>leaves the grid</source><translation>se sale de la cuadrícula</translation></message>
 <message><source>names cell %1 twice</source><translation>nombra dos veces la celda %1</translation></message>
 <message><source>must name a file in the same folder</source><translation>debe nombrar un archivo de la misma carpeta</translation></message>
-<message><source>this is %1 and not a scan</source><translation>esto es %1 y no un escaneo</translation></message>
 <message><source>must be greater than 0</source><translation>debe ser mayor que 0</translation></message>
 <message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>el encabezado anuncia %1 de %2 bytes y el archivo contiene %3 bytes de ellos, que es más</translation></message>
 <message><source>holds %1 where the header promises %2</source><translation>contiene %1 donde el encabezado anuncia %2</translation></message>

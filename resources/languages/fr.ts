@@ -2877,17 +2877,17 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>angles and ranges</source><translation>des angles et des distances</translation></message>
 <message><source>two coordinates of a point and not the third</source><translation>deux coordonnées d'un point et pas la troisième</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>comparez-le avec docs/reference/formats.md, "Raw grid"</translation></message>
-<message><source>a preset</source><translation>un préréglage</translation></message>
+<message><source>this is a preset and not a scan</source><translation>ceci est un préréglage et non un scan</translation></message>
 <message><source>choose it in the panel Edges, or give it with --preset</source><translation>choisissez-le dans le panneau Arêtes, ou donnez-le avec --preset</translation></message>
-<message><source>a pose</source><translation>une pose</translation></message>
+<message><source>this is a pose and not a scan</source><translation>ceci est une pose et non un scan</translation></message>
 <message><source>open its scan and give it with --pose</source><translation>ouvrez son scan et donnez-le avec --pose</translation></message>
-<message><source>a calibration</source><translation>un étalonnage</translation></message>
+<message><source>this is a calibration and not a scan</source><translation>ceci est un étalonnage et non un scan</translation></message>
 <message><source>open its scan and give it with --calibration</source><translation>ouvrez son scan et donnez-le avec --calibration</translation></message>
-<message><source>a file of targets</source><translation>un fichier de cibles</translation></message>
+<message><source>this is a file of targets and not a scan</source><translation>ceci est un fichier de cibles et non un scan</translation></message>
 <message><source>open its scan</source><translation>ouvrez son scan</translation></message>
-<message><source>edits of rocks</source><translation>des modifications de roches</translation></message>
+<message><source>this is edits of rocks and not a scan</source><translation>ceci est une modification de roches et non un scan</translation></message>
 <message><source>open its scan, or give it with --edits</source><translation>ouvrez son scan, ou donnez-les avec --edits</translation></message>
-<message><source>a record of an export</source><translation>un compte rendu d'export</translation></message>
+<message><source>this is a record of an export and not a scan</source><translation>ceci est un compte rendu d'export et non un scan</translation></message>
 <message><source>open its scan, or check it with edgescan-cli verify</source><translation>ouvrez son scan, ou vérifiez-le avec edgescan-cli verify</translation></message>
 <message><source>must hold counts</source><translation>doit contenir des comptes</translation></message>
 <message><source>holds %1, and there are %2</source><translation>contient %1, et il y en a %2</translation></message>
@@ -2901,7 +2901,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>leaves the grid</source><translation>sort de la grille</translation></message>
 <message><source>names cell %1 twice</source><translation>nomme deux fois la cellule %1</translation></message>
 <message><source>must name a file in the same folder</source><translation>doit nommer un fichier du même dossier</translation></message>
-<message><source>this is %1 and not a scan</source><translation>ceci est %1 et non un scan</translation></message>
 <message><source>must be greater than 0</source><translation>doit être supérieur à 0</translation></message>
 <message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>l'en-tête annonce %1 de %2 octets et le fichier en contient %3 octets, ce qui est plus</translation></message>
 <message><source>holds %1 where the header promises %2</source><translation>contient %1 là où l'en-tête annonce %2</translation></message>

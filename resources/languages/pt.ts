@@ -1223,7 +1223,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Demo before and after a blast</source><translation>Demonstração antes e depois de um desmonte</translation></message>
 <message><source>both, and what changed between them</source><translation>ambos, e o que mudou entre eles</translation></message>
 <message><source>Recent</source><translation>Recentes</translation></message>
-<message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
+<message><source>Scans that were open are listed here.</source><translation>Aqui são listadas as varreduras que estiveram abertas.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas numa varredura laser de distâncias</translation></message>
 <message><source>Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lê grades brutas, gravações (.mcap), bags do ROS, PCD, PLY, E57, LAS, PTX, CSV, XYZ e outros.</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>Envia ao scanner apenas leituras e uma assinatura.</translation></message>
@@ -2877,17 +2877,17 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>angles and ranges</source><translation>ângulos e distâncias</translation></message>
 <message><source>two coordinates of a point and not the third</source><translation>duas coordenadas de um ponto e não a terceira</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compare-o com docs/reference/formats.md, "Raw grid"</translation></message>
-<message><source>a preset</source><translation>uma predefinição</translation></message>
+<message><source>this is a preset and not a scan</source><translation>isto é uma predefinição e não uma varredura</translation></message>
 <message><source>choose it in the panel Edges, or give it with --preset</source><translation>escolha-o no painel Bordas, ou indique-o com --preset</translation></message>
-<message><source>a pose</source><translation>uma pose</translation></message>
+<message><source>this is a pose and not a scan</source><translation>isto é uma pose e não uma varredura</translation></message>
 <message><source>open its scan and give it with --pose</source><translation>abra sua varredura e indique-o com --pose</translation></message>
-<message><source>a calibration</source><translation>uma calibração</translation></message>
+<message><source>this is a calibration and not a scan</source><translation>isto é uma calibração e não uma varredura</translation></message>
 <message><source>open its scan and give it with --calibration</source><translation>abra sua varredura e indique-o com --calibration</translation></message>
-<message><source>a file of targets</source><translation>um arquivo de alvos</translation></message>
+<message><source>this is a file of targets and not a scan</source><translation>isto é um arquivo de alvos e não uma varredura</translation></message>
 <message><source>open its scan</source><translation>abra sua varredura</translation></message>
-<message><source>edits of rocks</source><translation>edições de rochas</translation></message>
+<message><source>this is edits of rocks and not a scan</source><translation>isto é uma edição de rochas e não uma varredura</translation></message>
 <message><source>open its scan, or give it with --edits</source><translation>abra sua varredura, ou indique-as com --edits</translation></message>
-<message><source>a record of an export</source><translation>um registro de uma exportação</translation></message>
+<message><source>this is a record of an export and not a scan</source><translation>isto é um registro de uma exportação e não uma varredura</translation></message>
 <message><source>open its scan, or check it with edgescan-cli verify</source><translation>abra sua varredura, ou verifique-o com edgescan-cli verify</translation></message>
 <message><source>must hold counts</source><translation>deve conter contagens</translation></message>
 <message><source>holds %1, and there are %2</source><translation>contém %1, e há %2</translation></message>
@@ -2901,7 +2901,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>leaves the grid</source><translation>sai da grade</translation></message>
 <message><source>names cell %1 twice</source><translation>nomeia duas vezes a célula %1</translation></message>
 <message><source>must name a file in the same folder</source><translation>deve nomear um arquivo da mesma pasta</translation></message>
-<message><source>this is %1 and not a scan</source><translation>isto é %1 e não uma varredura</translation></message>
 <message><source>must be greater than 0</source><translation>deve ser maior que 0</translation></message>
 <message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>o cabeçalho anuncia %1 de %2 bytes e o arquivo contém %3 bytes deles, o que é mais</translation></message>
 <message><source>holds %1 where the header promises %2</source><translation>contém %1 onde o cabeçalho anuncia %2</translation></message>

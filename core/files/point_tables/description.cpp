@@ -31,13 +31,13 @@ struct OwnFile {
     std::string_view format, what, hint;
 };
 constexpr std::array kOwnFiles = std::to_array<OwnFile>({
-    {"edgescan-preset/1", "a preset", "choose it in the panel Edges, or give it with --preset"},
-    {"edgescan-pose/1", "a pose", "open its scan and give it with --pose"},
-    {"edgescan-calibration/1", "a calibration", "open its scan and give it with --calibration"},
-    {"edgescan-targets/1", "a file of targets", "open its scan"},
-    {"edgescan-rock-edits/1", "edits of rocks", "open its scan, or give it with --edits"},
-    {"edgescan-record/1", "a record of an export", "open its scan, or check it with edgescan-cli verify"},
-    {"edgescan-provenance/1", "a record of an export", "open its scan, or check it with edgescan-cli verify"},
+    {"edgescan-preset/1", "this is a preset and not a scan", "choose it in the panel Edges, or give it with --preset"},
+    {"edgescan-pose/1", "this is a pose and not a scan", "open its scan and give it with --pose"},
+    {"edgescan-calibration/1", "this is a calibration and not a scan", "open its scan and give it with --calibration"},
+    {"edgescan-targets/1", "this is a file of targets and not a scan", "open its scan"},
+    {"edgescan-rock-edits/1", "this is edits of rocks and not a scan", "open its scan, or give it with --edits"},
+    {"edgescan-record/1", "this is a record of an export and not a scan", "open its scan, or check it with edgescan-cli verify"},
+    {"edgescan-provenance/1", "this is a record of an export and not a scan", "open its scan, or check it with edgescan-cli verify"},
 });
 
 std::vector<std::uint32_t> codesIn(JsonFields& fields, const char* key, std::vector<std::uint32_t> missing) {
@@ -125,7 +125,7 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
         const auto own = std::ranges::find_if(
             kOwnFiles, [&](const OwnFile& one) { return json.find("\"" + std::string(one.format) + "\"") != json.npos; });
         if (own == kOwnFiles.end()) return object.error();
-        return Error{withValues("this is %1 and not a scan", {std::string(own->what)}), where, std::string(own->hint)};
+        return Error{std::string(own->what), where, std::string(own->hint)};
     }
     JsonFields fields(*object, where, kSeeFormat);
     GridDescription grid;
