@@ -252,9 +252,10 @@ private slots:
         QStringList left;
         for (const QString& pattern : sentencesOfTheCore()) {
             const QString words = QObject::tr(pattern.toUtf8().constData()), shown = coreSentence(filled(pattern));
-            const bool fits = first.match(pattern).captured() == first.match(words).captured() &&
-                              last.match(pattern).captured() == last.match(words).captured();
-            if (!fits || shown != coreSentence(filled(words))) left << pattern + " -> " + shown;
+            const auto keeps = [&](const QRegularExpression& place) {
+                return !place.match(pattern).hasMatch() || place.match(words).captured() == place.match(pattern).captured();
+            };
+            if (!keeps(first) || !keeps(last) || shown != coreSentence(filled(words))) left << pattern + " -> " + shown;
         }
         QVERIFY2(sentencesOfTheCore().size() > 1000, "far fewer sentences than the core has");
         QVERIFY2(left.isEmpty(), qPrintable(left.join('\n')));
