@@ -81,7 +81,7 @@ RangeUnit unitOf(const PointTable& table, const std::vector<double>& ranges, con
 }
 
 std::string withCoarseStep(std::string what, const PointTable& table) {
-    const std::string coarse = coarseStep(table, "numbers up to %1 in this file have a resolution of about %2");
+    const std::string coarse = coarseStep(table);
     if (!coarse.empty()) what += "; " + coarse;
     return what;
 }
