@@ -1,5 +1,6 @@
 // Builds a value from the events of nlohmann's parser. It stops at the first event that is out of bounds.
 #include "core/base/bounded_json.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/checked_size.h"
 #include "core/base/foreign_text.h"
@@ -39,7 +40,7 @@ public:
         auto& object = open_.back()->template get_ref<typename Json::object_t&>();
         if (++keys_ > bounds_.keys || object.size() >= kMostKeysOfOne) return stop("the JSON holds too many keys");
         const auto [place, fresh] = object.emplace(unescapedBytes(name), Json());
-        if (!fresh) return stop("the key \"" + name.substr(0, kLongestShown) + "\" appears twice in the same object of the JSON");
+        if (!fresh) return stop(withValues("the key \"%1\" appears twice in the same object of the JSON", {name.substr(0, kLongestShown)}));
         slot_ = &place->second;
         return true;
     }
@@ -54,7 +55,7 @@ public:
     Json popRoot() { return std::move(root_); }
     [[nodiscard]] Error error(const std::string& where) const {
         if (byte_ == 0) return {problem_, where, "correct the file or choose another"};
-        return {problem_, where + ": byte " + std::to_string(byte_), "check it around this place"};
+        return {problem_, withValues("%1: byte %2", {where, byte_}), "check it around this place"};
     }
 
 private:
@@ -88,7 +89,7 @@ private:
 template <class Json>
 Result<Json> parsedWithin(std::string_view text, const std::string& where, const JsonBounds& bounds) {
     if (text.size() > bounds.bytes)
-        return Error{"this JSON is too large: " + sizeText(text.size()) + ", and " + sizeText(bounds.bytes) + " are read", where,
+        return Error{withValues("this JSON is too large: %1, and %2 are read", {sizeText(text.size()), sizeText(bounds.bytes)}), where,
                      "choose another file"};
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         return Error{"the file is empty", where, "copy it again or choose another"};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,7 +21,7 @@ namespace edgescan {
 /// "12 bytes behind the points were not read."; empty where there are none, or padding. `what`: "the points".
 [[nodiscard]] inline std::optional<std::string> bytesBehind(std::span<const std::byte> rest, const std::string& what) {
     if (isPadding(rest)) return std::nullopt;
-    return counted(rest.size(), "byte") + " behind " + what + (rest.size() == 1 ? " was" : " were") + " not read.";
+    return withValues(counted(rest.size(), "byte behind %1 was not read.", "bytes behind %1 were not read."), {what});
 }
 
 } // namespace edgescan

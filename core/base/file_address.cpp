@@ -1,5 +1,6 @@
 // RFC 8089, with the name of this computer as some desktops write it.
 #include "core/base/file_address.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 
@@ -30,7 +31,7 @@ Result<std::string> pathOfAddress(std::string_view text) {
         text.remove_prefix(2);
         const std::string host = asciiLower(text.substr(0, text.find('/')));
         if (!isThisComputer(host))
-            return Error{"this is the address of a file on another computer, " + host, where,
+            return Error{withValues("this is the address of a file on another computer, %1", {host}), where,
                          "copy the file to this one, or give its path in a folder that is shared"};
         text.remove_prefix(std::min(host.size(), text.size()));
     }

@@ -1,5 +1,6 @@
 // Identifies inputs by device and inode, so that every name, link and spelling of a name leads to the same input.
 #include "core/base/inputs.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/whole_file.h"
 
@@ -91,7 +92,7 @@ Result<Done> checkIsNoInput(const fs::path& path) {
         if (numberOf(entry->second) != number) continue; // another program has replaced the file since
         const std::string read = entry->second.string();
         return Error{read == path.string() ? "this file was read as an input"
-                                           : "this is the file that was read as an input under the name " + read,
+                                           : withValues("this is the file that was read as an input under the name %1", {read}),
                      path.string(), "choose another name"};
     }
     return Done{};

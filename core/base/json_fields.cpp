@@ -1,5 +1,6 @@
 // Checks of JSON values.
 #include "core/base/json_fields.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bounded_json.h"
 #include "core/base/number_text.h"
@@ -49,15 +50,15 @@ bool JsonFields::has(const char* key) {
 }
 
 double JsonFields::checked(const PlainJson& value, const std::string& key, NumberLimits limits) {
-    if (!value.is_number()) return refuse(key, "holds " + plainType(value) + " where a number is needed"), 0.0;
+    if (!value.is_number()) return refuse(key, withValues("holds %1 where a number is needed", {plainType(value)})), 0.0;
     const auto number = value.get<double>();
     if (!physical::kCoordinate.hold(number)) return refuse(key, "holds a number out of all reason"), 0.0;
     if (number < limits.least || number > limits.most) {
         const auto shown = [](double n) { return significantText(n, 12); };
-        const std::string range = std::isinf(limits.most)    ? shown(limits.least) + " or more"
-                                  : std::isinf(limits.least) ? shown(limits.most) + " or less"
-                                                             : "from " + shown(limits.least) + " to " + shown(limits.most);
-        return refuse(key, "is " + shown(number) + " and must be " + range), limits.least;
+        const std::string range = std::isinf(limits.most)    ? withValues("%1 or more", {shown(limits.least)})
+                                  : std::isinf(limits.least) ? withValues("%1 or less", {shown(limits.most)})
+                                                             : withValues("from %1 to %2", {shown(limits.least), shown(limits.most)});
+        return refuse(key, withValues("is %1 and must be %2", {shown(number), range})), limits.least;
     }
     return number;
 }
@@ -75,7 +76,7 @@ std::uint64_t JsonFields::wholeNumber(const char* key, std::uint64_t least, std:
     const double number = neededNumber(key);
     if (number == std::floor(number) && number >= static_cast<double>(least) && number <= static_cast<double>(most))
         return static_cast<std::uint64_t>(number);
-    return refuse(key, "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most)), least;
+    return refuse(key, withValues("must be a whole number from %1 to %2", {least, most})), least;
 }
 
 bool JsonFields::boolean(const char* key, bool missing) {
@@ -96,7 +97,7 @@ std::size_t JsonFields::choice(const char* key, const std::vector<std::string>& 
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : " or ") + ("\"" + word + "\"");
-    return refuse(key, "must be " + list), 0;
+    return refuse(key, withValues("must be %1", {list})), 0;
 }
 
 std::vector<double> JsonFields::numbers(const char* key, NumberLimits limits) {
@@ -111,7 +112,7 @@ std::vector<double> JsonFields::numbers(const char* key, NumberLimits limits) {
 std::vector<double> JsonFields::numbers(const char* key, std::size_t count, NumberLimits limits) {
     if (!has(key)) refuse(key, "is missing");
     std::vector<double> list = numbers(key, limits);
-    if (list.size() != count) refuse(key, "must hold " + std::to_string(count) + " numbers");
+    if (list.size() != count) refuse(key, withValues("must hold %1 numbers", {count}));
     list.resize(count, 0.0);
     return list;
 }
@@ -194,24 +195,25 @@ void JsonFields::done() {
             return withoutUnit(known) == withoutUnit(name) || withoutUnit(known) == name;
         });
         const std::string shown = key.substr(0, 60);
-        if (meant != known_.end()) return refuse(shown, "is not a key here, but \"" + *meant + "\" is: units belong to the name");
+        if (meant != known_.end()) return refuse(shown, withValues("is not a key here, but \"%1\" is: units belong to the name", {*meant}));
         std::string list;
         for (const std::string& known : known_) list += (list.empty() ? "" : ", ") + known;
-        return refuse(shown, "is not a key here; known are " + list);
+        return refuse(shown, withValues("is not a key here; known are %1", {list}));
     }
 }
 
 Result<PlainJson> parseJsonObject(std::string_view text, const std::string& format, const std::string& where) {
-    const std::string wanted = "\"format\": \"" + format + "\"";
+    const std::string wanted = withValues("\"format\": \"%1\"", {format});
     auto parsed = parseJson(text, where);
     if (!parsed) return parsed.error();
     PlainJson& object = *parsed;
-    if (!object.is_object()) return Error{"the JSON holds no object", where, "choose a file with " + wanted};
+    if (!object.is_object()) return Error{"the JSON holds no object", where, withValues("choose a file with %1", {wanted})};
     const std::string found =
         object.contains("format") && object["format"].is_string() ? object["format"].get<std::string>() : std::string();
     if (found != format) {
-        return Error{found.empty() ? "\"format\" is missing" : "\"format\" is \"" + found.substr(0, 60) + "\", not \"" + format + "\"",
-                     where, "choose a file with " + wanted};
+        return Error{found.empty() ? "\"format\" is missing"
+                                   : withValues("\"format\" is \"%1\", not \"%2\"", {found.substr(0, 60), format}),
+                     where, withValues("choose a file with %1", {wanted})};
     }
     object.erase("format");
     return parsed;

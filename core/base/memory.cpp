@@ -1,5 +1,6 @@
 // Available memory: from /proc/meminfo, the control groups (versions 2 and 1) and the limit of the address space.
 #include "core/base/memory.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 
@@ -127,7 +128,7 @@ Result<Done> checkMemory(std::uint64_t neededBytes, const std::string& where) {
     if (neededBytes < kNotAsked) return Done{};
     const std::uint64_t available = availableMemoryBytes();
     if (neededBytes <= available) return Done{};
-    return Error{"needs " + sizeText(neededBytes) + " of memory, " + sizeText(available) + " are free", where,
+    return Error{withValues("needs %1 of memory, %2 are free", {sizeText(neededBytes), sizeText(available)}), where,
                  "close other programs or open a smaller file"};
 }
 

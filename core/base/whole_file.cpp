@@ -1,5 +1,6 @@
 // Writes through a temporary file and a rename; reads a whole file.
 #include "core/base/whole_file.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/file_lock.h"
 #include "core/base/inputs.h"
@@ -44,7 +45,7 @@ Error readError(const fs::path& path, int code) {
     case EISDIR:
         return {"this is a folder, not a file", path.string(), "choose a file inside it"};
     default:
-        return {"the file cannot be read: " + reason, path.string(), "check the disk and the path"};
+        return {withValues("the file cannot be read: %1", {reason}), path.string(), "check the disk and the path"};
     }
 }
 
@@ -285,14 +286,15 @@ Result<Done> changeWholeFile(const fs::path& path, std::uint64_t most, const Fil
     if (*after == before) return Done{};
     if (*after) return writeWholeFile(path, **after);
     fs::remove(path, problem);
-    if (problem) return Error{"the file cannot be removed (" + problem.message() + ")", path.string(), "check the rights of its folder"};
+    if (problem)
+        return Error{withValues("the file cannot be removed (%1)", {problem.message()}), path.string(), "check the rights of its folder"};
     return Done{};
 }
 
 Result<Done> makeFolder(const fs::path& folder, const char* remedy) {
     std::error_code failed;
     if (!folder.empty()) fs::create_directories(folder, failed);
-    if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), remedy};
+    if (failed) return Error{withValues("the folder cannot be made (%1)", {failed.message()}), folder.string(), remedy};
     return Done{};
 }
 
@@ -320,8 +322,9 @@ Result<std::vector<std::byte>> readWholeFile(const fs::path& path, std::uint64_t
     if (!S_ISREG(status.st_mode)) return Error{"this is a device or a pipe, not a file", path.string(), "choose a file"};
     const auto size = static_cast<std::uint64_t>(status.st_size);
     if (size > most)
-        return Error{"the file is too large for what it should be: " + sizeText(size) + ", and at most " + sizeText(most) + " are read",
-                     path.string(), "choose another file"};
+        return Error{
+            withValues("the file is too large for what it should be: %1, and at most %2 are read", {sizeText(size), sizeText(most)}),
+            path.string(), "choose another file"};
     if (auto enough = checkMemory(size, path.string()); !enough) return enough.error();
     // resize() clears the new elements. In pieces, the memory is still in the cache when the file is read into it.
     constexpr std::size_t kPiece = std::size_t{1} << 18U;

@@ -3,536 +3,6 @@
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
-<message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidad tomada como milímetros, como en las imágenes de distancias.</translation></message>
-<message><source>Unit taken as millimetres</source><translation>Unidad tomada como milímetros</translation></message>
-<message><source>Unit taken as centimetres</source><translation>Unidad tomada como centímetros</translation></message>
-<message><source>Unit taken as metres</source><translation>Unidad tomada como metros</translation></message>
-<message><source>, from the size of the numbers.</source><translation>, por el tamaño de los números.</translation></message>
-<message><source>, in which every range is a whole number of millimetres.</source><translation>, unidad en la que cada distancia es un número entero de milímetros.</translation></message>
-<message><source>, in which the numbers fit the sensor position given.</source><translation>, unidad en la que los números encajan con la posición indicada del sensor.</translation></message>
-<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidad tomada de un comentario del archivo: %1 mm por unidad.</translation></message>
-<message><source>The coordinate system of the file is %1, without its unit: metres were taken. %2 says another one.</source><translation>El sistema de coordenadas del archivo es %1, sin su unidad: se tomaron metros. %2 indica otra.</translation></message>
-<message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>El sistema de coordenadas del archivo da las longitudes en %1 de %2 mm: se convirtieron.</translation></message>
-<message><source>Heights of the file have another unit than x and y, %1 mm: they were converted.</source><translation>Las alturas del archivo tienen otra unidad que x e y, %1 mm: se convirtieron.</translation></message>
-<message><source>The file's coordinates are left-handed and were turned right-handed: y is mirrored.</source><translation>Las coordenadas del archivo son levógiras y se hicieron dextrógiras: y está reflejada.</translation></message>
-<message><source>The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.</source><translation>Las coordenadas están redondeadas y cada punto cae en un número entero de milímetros a lo largo de su haz: estos se tomaron como distancias.</translation></message>
-<message><source>Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.</source><translation>En este archivo, los números hasta %1 tienen una resolución de unos %2: se escribió con flotantes de 4 bytes.</translation></message>
-<message><source>numbers up to %1 in this file have a resolution of about </source><translation>en este archivo, los números hasta %1 tienen una resolución de unos </translation></message>
-<message><source>the origin, because no sensor position is known (%1 gives it)</source><translation>el origen, porque no se conoce ninguna posición del sensor (%1 la da)</translation></message>
-<message><source>the sensor position given, (</source><translation>la posición indicada del sensor, (</translation></message>
-<message><source>the sensor position in the file, (</source><translation>la posición del sensor en el archivo, (</translation></message>
-<message><source>The points lie on no scanner grid and were projected about </source><translation>Los puntos no están en ninguna cuadrícula de escáner y se proyectaron tomando como centro </translation></message>
-<message><source>The points were projected about </source><translation>Los puntos se proyectaron tomando como centro </translation></message>
-<message><source>; projected about </source><translation>; proyectados tomando como centro </translation></message>
-<message><source> points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> puntos leídos, vistos en %1 x %2 grados; %3 de %4 celdas llenas (grado de relleno %5 %; de las celdas en torno a una llena %6 %), </translation></message>
-<message><source> point attached to a cell with a nearer one</source><translation> punto asignado a una celda que tiene uno más cercano</translation></message>
-<message><source> points attached to a cell with a nearer one</source><translation> puntos asignados a una celda que tiene uno más cercano</translation></message>
-<message><source> point far from all others left out</source><translation> punto lejos de todos los demás dejado fuera</translation></message>
-<message><source> points far from all others left out</source><translation> puntos lejos de todos los demás dejados fuera</translation></message>
-<message><source>The cells have the given %1 degrees, along lines that were recognised in the cloud.</source><translation>Las celdas tienen los %1 grados indicados, a lo largo de líneas reconocidas en la nube.</translation></message>
-<message><source>The cells have the given %1 degrees.</source><translation>Las celdas tienen los %1 grados indicados.</translation></message>
-<message><source>The cells have %1 degrees, from the spacing of the points, along lines that were recognised in the cloud.</source><translation>Las celdas tienen %1 grados, por la separación de los puntos, a lo largo de líneas reconocidas en la nube.</translation></message>
-<message><source>The cells have %1 degrees, from the spacing of the points.</source><translation>Las celdas tienen %1 grados, por la separación de los puntos.</translation></message>
-<message><source>Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, or with its record, has the grid of the scan.</source><translation>Los bordes de una nube proyectada difieren de los de su escaneo: un archivo con los puntos en el orden del escáner, o con su registro, tiene la cuadrícula del escaneo.</translation></message>
-<message><source> points lie farther than %1 from the sensor and were taken as no return: %2 says where it stood.</source><translation> puntos están a más de %1 del sensor y se tomaron como sin retorno: %2 indica dónde estaba.</translation></message>
-<message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>El lugar del sensor se halló a partir de las distancias que el archivo contiene con sus puntos.</translation></message>
-<message><source>The file puts the sensor %1 away from its points, which are all within %2 of each other (in its own numbers): no scanner measures so, and the place was not used.</source><translation>El archivo pone el sensor a %1 de sus puntos, que están todos a menos de %2 entre sí (en sus propios números): ningún escáner mide así, y ese lugar no se usó.</translation></message>
-<message><source>The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.</source><translation>El eje de las líneas del escaneo está a %1 (en los números del archivo) de la posición conocida del sensor.</translation></message>
-<message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>La lista no era una cuadrícula completa en orden: se recuperaron %1 líneas x %2 haces a partir de los ángulos de sus puntos.</translation></message>
-<message><source> lines repeated the line before and were left out.</source><translation> líneas repetían la línea anterior y se dejaron fuera.</translation></message>
-<message><source> points stood in the list before, as when a driver stores lines twice, and were taken once.</source><translation> puntos ya estaban en la lista, como cuando un controlador guarda líneas dos veces, y se tomaron una vez.</translation></message>
-<message><source> lines or beams without any point were put back empty, to keep the steps even.</source><translation> líneas o haces sin ningún punto se repusieron vacíos, para mantener pasos iguales.</translation></message>
-<message><source> points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.</source><translation> puntos no pertenecen a una sola celda de la cuadrícula (en el eje de rotación, o fuera de la cuadrícula) y se dejaron fuera.</translation></message>
-<message><source> points lay in a cell with a nearer one, which was taken.</source><translation> puntos estaban en una celda con uno más cercano, que se tomó.</translation></message>
-<message><source>The line angles are uneven: steps from %1 to %2 degrees, kept as they are.</source><translation>Los ángulos de las líneas son desiguales: pasos de %1 a %2 grados, conservados como están.</translation></message>
-<message><source>The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.</source><translation>Las líneas giran alrededor del eje y del archivo, que pasó a ser z: x es la z del archivo, y su x, z su y.</translation></message>
-<message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Cada línea solo tiene un haz de cada %1, por turno: %2 líneas seguidas se pusieron lado a lado.</translation></message>
-<message><source>The columns of lines and beams hold no grid and were not used.</source><translation>Las columnas de líneas y haces no contienen ninguna cuadrícula y no se usaron.</translation></message>
-<message><source>Lines and beams were exchanged: only that way the lines make fans about one axis.</source><translation>Líneas y haces se intercambiaron: solo así las líneas forman abanicos alrededor de un eje.</translation></message>
-<message><source>The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.</source><translation>Las filas del archivo, tal como están, no forman abanicos alrededor de un eje: %1, y solo así las líneas forman abanicos.</translation></message>
-<message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>La cuadrícula tiene tantas líneas y haces como nombran los puntos, %1 x %2: una línea o un haz detrás del último punto no está en el archivo.</translation></message>
-<message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>La lista solo contiene retornos: una línea o un haz del borde sin ningún retorno no está en ella.</translation></message>
-<message><source> of %1 cells of the grid that was found have no point and count as no return.</source><translation> de %1 celdas de la cuadrícula hallada no tienen punto y cuentan como sin retorno.</translation></message>
-<message><source> of the %1 points of the file have no cell of their own.</source><translation> de los %1 puntos del archivo no tienen celda propia.</translation></message>
-<message><source> cells hold status codes of an LMS2xx from %1 on instead of a range and were taken as such.</source><translation> celdas contienen códigos de estado de un LMS2xx desde %1 en lugar de una distancia y se tomaron como tales.</translation></message>
-<message><source> points were filled and not measured, as filled_sd_mm says: they were taken as no return.</source><translation> puntos se rellenaron y no se midieron, como dice filled_sd_mm: se tomaron como sin retorno.</translation></message>
-<message><source> point was filled and not measured, as filled_sd_mm says: it was taken as no return.</source><translation> punto se rellenó y no se midió, como dice filled_sd_mm: se tomó como sin retorno.</translation></message>
-<message><source> points with infinite or absurdly large coordinates were taken as no return.</source><translation> puntos con coordenadas infinitas o absurdamente grandes se tomaron como sin retorno.</translation></message>
-<message><source> point with infinite or absurdly large coordinates was taken as no return.</source><translation> punto con coordenadas infinitas o absurdamente grandes se tomó como sin retorno.</translation></message>
-<message><source> infinite ranges were taken as no return.</source><translation> distancias infinitas se tomaron como sin retorno.</translation></message>
-<message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distancias menores que 0, todas el mismo número, se tomaron como sin retorno.</translation></message>
-<message><source> ranges longer than any scanner reaches were taken as no return.</source><translation> distancias más largas que el alcance de cualquier escáner se tomaron como sin retorno.</translation></message>
-<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distancias son el range_max de sus mensajes, se repiten y se tomaron como sin retorno.</translation></message>
-<message><source> points are one and the same,</source><translation> puntos son uno y el mismo,</translation></message>
-<message><source> points are %1 (in the numbers of the file) from the sensor</source><translation> puntos están a %1 (en los números del archivo) del sensor</translation></message>
-<message><source> cells hold %1 in the numbers of the file</source><translation> celdas contienen %1 en los números del archivo</translation></message>
-<message><source> ranges of the topic are </source><translation> distancias del topic son </translation></message>
-<message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return (%1 takes it as measured).</source><translation>, lo que se repite exactamente y está lejos del resto, como nada medido: tomado como sin retorno (%1 lo toma como medido).</translation></message>
-<message><source> points are later returns of a pulse, as the file says: the first returns make the grid</source><translation> puntos son retornos posteriores de un pulso, según el archivo: los primeros retornos forman la cuadrícula</translation></message>
-<message><source> point is a later return of a pulse, as the file says: the first returns make the grid</source><translation> punto es un retorno posterior de un pulso, según el archivo: los primeros retornos forman la cuadrícula</translation></message>
-<message><source> others were attached to their cells</source><translation> otros se asignaron a sus celdas</translation></message>
-<message><source> other was attached to its cell</source><translation> otro se asignó a su celda</translation></message>
-<message><source> others have no cell of their own and were left out</source><translation> otros no tienen celda propia y se dejaron fuera</translation></message>
-<message><source> other has no cell of its own and was left out</source><translation> otro no tiene celda propia y se dejó fuera</translation></message>
-<message><source> points share their row and column with a nearer one, which was taken (several returns of one beam).</source><translation> puntos comparten su fila y su columna con uno más cercano, que se tomó (varios retornos de un haz).</translation></message>
-<message><source> point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation> punto comparte su fila y su columna con uno más cercano, que se tomó (varios retornos de un haz).</translation></message>
-<message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Ninguna celda de este escaneo tiene una distancia medida: revise el archivo, el topic y los límites de distancia.</translation></message>
-<message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Los puntos están en otro sistema que el del escáner. Sus líneas giran alrededor de un eje, en %1, %2, %3 m, y el espejo está a %4 mm del eje</translation></message>
-<message><source>; the grid has the scale </source><translation>; la cuadrícula tiene la escala </translation></message>
-<message><source>. The points fit lines and beams within </source><translation>. Los puntos encajan en líneas y haces dentro de </translation></message>
-<message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>Es más de lo que explica el redondeo de los números, %1 mm: las distancias pueden estar desviadas y los bordes diferir de los del escaneo. El registro del archivo, o el escaneo tal como se midió, los tiene exactos.</translation></message>
-<message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matriz del archivo no es una rotación y traslación, así que el escaneo queda en el sistema del escáner.</translation></message>
-<message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La pose del archivo no es una rotación y traslación, así que el escaneo queda en el sistema del escáner.</translation></message>
-<message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>El archivo %1 pone el escáner en %2, %3, %4 m, que no es un lugar de la tierra, así que el escaneo queda en el sistema del escáner.</translation></message>
-<message><source>The place is the one written in the %1 file: whether that is the mine grid, who registered it knows.</source><translation>El lugar es el escrito en el archivo %1: si eso es la cuadrícula de la mina, lo sabe quien lo registró.</translation></message>
-<message><source>The matrix of the %1 file was not used: its points are in another frame than the scanner's.</source><translation>La matriz del archivo %1 no se usó: sus puntos están en otro sistema que el del escáner.</translation></message>
-<message><source>The record next to the file was written for another one, so the grid in it was not used.</source><translation>El registro junto al archivo se escribió para otro, así que no se usó su cuadrícula.</translation></message>
-<message><source>The record next to the file describes no grid, so the grid in it was not used.</source><translation>El registro junto al archivo no describe ninguna cuadrícula, así que no se usó.</translation></message>
-<message><source>The record next to the file cannot be read (%1), so the grid in it was not used.</source><translation>El registro junto al archivo no se puede leer (%1), así que no se usó su cuadrícula.</translation></message>
-<message><source>The record next to the file %1, so the grid in it was not used.</source><translation>El registro junto al archivo no sirve (%1), así que no se usó su cuadrícula.</translation></message>
-<message><source> has no effect: the points have a grid; leave it out.</source><translation> no tiene efecto: los puntos tienen una cuadrícula; no lo indique.</translation></message>
-<message><source> has no effect: the format %1 does not have it; leave it out.</source><translation> no tiene efecto: el formato %1 no lo tiene; no lo indique.</translation></message>
-<message><source> has no effect: %1; leave it out.</source><translation> no tiene efecto: %1; no lo indique.</translation></message>
-<message><source> replaces %1, which the file gives.</source><translation> sustituye a %1, que da el archivo.</translation></message>
-<message><source> replaces the calibration in </source><translation> sustituye la calibración en </translation></message>
-<message><source>Not measured at the angles that the file gives: </source><translation>No medido en los ángulos que da el archivo: </translation></message>
-<message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation>; los bordes que cruzan las líneas quedan dentados: %1 pone estas líneas lado a lado como una.</translation></message>
-<message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation>; EdgeScan+ lo tiene en cuenta, pero la nube no: %1 corrige los ángulos.</translation></message>
-<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be, %4 times its uncertainty</source><translation>los haces de %1 líneas por turno están %2 y %3 grados por delante de su sitio, %4 veces su incertidumbre</translation></message>
-<message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>los haces impares están %1 grados por delante de los pares, %2 veces su incertidumbre</translation></message>
-<message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>los haces impares están %1 grados por detrás de los pares, %2 veces su incertidumbre</translation></message>
-<message><source>, and the stepper slipped at </source><translation>, y el motor paso a paso se deslizó en </translation></message>
-<message><source>the stepper slipped at </source><translation>el motor paso a paso se deslizó en </translation></message>
-<message><source> lines (first at line %1, by up to %2 degrees</source><translation> líneas (primero en la línea %1, hasta %2 grados</translation></message>
-<message><source> line (first at line %1, by up to %2 degrees</source><translation> línea (en la línea %1, hasta %2 grados</translation></message>
-<message><source> times the usual unevenness of its steps</source><translation> veces la desigualdad habitual de sus pasos</translation></message>
-<message><source> At %1 of the first and last lines the stepper still swung back: folds there are left out.</source><translation> En %1 de las primeras y últimas líneas el motor paso a paso aún oscilaba: los pliegues de ahí se dejan fuera.</translation></message>
-<message><source>Not straightened: the scan has no lines with angles.</source><translation>No enderezado: el escaneo no tiene líneas con ángulos.</translation></message>
-<message><source>Straightened: no interlaced beams and no slips were found; the angles stay.</source><translation>Enderezado: no se hallaron haces entrelazados ni deslizamientos; los ángulos quedan.</translation></message>
-<message><source>, and were put side by side: %1 lines make one.</source><translation>, y se pusieron lado a lado: %1 líneas forman una.</translation></message>
-<message><source>Straightened: </source><translation>Enderezado: </translation></message>
-<message><source> slips were seen in every second beam only, and are left as they are.</source><translation> deslizamientos se vieron solo en uno de cada dos haces y se dejan como están.</translation></message>
-<message><source> slip was seen in every second beam only, and is left as it is.</source><translation> deslizamiento se vio solo en uno de cada dos haces y se deja como está.</translation></message>
-<message><source>OUT OF SPEC: the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>FUERA DE TOLERANCIA: las poses mueven la base a %1 m/s entre dos líneas, más rápido que cualquier máquina bajo tierra.</translation></message>
-<message><source>Both are one scan: the files are the same.</source><translation>Ambos son un solo escaneo: los archivos son iguales.</translation></message>
-<message><source>Near and far leave no depth between them: the gray image is blank and has no edge.</source><translation>Cerca y lejos no dejan profundidad entre ellos: la imagen gris está vacía y no tiene bordes.</translation></message>
-<message><source> edge cells lie on filled ranges and are not in this file; %1 writes them.</source><translation> celdas de borde están en distancias rellenadas y no están en este archivo; %1 las escribe.</translation></message>
-<message><source>The last row has no line end: the file may have been cut off there; compare it with the original.</source><translation>La última fila no tiene fin de línea: el archivo puede estar cortado ahí; compárelo con el original.</translation></message>
-<message><source>No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and z.</source><translation>Ningún encabezado nombra las columnas: las dos primeras se tomaron como fila y columna de la cuadrícula, de la tercera a la quinta como x, y y z.</translation></message>
-<message><source>No heading names the columns: the second to the fourth were taken for x, y and z, as the first holds whole numbers only.</source><translation>Ningún encabezado nombra las columnas: de la segunda a la cuarta se tomaron como x, y y z, porque la primera contiene solo números enteros.</translation></message>
-<message><source>No heading names the columns: the third to the fifth were taken for x, y and z, as the first two hold whole numbers only.</source><translation>Ningún encabezado nombra las columnas: de la tercera a la quinta se tomaron como x, y y z, porque las dos primeras contienen solo números enteros.</translation></message>
-<message><source>No heading names the columns: the fourth to the sixth were taken for x, y and z, as the first three hold whole numbers only.</source><translation>Ningún encabezado nombra las columnas: de la cuarta a la sexta se tomaron como x, y y z, porque las tres primeras contienen solo números enteros.</translation></message>
-<message><source>No heading names the columns: the fifth to the seventh were taken for x, y and z, as the first four hold whole numbers only.</source><translation>Ningún encabezado nombra las columnas: de la quinta a la séptima se tomaron como x, y y z, porque las cuatro primeras contienen solo números enteros.</translation></message>
-<message><source>The header names no x, y and z: the first three columns were taken for them (</source><translation>El encabezado no nombra x, y y z: se tomaron las tres primeras columnas (</translation></message>
-<message><source>The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.</source><translation>El encabezado no nombra tantas columnas como hay (%1): las tres primeras se tomaron como x, y y z.</translation></message>
-<message><source>Points were computed from the columns of angles and ranges, with angles taken as </source><translation>Los puntos se calcularon de las columnas de ángulos y distancias, con ángulos tomados como </translation></message>
-<message><source>Points were computed from the columns of angles and ranges, with angles in </source><translation>Los puntos se calcularon de las columnas de ángulos y distancias, con ángulos en </translation></message>
-<message><source>degrees, azimuths </source><translation>grados, acimutes </translation></message>
-<message><source>radians, azimuths </source><translation>radianes, acimutes </translation></message>
-<message><source>counter-clockwise from x</source><translation>en sentido antihorario desde x</translation></message>
-<message><source>clockwise from y</source><translation>en sentido horario desde y</translation></message>
-<message><source> and heights from the zenith.</source><translation> y alturas desde el cenit.</translation></message>
-<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Los ángulos de los haces se tomaron del encabezado: de %1 a %2 grados.</translation></message>
-<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Los ángulos de las líneas se tomaron de la primera columna: de %1 a %2 grados.</translation></message>
-<message><source>The table does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>La tabla no dice sus ángulos: se tomaron los de un LMS511 donde no se indicó ninguno (haces desde -5 grados cada 1/6 de grado, líneas desde 0 cada 0.18 grados, eje spin).</translation></message>
-<message><source>The picture does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>La imagen no dice sus ángulos: se tomaron los de un LMS511 donde no se indicó ninguno (haces desde -5 grados cada 1/6 de grado, líneas desde 0 cada 0.18 grados, eje spin).</translation></message>
-<message><source>The array does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>La matriz de numpy no dice sus ángulos: se tomaron los de un LMS511 donde no se indicó ninguno (haces desde -5 grados cada 1/6 de grado, líneas desde 0 cada 0.18 grados, eje spin).</translation></message>
-<message><source> columns are not ranges, by the header, and not read: </source><translation> columnas no son de distancias según el encabezado y no se leen: </translation></message>
-<message><source> column is not ranges, by the header, and not read: </source><translation> columna no es de distancias según el encabezado y no se lee: </translation></message>
-<message><source> bytes behind the points were not read.</source><translation> bytes detrás de los puntos no se leyeron.</translation></message>
-<message><source> byte behind the points was not read.</source><translation> byte detrás de los puntos no se leyó.</translation></message>
-<message><source> bytes behind the picture were not read.</source><translation> bytes detrás de la imagen no se leyeron.</translation></message>
-<message><source> byte behind the picture was not read.</source><translation> byte detrás de la imagen no se leyó.</translation></message>
-<message><source> bytes behind the array were not read.</source><translation> bytes detrás de la matriz no se leyeron.</translation></message>
-<message><source> byte behind the array was not read.</source><translation> byte detrás de la matriz no se leyó.</translation></message>
-<message><source> bytes behind the last record were not read.</source><translation> bytes detrás del último registro no se leyeron.</translation></message>
-<message><source> byte behind the last record was not read.</source><translation> byte detrás del último registro no se leyó.</translation></message>
-<message><source> bytes behind the end that the header gives were not read.</source><translation> bytes detrás del final que da el encabezado no se leyeron.</translation></message>
-<message><source> byte behind the end that the header gives was not read.</source><translation> byte detrás del final que da el encabezado no se leyó.</translation></message>
-<message><source> bytes behind the end of the database were not read.</source><translation> bytes detrás del final de la base de datos no se leyeron.</translation></message>
-<message><source> byte behind the end of the database was not read.</source><translation> byte detrás del final de la base de datos no se leyó.</translation></message>
-<message><source> bytes behind the end of the recording were not read</source><translation> bytes detrás del final de la grabación no se leyeron</translation></message>
-<message><source> behind the %1 points that the header promises were not read.</source><translation> detrás de los %1 puntos que anuncia el encabezado no se leyeron.</translation></message>
-<message><source>The first %1 scans of the file hold no points.</source><translation>Los primeros %1 escaneos del archivo no contienen puntos.</translation></message>
-<message><source>The first scan of the file holds no points.</source><translation>El primer escaneo del archivo no contiene puntos.</translation></message>
-<message><source>The file holds %1 scans; this is number %2, %3 chooses another.</source><translation>El archivo contiene %1 escaneos; este es el número %2, %3 elige otro.</translation></message>
-<message><source>The first %1 of these scans hold no point with a return.</source><translation>Los primeros %1 de estos escaneos no tienen ningún punto con retorno.</translation></message>
-<message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>Las filas y columnas que el archivo da a sus puntos no forman una cuadrícula y no se usaron.</translation></message>
-<message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>El archivo no dice en qué sentido van las líneas: sus columnas se tomaron como líneas, sus filas como haces.</translation></message>
-<message><source> points are marked as invalid in the file and count as no return.</source><translation> puntos están marcados como no válidos en el archivo y cuentan como sin retorno.</translation></message>
-<message><source> point is marked as invalid in the file and counts as no return.</source><translation> punto está marcado como no válido en el archivo y cuenta como sin retorno.</translation></message>
-<message><source> points are marked as withheld in the file and count as no return.</source><translation> puntos están marcados como excluidos en el archivo y cuentan como sin retorno.</translation></message>
-<message><source> point is marked as withheld in the file and counts as no return.</source><translation> punto está marcado como excluido en el archivo y cuenta como sin retorno.</translation></message>
-<message><source>What else a point of this file has is not read: </source><translation>Lo demás que tiene un punto de este archivo no se lee: </translation></message>
-<message><source>The pictures of this file (%1) are not read.</source><translation>Las imágenes de este archivo (%1) no se leen.</translation></message>
-<message><source>The picture is animated; the first frame was read.</source><translation>La imagen es animada; se leyó el primer cuadro.</translation></message>
-<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>La imagen no termina con IEND: el archivo se cortó detrás de sus píxeles.</translation></message>
-<message><source> pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation> píxeles no contienen distancia (negativos, no numéricos o demasiado lejos) y se tomaron como sin retorno.</translation></message>
-<message><source> pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation> píxel no contiene distancia (negativo, no numérico o demasiado lejos) y se tomó como sin retorno.</translation></message>
-<message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>La imagen pide girarse o reflejarse al mostrarse (orientación %1): sus filas se tomaron como líneas tal como están guardadas.</translation></message>
-<message><source>The file holds %1 pictures (pages); the first was read.</source><translation>El archivo contiene %1 imágenes (páginas); se leyó la primera.</translation></message>
-<message><source>The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. A grid, cell states or a place in the mine that they held are lost; copy the file again.</source><translation>El final del archivo está dañado o falta: %1 de %2 registros detrás de los puntos no se pueden leer. Una cuadrícula, estados de celdas o un lugar en la mina que contenían se han perdido; copie de nuevo el archivo.</translation></message>
-<message><source>The waveforms of this file were not read.</source><translation>Las formas de onda de este archivo no se leyeron.</translation></message>
-<message><source>The first three of %1 columns were taken as x, y and z; the others are not read.</source><translation>Las tres primeras de %1 columnas se tomaron como x, y y z; las demás no se leen.</translation></message>
-<message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>El archivo contiene más de una matriz (numpy.save más de una vez); se leyó la primera.</translation></message>
-<message><source> lines hold no words of OBJ and were not read, the first is line </source><translation> líneas no tienen palabras de OBJ y no se leyeron, la primera es la línea </translation></message>
-<message><source> line holds no words of OBJ and was not read, the first is line </source><translation> línea no tiene palabras de OBJ y no se leyó, la primera es la línea </translation></message>
-<message><source>The lists that each vertex of this file has were not read.</source><translation>Las listas que tiene cada vértice de este archivo no se leyeron.</translation></message>
-<message><source>Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.</source><translation>Cada vértice tiene un byte que el encabezado no nombra, como lo escribe PCL detrás de los colores: se omitió.</translation></message>
-<message><source>Only the vertices were read, not what follows them: </source><translation>Solo se leyeron los vértices, no lo que los sigue: </translation></message>
-<message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matriz del encabezado tiene el lugar del escáner en su última columna y no en su última fila: se leyó por columnas.</translation></message>
-<message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La línea 3 del encabezado pone el escáner a %1 m del lugar que da su matriz: se usó la matriz.</translation></message>
-<message><source>Behind the last of these scans there is text that is none.</source><translation>Detrás del último de estos escaneos hay texto que no lo es.</translation></message>
-<message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta el archivo de datos %1; en su lugar se leyó %2.</translation></message>
-<message><source>The file does not end with END: it may have been cut off; compare it with the original.</source><translation>El archivo no termina con END: puede estar cortado; compárelo con el original.</translation></message>
-<message><source>Descriptions of points (D1 and further) are not read.</source><translation>Las descripciones de los puntos (D1 y siguientes) no se leen.</translation></message>
-<message><source> lines behind END were not read.</source><translation> líneas detrás de END no se leyeron.</translation></message>
-<message><source> line behind END was not read.</source><translation> línea detrás de END no se leyó.</translation></message>
-<message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>El texto tiene dos bytes por carácter (UTF-16) y se leyó así.</translation></message>
-<message><source> bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> bytes cero (NUL) siguen a la última fila, como los deja un corte de luz: faltan las filas que no se escribieron.</translation></message>
-<message><source> byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> byte cero (NUL) sigue a la última fila, como los deja un corte de luz: faltan las filas que no se escribieron.</translation></message>
-<message><source>The capture was cut off: everything up to the cut is here.</source><translation>La captura se cortó: todo hasta el corte está aquí.</translation></message>
-<message><source>The recording was cut off: everything up to the cut is here.</source><translation>La grabación se cortó: todo hasta el corte está aquí.</translation></message>
-<message><source>The bag was cut off: everything up to the cut is here.</source><translation>El bag se cortó: todo hasta el corte está aquí.</translation></message>
-<message><source> packets have a time before 1970 or after 2262 and count as of 1970.</source><translation> paquetes tienen una hora anterior a 1970 o posterior a 2262 y cuentan como de 1970.</translation></message>
-<message><source> packet has a time before 1970 or after 2262 and count as of 1970.</source><translation> paquete tiene una hora anterior a 1970 o posterior a 2262 y cuenta como de 1970.</translation></message>
-<message><source> bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost.</source><translation> bytes que envió el escáner faltan en la captura (%1): los telegramas de ahí se han perdido.</translation></message>
-<message><source> byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.</source><translation> byte que envió el escáner falta en la captura (%1): los telegramas de ahí se han perdido.</translation></message>
-<message><source> bytes that the scanner sent belong to no whole telegram.</source><translation> bytes que envió el escáner no pertenecen a ningún telegrama entero.</translation></message>
-<message><source> byte that the scanner sent belongs to no whole telegram.</source><translation> byte que envió el escáner no pertenece a ningún telegrama entero.</translation></message>
-<message><source> bytes of the stream belong to no whole telegram.</source><translation> bytes del flujo no pertenecen a ningún telegrama entero.</translation></message>
-<message><source> byte of the stream belongs to no whole telegram.</source><translation> byte del flujo no pertenece a ningún telegrama entero.</translation></message>
-<message><source> packets came out of order and %1 brought bytes again; they were put in order.</source><translation> paquetes llegaron desordenados y %1 trajeron bytes de nuevo; se pusieron en orden.</translation></message>
-<message><source> packet came out of order and %1 brought bytes again; they were put in order.</source><translation> paquete llegó desordenado y %1 trajeron bytes de nuevo; se pusieron en orden.</translation></message>
-<message><source> fragments of IP packets were not put together.</source><translation> fragmentos de paquetes IP no se unieron.</translation></message>
-<message><source> fragment of IP packets were not put together.</source><translation> fragmento de paquetes IP no se unió.</translation></message>
-<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened, and </source><translation>La captura contiene %1 flujos; se abrió el de %2 con %3 telegramas de escaneo, y </translation></message>
-<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened.</source><translation>La captura contiene %1 flujos; se abrió el de %2 con %3 telegramas de escaneo.</translation></message>
-<message><source> other senders have some too.</source><translation> otros emisores también tienen.</translation></message>
-<message><source> other sender has some too.</source><translation> otro emisor también tiene.</translation></message>
-<message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>La grabación describe otra cuadrícula que la de sus telegramas: cuentan los telegramas.</translation></message>
-<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» de la grabación es «%2», que no se puede usar</translation></message>
-<message><source> readings of inclinometer or TALIN cannot be used.</source><translation> lecturas del inclinómetro o de TALIN no se pueden usar.</translation></message>
-<message><source> reading of inclinometer or TALIN cannot be used.</source><translation> lectura del inclinómetro o de TALIN no se puede usar.</translation></message>
-<message><source>The recording holds readings of TALIN and does not say where the boom pointed (boom_azimuth_deg).</source><translation>La grabación contiene lecturas de TALIN y no dice adónde apuntaba la pluma (boom_azimuth_deg).</translation></message>
-<message><source>The recording holds poses and not how the robot is built: %1 places the scan.</source><translation>La grabación contiene poses pero no cómo está construido el robot: %1 ubica el escaneo.</translation></message>
-<message><source>The recording's pose cannot be used: </source><translation>La pose de la grabación no se puede usar: </translation></message>
-<message><source> times in the recording are after %1 and were read as this time.</source><translation> horas de la grabación son posteriores a %1 y se leyeron como esa hora.</translation></message>
-<message><source> scan telegrams could not be decoded: </source><translation> telegramas de escaneo no se pudieron descodificar: </translation></message>
-<message><source> scan telegrams since the start could not be decoded, so their lines are lost: </source><translation> telegramas de escaneo desde el inicio no se pudieron descodificar, así que sus líneas se han perdido: </translation></message>
-<message><source> bytes since the start were not a telegram and were skipped.</source><translation> bytes desde el inicio no eran un telegrama y se omitieron.</translation></message>
-<message><source> messages hold bytes that are not a whole telegram: what was in them is lost.</source><translation> mensajes contienen bytes que no son un telegrama entero: su contenido se ha perdido.</translation></message>
-<message><source> message holds bytes that are not a whole telegram: what was in it is lost.</source><translation> mensaje contiene bytes que no son un telegrama entero: su contenido se ha perdido.</translation></message>
-<message><source> more places are damaged or were left out</source><translation> lugares más están dañados o se dejaron fuera</translation></message>
-<message><source>bytes %1 to %2 are damaged and were left out</source><translation>los bytes %1 a %2 están dañados y se dejaron fuera</translation></message>
-<message><source>the chunk at byte %1 was left out: </source><translation>el bloque en el byte %1 se dejó fuera: </translation></message>
-<message><source>the file says that it holds %1 messages and %2 could be read</source><translation>el archivo dice que contiene %1 mensajes y se pudieron leer %2</translation></message>
-<message><source>The bag is cut off or damaged at byte %1: the last %2 bytes were not read.</source><translation>El bag está cortado o dañado en el byte %1: los últimos %2 bytes no se leyeron.</translation></message>
-<message><source>The bag is cut off or damaged at byte %1: the last %2 byte was not read.</source><translation>El bag está cortado o dañado en el byte %1: el último byte (%2) no se leyó.</translation></message>
-<message><source> chunks are damaged and were left out (</source><translation> bloques están dañados y se dejaron fuera (</translation></message>
-<message><source> chunk is damaged and was left out (</source><translation> bloque está dañado y se dejó fuera (</translation></message>
-<message><source> messages belong to no topic of the bag and were left out.</source><translation> mensajes no pertenecen a ningún topic del bag y se dejaron fuera.</translation></message>
-<message><source> message belongs to no topic of the bag and was left out.</source><translation> mensaje no pertenece a ningún topic del bag y se dejó fuera.</translation></message>
-<message><source> messages are compressed and damaged and were left out.</source><translation> mensajes están comprimidos y dañados y se dejaron fuera.</translation></message>
-<message><source> message is compressed and damaged and was left out.</source><translation> mensaje está comprimido y dañado y se dejó fuera.</translation></message>
-<message><source>The database is cut off or damaged (%1): messages behind the first %2 were not read.</source><translation>La base de datos está cortada o dañada (%1): los mensajes tras los primeros %2 no se leyeron.</translation></message>
-<message><source>The log %1 of the recorder could not be read: its messages are not in the scan.</source><translation>El registro %1 del grabador no se pudo leer: sus mensajes no están en el escaneo.</translation></message>
-<message><source>The recorder was not ended: its newest messages were read from </source><translation>El grabador no se cerró: sus mensajes más recientes se leyeron de </translation></message>
-<message><source>The recorder was ended within a change: the database was read as it was before it, by </source><translation>El grabador se cerró en medio de un cambio: la base de datos se leyó como estaba antes, por </translation></message>
-<message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>El registro %1 del grabador termina con %2 páginas incompletas: sus mensajes no están en el escaneo.</translation></message>
-<message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>El registro %1 pertenece a varias bases de datos y no se leyó: el último cambio puede estar a medias.</translation></message>
-<message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La parte %1 del bag no se pudo leer (%2): sus mensajes no están en el escaneo.</translation></message>
-<message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta la parte %1 del bag: sus mensajes no están en el escaneo.</translation></message>
-<message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nombra %1, cuyo nombre no es el de un archivo de mensajes (.mcap, .db3, .bag): no se leyó.</translation></message>
-<message><source> messages of the topic %1 are in the bag twice: each was read once.</source><translation> mensajes del topic %1 están dos veces en el bag: cada uno se leyó una vez.</translation></message>
-<message><source> messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.</source><translation> mensajes del topic están dos veces en el bag, con la misma hora y las mismas distancias: cada uno se leyó una vez.</translation></message>
-<message><source> message of the topic is in the bag twice, with the same stamp and ranges: it was read once.</source><translation> mensaje del topic está dos veces en el bag, con la misma hora y las mismas distancias: se leyó una vez.</translation></message>
-<message><source> messages of the topic were left out: </source><translation> mensajes del topic se dejaron fuera: </translation></message>
-<message><source> message of the topic was left out: </source><translation> mensaje del topic se dejó fuera: </translation></message>
-<message><source>GUESS: the topic %1 was taken; %2 chooses another: </source><translation>SUPOSICIÓN: se tomó el topic %1; %2 elige otro: </translation></message>
-<message><source>GUESS: the angle of each line comes from the transform of the frame %1 in </source><translation>SUPOSICIÓN: el ángulo de cada línea viene de la transformación del sistema %1 en </translation></message>
-<message><source>GUESS: the angle of each line comes from the joint </source><translation>SUPOSICIÓN: el ángulo de cada línea viene de la articulación </translation></message>
-<message><source>GUESS: the angle of each line comes from </source><translation>SUPOSICIÓN: el ángulo de cada línea viene de </translation></message>
-<message><source>GUESS: the poses of the topic %1 are those of the frame </source><translation>SUPOSICIÓN: las poses del topic %1 son las del sistema </translation></message>
-<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSICIÓN: el sistema %1 del bag se toma como cuadrícula de la mina, con x al este, y al norte y z hacia arriba.</translation></message>
-<message><source>The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.</source><translation>El bag no contiene la definición de sus mensajes: se SUPUSO la de ROS 2 de 2022.</translation></message>
-<message><source> messages have a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> mensajes tienen un time_increment imposible: los haces de una línea cuentan como medidos a la vez.</translation></message>
-<message><source> message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> mensaje tiene un time_increment imposible: los haces de una línea cuentan como medidos a la vez.</translation></message>
-<message><source> lines came out of order and were put in the order of their stamps</source><translation> líneas llegaron desordenadas y se pusieron en el orden de sus horas</translation></message>
-<message><source> line came out of order and was put in the order of its stamp</source><translation> línea llegó desordenada y se puso en el orden de su hora</translation></message>
-<message><source>angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>angle_max no está donde angle_min y angle_increment ponen el último haz: se usó angle_increment, y los haces pueden estar reflejados o girados.</translation></message>
-<message><source> messages of joints are damaged and were left out.</source><translation> mensajes de articulaciones están dañados y se dejaron fuera.</translation></message>
-<message><source> message of joints is damaged and was left out.</source><translation> mensaje de articulaciones está dañado y se dejó fuera.</translation></message>
-<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (</source><translation>Una articulación no dice cómo está montado el láser en ella. SUPUESTO: el eje (</translation></message>
-<message><source>sweep, by the name of the joint)</source><translation>sweep, por el nombre de la articulación)</translation></message>
-<message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>El eje está a %1 grados fuera del plano del abanico: los puntos están desviados otro tanto.</translation></message>
-<message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>El láser está a %1 mm de su eje: las distancias son las medidas, y los puntos como si estuviera en el eje.</translation></message>
-<message><source> lines were measured before the first or after the last angle and were left out.</source><translation> líneas se midieron antes del primer ángulo o después del último y se dejaron fuera.</translation></message>
-<message><source> line was measured before the first or after the last angle and was left out.</source><translation> línea se midió antes del primer ángulo o después del último y se dejó fuera.</translation></message>
-<message><source> lines were measured while the laser did not turn and were left out.</source><translation> líneas se midieron mientras el láser no giraba y se dejaron fuera.</translation></message>
-<message><source> line was measured while the laser did not turn and was left out.</source><translation> línea se midió mientras el láser no giraba y se dejó fuera.</translation></message>
-<message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. %3 chooses another.</source><translation>El topic contiene %1 barridos; se abrió el barrido %2, contado desde 0. %3 elige otro.</translation></message>
-<message><source>The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. %3 chooses another.</source><translation>El topic %1 contiene una nube en cada mensaje; se abrió el mensaje %2, contado desde 0. %3 elige otro.</translation></message>
-<message><source>The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.</source><translation>La nube es de un escáner de varios haces: sus anillos son los haces, y sus disparos las líneas.</translation></message>
-<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Las transformaciones ponen el escáner en %1, %2, %3 m, donde no hay nada en la tierra: el escaneo queda en el sistema del escáner.</translation></message>
-<message><source> messages of transforms are damaged and were left out.</source><translation> mensajes de transformaciones están dañados y se dejaron fuera.</translation></message>
-<message><source> transforms of the bag have no rotation, no name or no finite numbers and were left out.</source><translation> transformaciones del bag no tienen rotación, nombre o números finitos y se dejaron fuera.</translation></message>
-<message><source> transforms name another parent for their frame than the first one and were left out.</source><translation> transformaciones nombran otro padre de su sistema que la primera y se dejaron fuera.</translation></message>
-<message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformaciones del bag son de más sistemas de los que tiene un robot y se dejaron fuera.</translation></message>
-<message><source>The transforms of the bag form a loop at the frame </source><translation>Las transformaciones del bag forman un bucle en el sistema </translation></message>
-<message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>Las transformaciones del bag forman una cadena de más de %1 sistemas: los de arriba no se usan.</translation></message>
-<message><source>The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. %3 chooses another.</source><translation>La captura contiene %1 vueltas del escáner; se abrió la vuelta %2, contada desde 0. %3 elige otra.</translation></message>
-<message><source> packets came out of order and were put in the order of the scanner's clock.</source><translation> paquetes llegaron desordenados y se pusieron en el orden del reloj del escáner.</translation></message>
-<message><source> packet came out of order and was put in the order of the scanner's clock.</source><translation> paquete llegó desordenado y se puso en el orden del reloj del escáner.</translation></message>
-<message><source> packets are missing in part in the capture: their lines are lost.</source><translation> paquetes faltan en parte en la captura: sus líneas se han perdido.</translation></message>
-<message><source> packet is missing in part in the capture: its lines are lost.</source><translation> paquete falta en parte en la captura: sus líneas se han perdido.</translation></message>
-<message><source> packets are in the capture twice: each was read once.</source><translation> paquetes están dos veces en la captura: cada uno se leyó una vez.</translation></message>
-<message><source> packet is in the capture twice: it was read once.</source><translation> paquete está dos veces en la captura: se leyó una vez.</translation></message>
-<message><source>The capture holds packets of %1 scanners; the one with most of them was opened.</source><translation>La captura contiene paquetes de %1 escáneres; se abrió el que más tiene.</translation></message>
-<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 others of the capture were left out.</source><translation>El escáner envió dos retornos por haz: los más fuertes están aquí, y otros %1 de la captura se dejaron fuera.</translation></message>
-<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 other of the capture was left out.</source><translation>El escáner envió dos retornos por haz: los más fuertes están aquí, y %1 otro de la captura se dejó fuera.</translation></message>
-<message><source>The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.</source><translation>Los haces de un VLP-16 empiezan hasta 11 mm por encima y por debajo de su centro: los puntos están desviados otro tanto.</translation></message>
-<message><source>The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.</source><translation>Los haces de un Ouster empiezan a unos centímetros de su eje, y las distancias son las medidas: los puntos están desviados otro tanto.</translation></message>
-<message><source> lines of the turn are missing in the capture and are shown as lost.</source><translation> líneas de la vuelta faltan en la captura y se muestran como perdidas.</translation></message>
-<message><source> line of the turn is missing in the capture and is shown as lost.</source><translation> línea de la vuelta falta en la captura y se muestra como perdida.</translation></message>
-<message><source> telegrams came late and were put into their lines</source><translation> telegramas llegaron tarde y se pusieron en sus líneas</translation></message>
-<message><source>A telegram came late and was put into its line</source><translation>Un telegrama llegó tarde y se puso en su línea</translation></message>
-<message><source> telegrams came after their sweep had ended</source><translation> telegramas llegaron después del final de su barrido</translation></message>
-<message><source>A telegram came after its sweep had ended</source><translation>Un telegrama llegó después del final de su barrido</translation></message>
-<message><source> telegrams had other beams than the sweep, or were of another layer of the scanner</source><translation> telegramas tenían otros haces que el barrido, o eran de otra capa del escáner</translation></message>
-<message><source>A telegram had other beams than the sweep, or was of another layer of the scanner</source><translation>Un telegrama tenía otros haces que el barrido, o era de otra capa del escáner</translation></message>
-<message><source> telegrams held no ranges</source><translation> telegramas no contenían distancias</translation></message>
-<message><source>A telegram held no ranges</source><translation>Un telegrama no contenía distancias</translation></message>
-<message><source> times the scanner's counters jumped ahead</source><translation> veces los contadores del escáner saltaron hacia delante</translation></message>
-<message><source>The scanner's counters jumped ahead once</source><translation>Los contadores del escáner saltaron hacia delante una vez</translation></message>
-<message><source> times one of the scanner's counters was set back</source><translation> veces se atrasó uno de los contadores del escáner</translation></message>
-<message><source>One of the scanner's counters was set back</source><translation>Uno de los contadores del escáner se atrasó</translation></message>
-<message><source> times the scanner's counters stood still from line to line</source><translation> veces los contadores del escáner se pararon de una línea a otra</translation></message>
-<message><source>The scanner's counters stood still for a line</source><translation>Los contadores del escáner se pararon durante una línea</translation></message>
-<message><source> times the scanner's clock was set while its counters ran on</source><translation> veces el reloj del escáner se ajustó mientras sus contadores seguían</translation></message>
-<message><source>The scanner's clock was set while its counters ran on</source><translation>El reloj del escáner se ajustó mientras sus contadores seguían</translation></message>
-<message><source> times the scanner's clock stood still from line to line</source><translation> veces el reloj del escáner se paró de una línea a otra</translation></message>
-<message><source>The scanner's clock stood still for a line</source><translation>El reloj del escáner se paró durante una línea</translation></message>
-<message><source> times the scanner paused for more than a second</source><translation> veces el escáner hizo una pausa de más de un segundo</translation></message>
-<message><source>The scanner paused for more than a second</source><translation>El escáner hizo una pausa de más de un segundo</translation></message>
-<message><source> times the scanner restarted</source><translation> veces se reinició el escáner</translation></message>
-<message><source>The scanner restarted</source><translation>El escáner se reinició</translation></message>
-<message><source> telegrams brought other echoes than the first one</source><translation> telegramas trajeron otros ecos que el primero</translation></message>
-<message><source>A telegram brought other echoes than the first one</source><translation>Un telegrama trajo otros ecos que el primero</translation></message>
-<message><source> times the telegrams came from another scanner</source><translation> veces los telegramas vinieron de otro escáner</translation></message>
-<message><source>The telegrams come from another scanner</source><translation>Los telegramas vienen de otro escáner</translation></message>
-<message><source> lines were lost between two sweeps</source><translation> líneas se perdieron entre dos barridos</translation></message>
-<message><source>A line was lost between two sweeps</source><translation>Una línea se perdió entre dos barridos</translation></message>
-<message><source> (first at line </source><translation> (primero en la línea </translation></message>
-<message><source> (line </source><translation> (línea </translation></message>
-<message><source>: no lines of this sweep.</source><translation>: no son líneas de este barrido.</translation></message>
-<message><source>: their lines are lost.</source><translation>: sus líneas se han perdido.</translation></message>
-<message><source>, by more lines than its clock allows: whether lines were lost there is not known (%1 by the counters).</source><translation>, en más líneas de las que permite su reloj: no se sabe si ahí se perdieron líneas (%1 según los contadores).</translation></message>
-<message><source>: lost lines there are counted by the other one and the clock.</source><translation>: las líneas perdidas de ahí se cuentan por el otro y el reloj.</translation></message>
-<message><source>: lost lines cannot be counted there.</source><translation>: ahí no se pueden contar las líneas perdidas.</translation></message>
-<message><source>: the times of lines there are reckoned.</source><translation>: las horas de las líneas de ahí son calculadas.</translation></message>
-<message><source>, and its counters know of no lost line.</source><translation>, y sus contadores no conocen ninguna línea perdida.</translation></message>
-<message><source>: lines lost meanwhile are counted by this computer's clock.</source><translation>: las líneas perdidas entretanto se cuentan por el reloj de esta computadora.</translation></message>
-<message><source>: their ranges may be of another echo.</source><translation>: sus distancias pueden ser de otro eco.</translation></message>
-<message><source>: the sweep is not of one device.</source><translation>: el barrido no es de un solo aparato.</translation></message>
-<message><source>this is a GIF picture, not a scan</source><translation>es una imagen GIF, no un escaneo</translation></message>
-<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>es una imagen, un sonido o una película (RIFF), no un escaneo</translation></message>
-<message><source>this is a Photoshop picture, not a scan</source><translation>es una imagen de Photoshop, no un escaneo</translation></message>
-<message><source>this is a gzip archive in another one, not a scan</source><translation>es un archivo gzip dentro de otro, no un escaneo</translation></message>
-<message><source>this is an xz archive, not a scan</source><translation>es un archivo xz, no un escaneo</translation></message>
-<message><source>this is a bzip2 archive, not a scan</source><translation>es un archivo bzip2, no un escaneo</translation></message>
-<message><source>this is a zstd archive, not a scan</source><translation>es un archivo zstd, no un escaneo</translation></message>
-<message><source>this is a 7-Zip archive, not a scan</source><translation>es un archivo 7-Zip, no un escaneo</translation></message>
-<message><source>this is a RAR archive, not a scan</source><translation>es un archivo RAR, no un escaneo</translation></message>
-<message><source>this is an old Office document, not a scan</source><translation>es un documento antiguo de Office, no un escaneo</translation></message>
-<message><source>this is a STEP model, not a scan</source><translation>es un modelo STEP, no un escaneo</translation></message>
-<message><source>this is an SVG picture, not a scan</source><translation>es una imagen SVG, no un escaneo</translation></message>
-<message><source>this is an XML document, not a scan</source><translation>es un documento XML, no un escaneo</translation></message>
-<message><source>this is a text document (RTF), not a scan</source><translation>es un documento de texto (RTF), no un escaneo</translation></message>
-<message><source>this is a PostScript document, not a scan</source><translation>es un documento PostScript, no un escaneo</translation></message>
-<message><source>this is a table of rocks, not a scan</source><translation>es una tabla de rocas, no un escaneo</translation></message>
-<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>es un ráster de alturas (cuadrícula ASCII de Esri), no un escaneo</translation></message>
-<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>es un ráster de alturas (cuadrícula de Surfer), no un escaneo</translation></message>
-<message><source>this is a BMP picture, not a scan</source><translation>es una imagen BMP, no un escaneo</translation></message>
-<message><source>this is an HDF5 file, which is not read</source><translation>es un archivo HDF5, que no se lee</translation></message>
-<message><source>this is a MATLAB file, which is not read</source><translation>es un archivo de MATLAB, que no se lee</translation></message>
-<message><source>this is a Parquet table, which is not read</source><translation>es una tabla Parquet, que no se lee</translation></message>
-<message><source>this is an Arrow table, which is not read</source><translation>es una tabla Arrow, que no se lee</translation></message>
-<message><source>this is a glTF model, which is not read</source><translation>es un modelo glTF, que no se lee</translation></message>
-<message><source>this is an FBX model, which is not read</source><translation>es un modelo FBX, que no se lee</translation></message>
-<message><source>this is a file of VTK, which is not read</source><translation>es un archivo de VTK, que no se lee</translation></message>
-<message><source>this is an OFF mesh, which is not read</source><translation>es una malla OFF, que no se lee</translation></message>
-<message><source>this is a drawing (DXF), which is not read</source><translation>es un dibujo (DXF), que no se lee</translation></message>
-<message><source>this is a FARO scan (FLS), which is not read</source><translation>es un escaneo FARO (FLS), que no se lee</translation></message>
-<message><source>this is a FARO workspace, which is not read</source><translation>es un espacio de trabajo FARO, que no se lee</translation></message>
-<message><source>this is a FARO project, which is not read</source><translation>es un proyecto FARO, que no se lee</translation></message>
-<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>es un flujo RIEGL (RXP), que no se lee</translation></message>
-<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>es un escaneo RIEGL (3DD), que no se lee</translation></message>
-<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>es un escaneo Z+F (ZFS), que no se lee</translation></message>
-<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>es un proyecto Z+F (ZFPRJ), que no se lee</translation></message>
-<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>es un escaneo Z+F (ZFC), que no se lee</translation></message>
-<message><source>this is a Leica LGS project, which is not read</source><translation>es un proyecto Leica LGS, que no se lee</translation></message>
-<message><source>this is a Leica LGSx project, which is not read</source><translation>es un proyecto Leica LGSx, que no se lee</translation></message>
-<message><source>this is an Autodesk ReCap project, which is not read</source><translation>es un proyecto Autodesk ReCap, que no se lee</translation></message>
-<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>es un escaneo Autodesk ReCap, que no se lee</translation></message>
-<message><source>this is a Trimble scan (TZF), which is not read</source><translation>es un escaneo Trimble (TZF), que no se lee</translation></message>
-<message><source>this is a Topcon scan (CL3), which is not read</source><translation>es un escaneo Topcon (CL3), que no se lee</translation></message>
-<message><source>this is a Topcon scan (CLR), which is not read</source><translation>es un escaneo Topcon (CLR), que no se lee</translation></message>
-<message><source>this is a Pointools cloud (POD), which is not read</source><translation>es una nube Pointools (POD), que no se lee</translation></message>
-<message><source>this is a VRML scene, which is not read</source><translation>es una escena VRML, que no se lee</translation></message>
-<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>es una base de datos RIEGL (RDBX), que no se lee</translation></message>
-<message><source>this is a RIEGL database, which is not read</source><translation>es una base de datos RIEGL, que no se lee</translation></message>
-<message><source>this is a Leica Cyclone database, which is not read</source><translation>es una base de datos Leica Cyclone, que no se lee</translation></message>
-<message><source>this is a numpy archive, which is not read</source><translation>es un archivo numpy, que no se lee</translation></message>
-<message><source>this is an Excel workbook, not a table of text</source><translation>es un libro de Excel, no una tabla de texto</translation></message>
-<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>es una hoja de cálculo OpenDocument, no una tabla de texto</translation></message>
-<message><source>this is a Python pickle, which only Python can open</source><translation>es un pickle de Python, que solo Python puede abrir</translation></message>
-<message><source>this is a ROS bag that does not begin like one</source><translation>es un bag de ROS que no empieza como tal</translation></message>
-<message><source>this is a ROS 2 bag that does not begin like one</source><translation>es un bag de ROS 2 que no empieza como tal</translation></message>
-<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>es un archivo binario sin telegrama de un escáner SICK</translation></message>
-<message><source>this is a ROS bag, and </source><translation>es un bag de ROS, y </translation></message>
-<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>esta versión no tiene robots: no lee bags de ROS, ni VLP-16, ni Ouster, ni puente Foxglove</translation></message>
-<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>use una versión con robots (EDGESCAN_ROBOTS)</translation></message>
-<message><source>unpack it (%1) and open the scan in it</source><translation>descomprímalo (%1) y abra el escaneo que contiene</translation></message>
-<message><source>save its points as PLY in MeshLab</source><translation>guarde sus puntos como PLY en MeshLab</translation></message>
-<message><source>choose the scan that it was made from</source><translation>elija el escaneo del que se hizo</translation></message>
-<message><source>save the ranges as .npy or .csv</source><translation>guarde las distancias como .npy o .csv</translation></message>
-<message><source>save the ranges with writematrix(</source><translation>guarde las distancias con writematrix(</translation></message>
-<message><source>save the table as .csv</source><translation>guarde la tabla como .csv</translation></message>
-<message><source>save the sheet as .csv</source><translation>guarde la hoja como .csv</translation></message>
-<message><source>save it as PLY in Blender or MeshLab</source><translation>guárdelo como PLY en Blender o MeshLab</translation></message>
-<message><source>save it as PLY in Blender</source><translation>guárdelo como PLY en Blender</translation></message>
-<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>guarde sus puntos como PLY, o como CSV desde la tabla de ParaView</translation></message>
-<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>expórtelo como E57 o LAS con RiSCAN PRO, o con rdbconvert de RIEGL</translation></message>
-<message><source>export it as E57 or PTX with </source><translation>expórtelo como E57 o PTX con </translation></message>
-<message><source>export it as E57 with </source><translation>expórtelo como E57 con </translation></message>
-<message><source>export it as LAS with Bentley's program</source><translation>expórtelo como LAS con el programa de Bentley</translation></message>
-<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>guarde los puntos como PCD o PLY; una captura de telegramas contiene los bytes tal como llegaron del escáner</translation></message>
-<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>elija el escaneo, o guarde los puntos del dibujo como CSV, LAS o PLY</translation></message>
-<message><source>save the array of ranges or points as .npy</source><translation>guarde la matriz de distancias o puntos como .npy</translation></message>
-<message><source>the file is empty</source><translation>el archivo está vacío</translation></message>
-<message><source>copy it again or choose another</source><translation>cópielo de nuevo o elija otro</translation></message>
-<message><source>the file holds no points</source><translation>el archivo no contiene puntos</translation></message>
-<message><source>the file holds 0 points with a return, out of </source><translation>el archivo contiene 0 puntos con retorno, de </translation></message>
-<message><source>choose another file, or copy it again</source><translation>elija otro archivo, o cópielo de nuevo</translation></message>
-<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la última línea del escaneo está incompleta y la última fila no tiene fin de línea: el archivo se cortó</translation></message>
-<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>el encabezado anuncia %1 puntos de %2 bytes y el archivo contiene %3 bytes de ellos, que es más</translation></message>
-<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them</source><translation>el encabezado anuncia %1 puntos de %2 bytes y el archivo contiene %3 bytes de ellos</translation></message>
-<message><source>the header promises %1 vertices and the file holds %2 bytes of them</source><translation>el encabezado anuncia %1 vértices y el archivo contiene %2 bytes de ellos</translation></message>
-<message><source>the header promises %1 vertices and the file ends after </source><translation>el encabezado anuncia %1 vértices y el archivo termina después de </translation></message>
-<message><source>the header promises %1 points and the file ends after </source><translation>el encabezado anuncia %1 puntos y el archivo termina después de </translation></message>
-<message><source>the header promises %1 points and the file holds </source><translation>el encabezado anuncia %1 puntos y el archivo contiene </translation></message>
-<message><source>the header promises %1 points, more than a file of %2 holds of a scan</source><translation>el encabezado anuncia %1 puntos, más de los que contiene de un escaneo un archivo de %2</translation></message>
-<message><source>the header promises more points than any file holds</source><translation>el encabezado anuncia más puntos de los que contiene ningún archivo</translation></message>
-<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>la imagen anuncia más píxeles de los que contiene de un escaneo un archivo de %1</translation></message>
-<message><source>the file ends within its LAS header</source><translation>el archivo termina dentro de su encabezado LAS</translation></message>
-<message><source>the file ends within its numpy header</source><translation>el archivo termina dentro de su encabezado numpy</translation></message>
-<message><source>the file ends before its vertices</source><translation>el archivo termina antes de sus vértices</translation></message>
-<message><source>the file ends before its compressed points</source><translation>el archivo termina antes de sus puntos comprimidos</translation></message>
-<message><source>the file is cut off in its last vertex</source><translation>el archivo está cortado en su último vértice</translation></message>
-<message><source>the compressed points are damaged</source><translation>los puntos comprimidos están dañados</translation></message>
-<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>este archivo LAZ no se puede descomprimir: termina demasiado pronto</translation></message>
-<message><source>this LAZ file cannot be unpacked: </source><translation>este archivo LAZ no se puede descomprimir: </translation></message>
-<message><source>this LAZ file is damaged or cut off</source><translation>este archivo LAZ está dañado o cortado</translation></message>
-<message><source>copy it again, or save it as .las</source><translation>cópielo de nuevo, o guárdelo como .las</translation></message>
-<message><source>save it as LAS 1.2 or 1.4</source><translation>guárdelo como LAS 1.2 o 1.4</translation></message>
-<message><source>this is LAS version %1, and versions up to 1.4 are known</source><translation>es la versión LAS %1, y se conocen versiones hasta 1.4</translation></message>
-<message><source>needs %1 of memory, %2 are free</source><translation>necesita %1 de memoria, hay %2 libres</translation></message>
-<message><source>holds more points than can be put on a grid</source><translation>contiene más puntos de los que caben en una cuadrícula</translation></message>
-<message><source>split the file</source><translation>divida el archivo</translation></message>
-<message><source>the scan of this PTX file holds 0 points</source><translation>el escaneo de este archivo PTX contiene 0 puntos</translation></message>
-<message><source>scan %1 of this PTX file promises %2 columns of %3 points, and the file ends before them</source><translation>el escaneo %1 de este archivo PTX anuncia %2 columnas de %3 puntos, y el archivo termina antes</translation></message>
-<message><source>holds %1 bytes where %2 need </source><translation>contiene %1 bytes donde %2 necesitan </translation></message>
-<message><source>check lines and beams in the .json file</source><translation>revise líneas y haces en el archivo .json</translation></message>
-<message><source>check that the file is complete</source><translation>compruebe que el archivo esté completo</translation></message>
-<message><source>the PLY header has no end_header line</source><translation>el encabezado PLY no tiene línea end_header</translation></message>
-<message><source>the PCD header has no DATA line</source><translation>el encabezado PCD no tiene línea DATA</translation></message>
-<message><source>the PLY file has no vertices</source><translation>el archivo PLY no tiene vértices</translation></message>
-<message><source>this OBJ file has no vertices</source><translation>este archivo OBJ no tiene vértices</translation></message>
-<message><source>this Surpac file has no points</source><translation>este archivo Surpac no tiene puntos</translation></message>
-<message><source>the vertices have no x, y and z</source><translation>los vértices no tienen x, y y z</translation></message>
-<message><source>the PCD file has no fields x, y and z</source><translation>el archivo PCD no tiene campos x, y y z</translation></message>
-<message><source>export the file with coordinates</source><translation>exporte el archivo con coordenadas</translation></message>
-<message><source>this is text without a row of numbers, so no scan</source><translation>es texto sin una fila de números, así que no es un escaneo</translation></message>
-<message><source>choose a scan: %1, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>elija un escaneo: %1, una cuadrícula bruta (.json), una imagen de distancias (.png, .tif), una grabación (.mcap), un bag de ROS o una captura de red (.pcap)</translation></message>
-<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x e y de este archivo son grados de longitud y latitud, según su sistema de coordenadas, y los puntos necesitan metros</translation></message>
-<message><source>export it in a projected coordinate system such as UTM</source><translation>expórtelo en un sistema de coordenadas proyectado como UTM</translation></message>
-<message><source>its heading names %1, and points need x, y and z in metres</source><translation>su encabezado nombra %1, y los puntos necesitan x, y y z en metros</translation></message>
-<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escriba x, y y z, o distancias como tabla con una fila por línea; o </translation></message>
-<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>su encabezado nombra ejes (%1), y no se entienden todos los x, y y z</translation></message>
-<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: </source><translation>diga qué columnas son este (x), norte (y) y elevación (z), por número o nombre: </translation></message>
-<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>hay palabras entre los números de sus filas, y ningún encabezado nombra x, y y z</translation></message>
-<message><source>write a first row with the names of the columns, such as </source><translation>escriba una primera fila con los nombres de las columnas, como </translation></message>
-<message><source> has a decimal comma</source><translation> tiene coma decimal</translation></message>
-<message><source>save the file with decimal points</source><translation>guarde el archivo con puntos decimales</translation></message>
-<message><source>" is not a number</source><translation>" no es un número</translation></message>
-<message><source>correct the line or export the file again</source><translation>corrija la línea o exporte de nuevo el archivo</translation></message>
-<message><source> is below x, y or z and is not a number</source><translation> está bajo x, y o z y no es un número</translation></message>
-<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>guarde el archivo con números simples en estas columnas, sin unidades ni signos</translation></message>
-<message><source>, a number whose thousands are set apart</source><translation>, un número con los miles separados</translation></message>
-<message><source>save the file with plain numbers, without separators of thousands</source><translation>guarde el archivo con números simples, sin separadores de miles</translation></message>
-<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contiene bytes cero, como un archivo que no se escribió hasta el final</translation></message>
-<message><source>copy the file or export it again</source><translation>copie o exporte de nuevo el archivo</translation></message>
-<message><source>its numbers are separated by "%1", which separates none here</source><translation>sus números están separados por «%1», que aquí no separa ninguno</translation></message>
-<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>guarde el archivo con comas, puntos y comas, tabuladores o espacios entre sus números</translation></message>
-<message><source>a table of %1 ranges per line does not say its angles</source><translation>una tabla de %1 distancias por línea no dice sus ángulos</translation></message>
-<message><source>a picture of %1 ranges per line does not say its angles</source><translation>una imagen de %1 distancias por línea no dice sus ángulos</translation></message>
-<message><source>a array of %1 ranges per line does not say its angles</source><translation>una matriz de %1 distancias por línea no dice sus ángulos</translation></message>
-<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; o guárdela con una fila por línea: tiene tantas filas como haces un LMS511</translation></message>
-<message><source> holds %1, which is not a range</source><translation> contiene %1, que no es una distancia</translation></message>
-<message><source>check that these are ranges; points need columns x, y and z</source><translation>compruebe que sean distancias; los puntos necesitan columnas x, y y z</translation></message>
-<message><source> holds %1, so this is not a table of ranges</source><translation> contiene %1, así que no es una tabla de distancias</translation></message>
-<message><source> numbers per line without names are a table of ranges only with its angles; as points, </source><translation> números por línea sin nombres son una tabla de distancias solo con sus ángulos; como puntos, </translation></message>
-<message><source>, or name the columns x, y and z</source><translation>, o nombre las columnas x, y y z</translation></message>
-<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en gris, y las distancias necesitan 16 bits en gris</translation></message>
-<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en color, y las distancias necesitan 16 bits en gris</translation></message>
-<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>elija un escaneo, o una imagen de distancias de 16 bits por píxel</translation></message>
-<message><source>this is a PNG picture that cannot be read: </source><translation>es una imagen PNG que no se puede leer: </translation></message>
-<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>la imagen TIFF está dañada o es de un tipo que no se puede leer</translation></message>
-<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>una matriz numpy de forma %1 no es ni distancias (líneas, haces) ni puntos (n, 3) o (líneas, haces, 3)</translation></message>
-<message><source>save it in one of these shapes</source><translation>guárdela en una de estas formas</translation></message>
-<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>estos valores necesitan su descripción %1 al lado, y no se puede leer</translation></message>
-<message><source>copy it into the same folder</source><translation>cópiela en la misma carpeta</translation></message>
-<message><source> points with a return, too few to find a scanner's grid</source><translation> puntos con retorno, demasiado pocos para hallar la cuadrícula de un escáner</translation></message>
-<message><source>points have a return, too few to make a grid of them</source><translation>puntos tienen retorno, demasiado pocos para formar una cuadrícula</translation></message>
-<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>los %1 puntos no están en ángulos haz x línea alrededor del origen:</translation></message>
-<message><source> about z </source><translation> alrededor de z </translation></message>
-<message><source> about y </source><translation> alrededor de y </translation></message>
-<message><source> about x </source><translation> alrededor de x </translation></message>
-<message><source>no scan lines can be recognised</source><translation>ninguna línea reconocible</translation></message>
-<message><source> % lie on the best </source><translation> % en los mejores </translation></message>
-<message><source> line angles</source><translation> ángulos de línea</translation></message>
-<message><source> beam angles</source><translation> ángulos de haz</translation></message>
-<message><source> (99 % are needed)</source><translation> (se necesita el 99 %)</translation></message>
-<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra el escaneo tal como lo guardó el escáner, con el origen en el escáner</translation></message>
-<message><source>open the scan as the scanner stored it, or with its record</source><translation>abra el escaneo tal como lo guardó el escáner, o con su registro</translation></message>
-<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos los puntos están a menos de %1 m entre sí y al menos a %2 m del escáner, lo que ningún escáner mide</translation></message>
-<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>los %1 puntos de su cuadrícula están en una sola dirección desde el origen, dentro de %2 grados y hasta %3: el escáner estaba en otro lugar</translation></message>
-<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>los %1 puntos están todos en una sola dirección desde allí, dentro de %2 y a %3 a %4</translation></message>
-<message><source>seen from there the points make no picture: </source><translation>vistos desde allí, los puntos no forman una imagen: </translation></message>
-<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>no se siguen en líneas que giran alrededor de un eje en otro lugar</translation></message>
-<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>sus números se redondearon a %1 cifras, así que los cercanos a %2 van en pasos de %3: las cifras que ubican los puntos se han perdido</translation></message>
-<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escriba de nuevo las coordenadas con todos sus decimales, como números y no en la forma 1.23E+06</translation></message>
-<message><source>this capture holds no scan telegram of a SICK scanner, and </source><translation>esta captura no contiene ningún telegrama de escaneo de un escáner SICK, y </translation></message>
-<message><source>this capture holds %1 packets, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>esta captura contiene %1 paquetes, %2 de ellos TCP, y ningún telegrama de escaneo de un escáner SICK ni paquete de un VLP-16 o un Ouster</translation></message>
-<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capture la conexión al puerto del escáner (2111 o 2112) mientras escanea</translation></message>
-<message><source>this is not a capture of network packets</source><translation>no es una captura de paquetes de red</translation></message>
-<message><source>choose a PCAP or PCAPNG file</source><translation>elija un archivo PCAP o PCAPNG</translation></message>
-<message><source>the capture ends within its header</source><translation>la captura termina dentro de su encabezado</translation></message>
-<message><source>copy the capture again</source><translation>copie de nuevo la captura</translation></message>
-<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este archivo MCAP no contiene nada que enviara un escáner láser</translation></message>
-<message><source>nothing that a laser scanner sent can be read in this MCAP file</source><translation>nada de lo que envió un escáner láser se puede leer en este archivo MCAP</translation></message>
-<message><source>choose a recording of a sweep</source><translation>elija la grabación de un barrido</translation></message>
-<message><source>choose another recording</source><translation>elija otra grabación</translation></message>
-<message><source>this recording holds no scan telegram</source><translation>esta grabación no contiene ningún telegrama de escaneo</translation></message>
-<message><source>no scan telegram in this recording can be decoded</source><translation>ningún telegrama de escaneo de esta grabación se puede descodificar</translation></message>
-<message><source>the recording holds one sweep</source><translation>la grabación contiene un barrido</translation></message>
-<message><source>the recording holds %1 sweeps</source><translation>la grabación contiene %1 barridos</translation></message>
-<message><source>a calibration alone gives no place</source><translation>una calibración sola no da un lugar</translation></message>
-<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>una pose necesita la calibración del robot, y la grabación no contiene ninguna</translation></message>
-<message><source>a pose needs the robot's calibration</source><translation>una pose necesita la calibración del robot</translation></message>
-<message><source>give %1 the place in metres that the scan was taken from</source><translation>indique %1, el lugar en metros desde donde se tomó el escaneo</translation></message>
-<message><source>give «</source><translation>indique «</translation></message>
 <message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
 <message><source>LIVE</source><translation>EN VIVO</translation></message>
 <message><source>STALE</source><translation>ANTICUADO</translation></message>
@@ -545,9 +15,6 @@
 <message><source>INCOMPLETE %1 lines</source><translation>INCOMPLETO %1 líneas</translation></message>
 <message><source>%1 lost: %2</source><translation>%1 perdidas: %2</translation></message>
 <message><source>%1 lines</source><translation>%1 líneas</translation></message>
-<message><source>line %1</source><translation>línea %1</translation></message>
-<message><source>lines %1 and others</source><translation>líneas %1 y otras</translation></message>
-<message><source>lines %1</source><translation>líneas %1</translation></message>
 <message><source>no return %1 %</source><translation>sin retorno %1 %</translation></message>
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAJE SUPUESTO</translation></message>
@@ -560,18 +27,12 @@
 <message><source>%1 earlier in this sweep</source><translation>%1 antes en este barrido</translation></message>
 <message><source>WINDOW TOO DIRTY</source><translation>VENTANA DEMASIADO SUCIA</translation></message>
 <message><source>WINDOW DIRTY</source><translation>VENTANA SUCIA</translation></message>
-<message><source>window clean</source><translation>ventana limpia</translation></message>
-<message><source>device ok</source><translation>equipo en orden</translation></message>
 <message><source>DEVICE ERROR</source><translation>ERROR DEL EQUIPO</translation></message>
-<message><source>pose of unknown age</source><translation>pose de edad desconocida</translation></message>
 <message><source>pose %1 old</source><translation>pose de hace %1</translation></message>
-<message><source>sweep complete</source><translation>barrido completo</translation></message>
-<message><source>sweep ended</source><translation>barrido terminado</translation></message>
 <message><source>%1 left</source><translation>faltan %1</translation></message>
 <message><source>%1, %2 ago</source><translation>%1, hace %2</translation></message>
 <message><source>recording %1 MB, %2</source><translation>grabación %1 MB, %2</translation></message>
 <message><source>recording %1 MB</source><translation>grabación %1 MB</translation></message>
-<message><source>the disk is %1 s behind (%2 MB)</source><translation>el disco lleva %1 s de retraso (%2 MB)</translation></message>
 <message><source>RECORDING ENDED: %1</source><translation>GRABACIÓN TERMINADA: %1</translation></message>
 <message><source>RECORDING HAS GAPS: %1</source><translation>LA GRABACIÓN TIENE HUECOS: %1</translation></message>
 <message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; otras celdas: puntos llevados a la cuadrícula del escaneo posterior</translation></message>
@@ -583,43 +44,6 @@
 <message><source>sweep %1</source><translation>barrido %1</translation></message>
 <message><source>demo draw-bell after the blast</source><translation>campana de demostración tras la tronadura</translation></message>
 <message><source>demo draw-bell</source><translation>campana de demostración</translation></message>
-<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: hay %1 líneas, no se sabe cuántas eran.</translation></message>
-<message><source>Telegrams were lost: lines </source><translation>Se perdieron telegramas: líneas </translation></message>
-<message><source>Telegrams were lost: line </source><translation>Se perdió un telegrama: línea </translation></message>
-<message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Hubo telegramas con menos haces que el barrido, los demás se perdieron: </translation></message>
-<message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
-<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Los telegramas llevan cuentas del codificador, pero no se indicó cuántas hay por grado: los ángulos no las siguen.</translation></message>
-<message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>El escáner perdió la cuenta del codificador al reiniciarse: los ángulos de las líneas siguientes se calculan.</translation></message>
-<message><source> (from line %1 on).</source><translation> (desde la línea %1).</translation></message>
-<message><source>How a motor turned the scanner was not said in full. ASSUMED: </source><translation>No se indicó del todo cómo un motor giró el escáner. SUPUESTO: </translation></message>
-<message><source>the axis (spin)</source><translation>el eje (spin)</translation></message>
-<message><source>the axis (sweep)</source><translation>el eje (sweep)</translation></message>
-<message><source>the axis (spin, seen in the ranges)</source><translation>el eje (spin, visto en las distancias)</translation></message>
-<message><source>the axis (sweep, seen in the ranges)</source><translation>el eje (sweep, visto en las distancias)</translation></message>
-<message><source>the step from line to line (%1 degrees</source><translation>el paso de línea a línea (%1 grados</translation></message>
-<message><source>the motor turning on while a line is measured)</source><translation>el motor sigue girando mientras se mide una línea)</translation></message>
-<message><source>the angle of the first line (%1 degrees)</source><translation>el ángulo de la primera línea (%1 grados)</translation></message>
-<message><source>Give %1 where that is wrong.</source><translation>Indique %1 si no es así.</translation></message>
-<message><source>The first line received is taken as line 0 of the sweep.</source><translation>La primera línea recibida se toma como línea 0 del barrido.</translation></message>
-<message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>La cuenta del codificador en la primera línea recibida se toma como primer ángulo del barrido.</translation></message>
-<message><source>The scanner reported an error or was not ready</source><translation>El escáner comunicó un error o no estaba listo</translation></message>
-<message><source>The scanner reported a window too dirty to measure through</source><translation>El escáner comunicó una ventana demasiado sucia para medir</translation></message>
-<message><source>The scanner reported a dirty window</source><translation>El escáner comunicó una ventana sucia</translation></message>
-<message><source> in all)</source><translation> en total)</translation></message>
-<message><source>Trying again in %1 s.</source><translation>Nuevo intento en %1 s.</translation></message>
-<message><source>Connecting to %1.</source><translation>Conectando con %1.</translation></message>
-<message><source> accepts the connection; asking what it is.</source><translation> acepta la conexión; se le pregunta qué es.</translation></message>
-<message><source> is sending again.</source><translation> vuelve a enviar.</translation></message>
-<message><source> is sending.</source><translation> envía.</translation></message>
-<message><source>: no scan for %1 s.</source><translation>: sin escaneo desde hace %1 s.</translation></message>
-<message><source>: disconnected.</source><translation>: desconectado.</translation></message>
-<message><source>The sweep has ended; no line has come since.</source><translation>El barrido ha terminado; desde entonces no ha llegado ninguna línea.</translation></message>
-<message><source>there is no such file</source><translation>no existe ese archivo</translation></message>
-<message><source>check the spelling and the folder</source><translation>compruebe el nombre y la carpeta</translation></message>
-<message><source>reading this file is not allowed</source><translation>no se permite leer este archivo</translation></message>
-<message><source>ask its owner for the right to read it</source><translation>pida a su dueño permiso para leerlo</translation></message>
-<message><source>this is a folder, not a file</source><translation>es una carpeta, no un archivo</translation></message>
-<message><source>choose a file inside it</source><translation>elija un archivo dentro de ella</translation></message>
 <message><source>there is not enough memory for this scan</source><translation>no hay memoria suficiente para este escaneo</translation></message>
 <message><source>close other programs or open a smaller scan</source><translation>cierre otros programas o abra un escaneo más pequeño</translation></message>
 <message><source>there is not enough memory to show the scan in its place</source><translation>no hay memoria suficiente para mostrar el escaneo en su lugar</translation></message>
@@ -627,7 +51,6 @@
 <message><source>there is not enough memory for a second picture</source><translation>no hay memoria suficiente para una segunda imagen</translation></message>
 <message><source>there is not enough memory for a second scan</source><translation>no hay memoria suficiente para un segundo escaneo</translation></message>
 <message><source>there is not enough memory for these scans</source><translation>no hay memoria suficiente para estos escaneos</translation></message>
-<message><source>there is not enough memory for this cloud</source><translation>no hay memoria suficiente para esta nube</translation></message>
 <message><source>there is not enough memory to play this recording</source><translation>no hay memoria suficiente para reproducir esta grabación</translation></message>
 <message><source>hide or remove other layers, or choose a smaller scan</source><translation>oculte o quite otras capas, o elija un escaneo más pequeño</translation></message>
 <message><source>close other programs or choose a smaller scan</source><translation>cierre otros programas o elija un escaneo más pequeño</translation></message>
@@ -636,148 +59,18 @@
 <message><source>close other programs or use a smaller scan</source><translation>cierre otros programas o use un escaneo más pequeño</translation></message>
 <message><source>another program has changed this file, so it was not removed</source><translation>otro programa cambió este archivo, así que no se quitó</translation></message>
 <message><source>open the scan again to see its edits</source><translation>abra el escaneo de nuevo para ver sus cambios</translation></message>
-<message><source>the file cannot be removed (%1)</source><translation>el archivo no se puede quitar (%1)</translation></message>
-<message><source>check the rights of its folder</source><translation>compruebe los permisos de su carpeta</translation></message>
 <message><source>it could not be opened (%1)</source><translation>no se pudo abrir (%1)</translation></message>
 <message><source>auto is not a number</source><translation>auto no es un número</translation></message>
 <message><source>tick auto next to the box</source><translation>marque auto junto al campo</translation></message>
 <message><source>the layer has another content than when it was placed</source><translation>la capa tiene otro contenido que cuando se colocó</translation></message>
 <message><source>remove it and add it again</source><translation>quítela y añádala de nuevo</translation></message>
-<message><source>it was cancelled, so nothing was written</source><translation>se canceló, así que no se escribió nada</translation></message>
-<message><source>save it again</source><translation>guárdelo otra vez</translation></message>
-<message><source>the file cannot be read: </source><translation>no se puede leer el archivo: </translation></message>
-<message><source>check the disk and the path</source><translation>compruebe el disco y la ruta</translation></message>
-<message><source>there is not enough memory for this file</source><translation>no hay memoria suficiente para este archivo</translation></message>
-<message><source>close other programs or open a smaller file</source><translation>cierre otros programas o abra un archivo más pequeño</translation></message>
-<message><source>close other programs</source><translation>cierre otros programas</translation></message>
-<message><source>this is a web page (HTML), not a scan</source><translation>es una página web (HTML), no un escaneo</translation></message>
-<message><source>this is a JPEG picture, not a scan</source><translation>es una imagen JPEG, no un escaneo</translation></message>
-<message><source>this is a picture or film, not a scan</source><translation>es una imagen o una película, no un escaneo</translation></message>
-<message><source>this is a PDF document, not a scan</source><translation>es un documento PDF, no un escaneo</translation></message>
-<message><source>this is a ZIP archive, not a scan</source><translation>es un archivo comprimido ZIP, no un escaneo</translation></message>
-<message><source>this is a program, not a scan</source><translation>es un programa, no un escaneo</translation></message>
-<message><source>it may be what a site sent instead of the file: download the file again, or choose a scan file</source><translation>quizá un sitio la envió en lugar del archivo: descargue de nuevo el archivo o elija un archivo de escaneo</translation></message>
-<message><source>choose a scan file</source><translation>elija un archivo de escaneo</translation></message>
-<message><source>unpack it and open the scan in it</source><translation>descomprímalo y abra el escaneo que contiene</translation></message>
-<message><source>copy the file again, it may be cut off</source><translation>copie de nuevo el archivo, puede estar cortado</translation></message>
-<message><source>copy the file again</source><translation>copie de nuevo el archivo</translation></message>
-<message><source>export the file again</source><translation>exporte de nuevo el archivo</translation></message>
-<message><source>the folder to write into does not exist</source><translation>la carpeta de destino no existe</translation></message>
-<message><source>make the folder or choose another</source><translation>cree la carpeta o elija otra</translation></message>
-<message><source>the folder to write into is not a folder</source><translation>la carpeta de destino no es una carpeta</translation></message>
-<message><source>writing here is not allowed</source><translation>no está permitido escribir aquí</translation></message>
-<message><source>choose another folder or ask for the right to write</source><translation>elija otra carpeta o pida permiso para escribir</translation></message>
-<message><source>the disk can only be read</source><translation>el disco es de solo lectura</translation></message>
-<message><source>the disk is full, so this file was not written</source><translation>el disco está lleno, por eso este archivo no se ha escrito</translation></message>
-<message><source>free some space or choose another disk</source><translation>libere espacio o elija otro disco</translation></message>
-<message><source>the file cannot be written: </source><translation>no se puede escribir el archivo: </translation></message>
-<message><source>choose another folder or disk</source><translation>elija otra carpeta u otro disco</translation></message>
-<message><source>choose another folder</source><translation>elija otra carpeta</translation></message>
-<message><source>the file name is too long</source><translation>el nombre del archivo es demasiado largo</translation></message>
-<message><source>choose a shorter name</source><translation>elija un nombre más corto</translation></message>
-<message><source>give a file name</source><translation>indique un nombre de archivo</translation></message>
-<message><source>this file is read-only, so it was not replaced</source><translation>este archivo es de solo lectura, por eso no se ha sustituido</translation></message>
-<message><source>allow writing with chmod u+w, or choose another name</source><translation>permita la escritura con chmod u+w o elija otro nombre</translation></message>
-<message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>este archivo pertenece a otro usuario, que no permite escribir en él; por eso no se ha sustituido</translation></message>
-<message><source>choose another name, or ask its owner</source><translation>elija otro nombre o pregunte a su propietario</translation></message>
 <message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>no es un archivo normal: los ajustes no se leen y nada de esta ventana se guarda</translation></message>
 <message><source>remove it and start again</source><translation>elimínelo e inicie de nuevo</translation></message>
-<message><source>this file was read as an input</source><translation>este archivo se leyó como entrada</translation></message>
-<message><source>this is the file that was read as an input under the name </source><translation>es el archivo que se leyó como entrada con el nombre </translation></message>
-<message><source>choose another name</source><translation>elija otro nombre</translation></message>
-<message><source>nothing answers there</source><translation>nada responde en esa dirección</translation></message>
-<message><source>check power, cable and the address, and that this computer is in the scanner's network</source><translation>compruebe la alimentación, el cable y la dirección, y que este equipo esté en la red del escáner</translation></message>
-<message><source>the connection is refused</source><translation>la conexión es rechazada</translation></message>
-<message><source>check the port (2111 or 2112) and that no other program holds the scanner</source><translation>compruebe el puerto (2111 o 2112) y que ningún otro programa ocupe el escáner</translation></message>
-<message><source>there is no way to this address</source><translation>no hay ruta hacia esta dirección</translation></message>
-<message><source>check the cable and the network settings of this computer</source><translation>compruebe el cable y los ajustes de red de este equipo</translation></message>
-<message><source>check the address and the network settings of this computer</source><translation>compruebe la dirección y los ajustes de red de este equipo</translation></message>
-<message><source>cannot connect (%1)</source><translation>no se puede conectar (%1)</translation></message>
-<message><source>no scanner is given</source><translation>no se ha indicado ningún escáner</translation></message>
-<message><source>give its IP address or host name</source><translation>indique su dirección IP o su nombre de host</translation></message>
-<message><source>the host name is not known</source><translation>el nombre de host es desconocido</translation></message>
-<message><source>check its spelling or use the scanner's IP address</source><translation>compruebe cómo está escrito o use la dirección IP del escáner</translation></message>
-<message><source>the name server does not answer</source><translation>el servidor de nombres no responde</translation></message>
-<message><source>use the scanner's IP address</source><translation>use la dirección IP del escáner</translation></message>
-<message><source>the scanner closed the connection</source><translation>el escáner cerró la conexión</translation></message>
-<message><source>the connection broke (%1)</source><translation>la conexión se interrumpió (%1)</translation></message>
-<message><source>no line was received</source><translation>no se recibió ninguna línea</translation></message>
-<message><source>check cable, address and port</source><translation>compruebe el cable, la dirección y el puerto</translation></message>
-<message><source>check the cable and whether the scanner's mirror turns</source><translation>compruebe el cable y que el espejo del escáner gire</translation></message>
-<message><source>the scanner refuses to send scans: </source><translation>el escáner se niega a enviar escaneos: </translation></message>
-<message><source>check what else uses it</source><translation>compruebe qué más lo usa</translation></message>
-<message><source>a recording is being written already</source><translation>ya se está escribiendo una grabación</translation></message>
-<message><source>stop it first</source><translation>deténgala primero</translation></message>
-<message><source>the file ends within its E57 header</source><translation>el archivo termina dentro de su cabecera E57</translation></message>
-<message><source>this is E57 version %1, and version 1 is known</source><translation>esta es la versión %1 de E57, y se conoce la versión 1</translation></message>
-<message><source>export it as E57 version 1.0</source><translation>expórtelo como E57 versión 1.0</translation></message>
-<message><source>the E57 header says that pages have %1 bytes</source><translation>la cabecera E57 indica páginas de %1 bytes</translation></message>
-<message><source>the E57 header promises %1 bytes and the file holds </source><translation>la cabecera E57 anuncia %1 bytes y el archivo contiene </translation></message>
-<message><source>the columns of points in this E57 file are nested too deep</source><translation>las columnas de puntos de este archivo E57 están demasiado anidadas</translation></message>
-<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>los límites de la columna %1 de este archivo E57 no son posibles</translation></message>
-<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>el escaneo %1 de este archivo E57 no indica dónde están sus puntos ni cuántos son</translation></message>
-<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>según la cabecera E57, la parte XML está en el byte %1 y tiene </translation></message>
-<message><source>the XML part of this E57 file cannot be read: </source><translation>no se puede leer la parte XML de este archivo E57: </translation></message>
-<message><source>the XML part of this E57 file has no e57Root</source><translation>la parte XML de este archivo E57 no tiene e57Root</translation></message>
-<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la página %1 de %2 de este archivo E57 está dañada: su suma de control no coincide</translation></message>
-<message><source>this E57 file ends before something that it names</source><translation>este archivo E57 termina antes de algo que nombra</translation></message>
-<message><source>this E57 file holds no scan</source><translation>este archivo E57 no contiene ningún escaneo</translation></message>
-<message><source>the file holds one scan</source><translation>el archivo contiene un escaneo</translation></message>
-<message><source>the file holds %1 scans</source><translation>el archivo contiene %1 escaneos</translation></message>
-<message><source>scan %1 of this E57 file holds no points</source><translation>el escaneo %1 de este archivo E57 no contiene puntos</translation></message>
-<message><source>choose another scan or file</source><translation>elija otro escaneo o archivo</translation></message>
 <message><source>choose another scan</source><translation>elija otro escaneo</translation></message>
-<message><source>choose another file</source><translation>elija otro archivo</translation></message>
-<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>los puntos empezarían en el byte %1, que no está en el archivo</translation></message>
-<message><source>no list of points begins where the E57 file says</source><translation>ninguna lista de puntos empieza donde indica el archivo E57</translation></message>
-<message><source>the header of the points does not fit the file</source><translation>la cabecera de los puntos no corresponde al archivo</translation></message>
-<message><source>a packet of points </source><translation>un paquete de puntos </translation></message>
-<message><source>the file promises %1 points and </source><translation>el archivo anuncia %1 puntos y </translation></message>
-<message><source>this ZIP archive has no directory at its end</source><translation>este archivo ZIP no tiene directorio al final</translation></message>
-<message><source>the directory of this ZIP archive is damaged</source><translation>el directorio de este archivo ZIP está dañado</translation></message>
-<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este archivo ZIP no empieza donde indica su directorio: hay otros bytes delante o dentro</translation></message>
-<message><source>this part of the archive is encrypted</source><translation>esta parte del archivo está cifrada</translation></message>
-<message><source>save it without a password</source><translation>guárdelo sin contraseña</translation></message>
-<message><source>this part of the archive is packed by method %1</source><translation>esta parte del archivo está comprimida con el método %1</translation></message>
-<message><source>pack it with DEFLATE, as usual</source><translation>comprímalo con DEFLATE, como es habitual</translation></message>
-<message><source>this part of the archive is not where its directory says</source><translation>esta parte del archivo no está donde indica su directorio</translation></message>
-<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descomprimido son %1, mucho más de lo que puede ser un escaneo de ese tamaño</translation></message>
-<message><source>unpack it by hand and look at it</source><translation>descomprímalo a mano y revíselo</translation></message>
-<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte del archivo está dañada: su longitud o su suma de control no coincide</translation></message>
-<message><source>it is a ROS bag of another version than 2.0</source><translation>es un bag de ROS de una versión distinta de 2.0</translation></message>
-<message><source>convert it with "rosbag migrate"</source><translation>conviértalo con «rosbag migrate»</translation></message>
-<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada o dañada: no se pueden leer sus tablas</translation></message>
-<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite no es un bag de ROS: no tiene tabla de topics</translation></message>
-<message><source>this SQLite database cannot be opened</source><translation>no se puede abrir esta base SQLite</translation></message>
-<message><source>copy it again</source><translation>cópiela de nuevo</translation></message>
-<message><source>this is not an MCAP recording of a known version</source><translation>no es una grabación MCAP de una versión conocida</translation></message>
-<message><source>choose a recording</source><translation>elija una grabación</translation></message>
-<message><source>this folder holds %1 files of a bag</source><translation>esta carpeta contiene %1 archivos de un bag</translation></message>
-<message><source>open one of them, as </source><translation>abra uno de ellos, por ejemplo </translation></message>
-<message><source>no topic of this %1 is a laser's</source><translation>ningún topic de este %1 es de un láser</translation></message>
-<message><source>choose another bag</source><translation>elija otro bag</translation></message>
-<message><source>the bag has no topic </source><translation>el bag no tiene el topic </translation></message>
-<message><source>the topic %1 holds no scan</source><translation>el topic %1 no contiene ningún escaneo</translation></message>
-<message><source>choose one of them with </source><translation>elija uno con </translation></message>
-<message><source>choose one of </source><translation>elija uno de </translation></message>
-<message><source>the laser did not turn while it measured</source><translation>el láser no giró mientras medía</translation></message>
-<message><source>choose another topic, or give the joint that turns it</source><translation>elija otro topic o indique la articulación que lo gira</translation></message>
-<message><source>no line of the topic %1 could be placed</source><translation>no se pudo colocar ninguna línea del topic %1</translation></message>
-<message><source>no message of the topic %1 is a line of ranges</source><translation>ningún mensaje del topic %1 es una línea de distancias</translation></message>
-<message><source>The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.</source><translation>La grabación contiene %1 barridos; se abrió el barrido %2; ningún otro tiene más líneas.</translation></message>
-<message><source>no transform turns the laser's frame %1 while it measures</source><translation>ninguna transformación gira el sistema %1 del láser mientras mide</translation></message>
-<message><source>no joint turned while the laser measured</source><translation>ninguna articulación giró mientras el láser medía</translation></message>
-<message><source>there is no joint called </source><translation>no hay ninguna articulación llamada </translation></message>
-<message><source>choose another topic</source><translation>elija otro topic</translation></message>
-<message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>el escaneo no tiene pose, así que no se conoce su lugar en la cuadrícula de la mina</translation></message>
-<message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>indique una pose y la calibración del robot, o guarde en el sistema del escáner</translation></message>
-<message><source>The pose carries no time, so its age is not known.</source><translation>La pose no tiene hora, así que no se conoce su edad.</translation></message>
-<message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>No se conoce el inicio del escaneo, así que tampoco la edad de la pose.</translation></message>
-<message><source>OUT OF SPEC: the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>FUERA DE TOLERANCIA: los ángulos del motor paso a paso son supuestos, así que E, N y RL pueden ser erróneos: indique montaje, paso y ángulo de la primera línea.</translation></message>
-<message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>La calibración no da %1; se usa 0: añada lo que falta (Escaneo &gt; Pose y montaje, página Montaje).</translation></message>
-<message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FUERA DE TOLERANCIA: la pose es %1 s más antigua que el inicio del escaneo.</translation></message>
-<message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FUERA DE TOLERANCIA: la inclinación del cabezal cambió %1 grados durante el escaneo, más de </translation></message>
-<message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>FUERA DE TOLERANCIA: %1 de %2 líneas se midieron antes de la primera pose o después de la última y recibieron la más cercana.</translation></message>
+<message><source> (line </source><translation> (línea </translation></message>
+<message><source>Both are one scan: the files are the same.</source><translation>Ambos son un solo escaneo: los archivos son iguales.</translation></message>
+<message><source>Near and far leave no depth between them: the gray image is blank and has no edge.</source><translation>Cerca y lejos no dejan profundidad entre ellos: la imagen gris está vacía y no tiene bordes.</translation></message>
+<message><source> edge cells lie on filled ranges and are not in this file; %1 writes them.</source><translation> celdas de borde están en distancias rellenadas y no están en este archivo; %1 las escribe.</translation></message>
 <message><source>OUT OF SPEC: whether the surfaces of "%1" fit cannot be seen.</source><translation>FUERA DE TOLERANCIA: no se puede ver si las superficies de "%1" encajan.</translation></message>
 <message><source>OUT OF SPEC: the surfaces of "%1" are %2 mm from those of the first scan at best.</source><translation>FUERA DE TOLERANCIA: las superficies de "%1" están en el mejor caso a %2 mm de las del primer escaneo.</translation></message>
 <message><source>OUT OF SPEC: the base moved while "%1" was taken: one place fits it badly.</source><translation>FUERA DE TOLERANCIA: la base se movió mientras se tomaba "%1": un solo lugar encaja mal.</translation></message>
@@ -786,9 +79,6 @@
 <message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place. No areas of change are given.</source><translation>FUERA DE TOLERANCIA: las superficies de los dos escaneos están en el mejor caso a %1: casi todo cambió o no son escaneos de un mismo lugar. No se dan áreas de cambio.</translation></message>
 <message><source>OUT OF SPEC: whether the poses fit cannot be seen, </source><translation>FUERA DE TOLERANCIA: no se puede ver si las poses encajan, </translation></message>
 <message><source>OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by </source><translation>FUERA DE TOLERANCIA: las poses no encajan con las superficies, así que el escaneo anterior se movió por sus superficies, </translation></message>
-<message><source>The file lists only points: %1 lines, %2 beams and mounting </source><translation>El archivo solo contiene puntos: %1 líneas, %2 haces y el montaje </translation></message>
-<message><source>were found from them.</source><translation>se hallaron a partir de ellos.</translation></message>
-<message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Este archivo es una exportación de puntos de arista, no un escaneo: todas las demás celdas cuentan como sin retorno. Abra el escaneo para buscar aristas.</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Escaneo &gt; Enderezar los haces</translation></message>
 <message><source>Scan &gt; Keep Repeated Values</source><translation>Escaneo &gt; Conservar los valores repetidos</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>las coordenadas del diálogo de exportación</translation></message>
@@ -938,7 +228,6 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>gained, lost and kept</source><translation>ganados, perdidos y conservados</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
-<message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
 <message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
 <message><source>could not be computed:
 %1</source><translation>no se pudo calcular:
@@ -964,7 +253,6 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>No se pudo determinar la razón (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
 <message><source>Finding the reason …</source><translation>Buscando la razón …</translation></message>
-<message><source>line %1, beam %2</source><translation>línea %1, haz %2</translation></message>
 <message><source>under the pointer</source><translation>bajo el puntero</translation></message>
 <message><source>the pinned target, under the pointer</source><translation>el objetivo fijado, bajo el puntero</translation></message>
 <message><source>under the pointer, not the pinned target</source><translation>bajo el puntero, no el objetivo fijado</translation></message>
@@ -1054,7 +342,6 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>File</source><translation>Archivo</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>Grid</source><translation>Cuadrícula</translation></message>
-<message><source>%1 lines x %2 beams</source><translation>%1 líneas x %2 haces</translation></message>
 <message><source>Distances</source><translation>Distancias</translation></message>
 <message><source>%1 to %2 measured; gray levels from %3 to %4</source><translation>medidas de %1 a %2; niveles de gris de %3 a %4</translation></message>
 <message><source>none was measured</source><translation>no se midió ninguna</translation></message>
@@ -1063,7 +350,6 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>%1 (as the pose says)</source><translation>%1 (según la pose)</translation></message>
 <message><source>Scanner</source><translation>Escáner</translation></message>
 <message><source>serial %1</source><translation>número de serie %1</translation></message>
-<message><source>firmware %1</source><translation>firmware %1</translation></message>
 <message><source>Uncertainty</source><translation>Incertidumbre</translation></message>
 <message><source>ranges ± %1 m at %2 m, ± %3 m at %4 m (two standard deviations)</source><translation>distancias ± %1 m a %2 m, ± %3 m a %4 m (dos desviaciones típicas)</translation></message>
 <message><source>%1; the pose does not say its own</source><translation>%1; la pose no indica la suya</translation></message>
@@ -1134,7 +420,6 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Parameter</source><translation>Parámetro</translation></message>
 <message><source>Value</source><translation>Valor</translation></message>
 <message><source>auto: %1</source><translation>auto: %1</translation></message>
-<message><source>%1 degrees</source><translation>%1 grados</translation></message>
 <message><source>%1 cells</source><translation>%1 celdas</translation></message>
 <message><source>%1 steps</source><translation>%1 pasos</translation></message>
 <message><source>%1 % of range</source><translation>%1 % de la distancia</translation></message>
@@ -1530,16 +815,8 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>being cancelled</source><translation>cancelando</translation></message>
 <message><source>opened</source><translation>abierto</translation></message>
 <message><source>reading</source><translation>lectura</translation></message>
-<message><source>reading points</source><translation>lectura de los puntos</translation></message>
-<message><source>reading ranges</source><translation>lectura de las distancias</translation></message>
-<message><source>reading the picture</source><translation>lectura de la imagen</translation></message>
 <message><source>unpacking</source><translation>descompresión</translation></message>
-<message><source>finding telegrams</source><translation>búsqueda de telegramas</translation></message>
-<message><source>putting packets together</source><translation>unión de los paquetes</translation></message>
 <message><source>grid</source><translation>cuadrícula</translation></message>
-<message><source>finding the grid</source><translation>búsqueda de la cuadrícula</translation></message>
-<message><source>finding the axis</source><translation>búsqueda del eje</translation></message>
-<message><source>projecting the points</source><translation>proyección de los puntos</translation></message>
 <message><source>placing the points</source><translation>colocación de los puntos</translation></message>
 <message><source>finding edges</source><translation>búsqueda de aristas</translation></message>
 <message><source>drawing</source><translation>dibujo</translation></message>
@@ -1735,7 +1012,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>without a cell</source><translation>sin celda</translation></message>
 <message><source>Scanner at [m]</source><translation>Escáner en [m]</translation></message>
 <message><source>Origin E, N, RL [m]</source><translation>Origen E, N, RL [m]</translation></message>
-<message><source>Scale of the grid</source><translation>Escala de la cuadrícula</translation></message>
 <message><source>Source</source><translation>Origen</translation></message>
 <message><source>Begin of the scan</source><translation>Inicio del escaneo</translation></message>
 <message><source>End of the scan</source><translation>Fin del escaneo</translation></message>
@@ -1746,7 +1022,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Boom</source><translation>Pluma</translation></message>
 <message><source>Pivot [m]</source><translation>Pivote [m]</translation></message>
 <message><source>Head [m]</source><translation>Cabeza [m]</translation></message>
-<message><source>mine grid</source><translation>coordenadas mina</translation></message>
 <message><source>scanner</source><translation>escáner</translation></message>
 <message><source>beam x line angles</source><translation>ángulos de haces x líneas</translation></message>
 <message><source>organised points</source><translation>puntos organizados</translation></message>
@@ -2424,8 +1699,6 @@ Doble clic: volver al preajuste</translation></message>
 </translation></message>
 <message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>El recorrido ha terminado; Ayuda &gt; Recorrido lo empieza de nuevo.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La ventana no tiene sitio para las imágenes junto a este panel: vuelven cuando usted lo pliega.</translation></message>
-<message><source>Network capture</source><translation>Captura de red</translation></message>
-<message><source>CoLa stream</source><translation>Flujo CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dibujo con las líneas de los bordes</translation></message>
 <message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Imagen de distancias</translation></message>
@@ -2441,7 +1714,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Range or point table</source><translation>Tabla de distancias o de puntos</translation></message>
 <message><source>Raw grid</source><translation>Cuadrícula sin procesar</translation></message>
 <message><source>Recording</source><translation>Grabación</translation></message>
-<message><source>Surpac strings</source><translation>Líneas de Surpac</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Cómo se encuentran los bordes: saltos y pliegues de la superficie, partes de estos, o Canny en niveles de gris como en la tesis, o uno de los otros detectores que la tesis compara.</translation></message>
 <message><source>Edges shown</source><translation>Bordes mostrados</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Solo se muestran y exportan los bordes que probablemente son el contorno de una roca; los pliegues dentro de una roca se omiten.</translation></message>
@@ -2455,7 +1727,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>% of range</source><translation>% dist.</translation></message>
 <message><source>What the smallest step grows by with the distance.</source><translation>Cuánto crece el menor escalón con la distancia.</translation></message>
 <message><source>Crease angle</source><translation>Ángulo de pliegue</translation></message>
-<message><source>degrees</source><translation>grados</translation></message>
 <message><source>Smallest fold of the surface that is an edge.</source><translation>Menor pliegue de la superficie que es un borde.</translation></message>
 <message><source>Minimum length</source><translation>Longitud mínima</translation></message>
 <message><source>Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.</source><translation>Las cadenas más cortas de celdas de borde se descartan. En un vacío, cada clase forma sus propias cadenas: un borde en dos clases son dos cadenas.</translation></message>
@@ -2558,58 +1829,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Los trozos más largos necesitan mejores señales de ser una roca y no una pared. El largo es aproximadamente el largo visible a.</translation></message>
 <message><source>Oversize</source><translation>Sobretamaño</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>Se indica la proporción de rocas cuyo ancho visible es mayor; 0 no indica ninguna.</translation></message>
-<message><source>Angle of the first beam [degrees]</source><translation>Ángulo del primer haz [grados]</translation></message>
-<message><source>Angle from beam to beam [degrees]</source><translation>Ángulo de un haz al siguiente [grados]</translation></message>
-<message><source>Angle of the first line [degrees]</source><translation>Ángulo de la primera línea [grados]</translation></message>
-<message><source>Angle from line to line [degrees]</source><translation>Ángulo de una línea a la siguiente [grados]</translation></message>
-<message><source>Unit of the numbers in the file; replaces the one that the file gives</source><translation>Unidad de los números del archivo; sustituye a la que da el archivo</translation></message>
-<message><source>Millimetres per number in the file</source><translation>Milímetros por número del archivo</translation></message>
-<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Celdas de una nube que se proyecta [grados]; si no, según el espaciado de sus puntos</translation></message>
-<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>En torno a qué gira el motor paso a paso: spin (dirección de visión) o sweep (línea 0/180 grados)</translation></message>
-<message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar del escáner para una nube sin cuadrícula, como X,Y,Z [m]</translation></message>
-<message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Puntos que no están en ninguna cuadrícula de escáner: proyectarlos en torno al sensor (auto), hacerlo sin buscar una cuadrícula (always), o rechazarlos (never)</translation></message>
-<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corregir los ángulos de los haces entrelazados de dos pasadas, y de las líneas en que el motor paso a paso patinó</translation></message>
-<message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
-<message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tema (topic) de un bag de ROS que es el escaneo; si no, un láser que gira</translation></message>
-<message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulación (joint) de un bag de ROS que gira el láser; si no, la dan las transformaciones</translation></message>
-<message><source>Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3</source><translation>Columnas de x, y y z en una lista de puntos, por número desde 1 o por nombre: 2,1,3</translation></message>
-<message><source>Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return</source><translation>Tomar un valor o punto que se repite exactamente, lejos del resto, como medido y no como sin retorno</translation></message>
-<message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
-<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
-<message><source>RL, positive up [m]</source><translation>RL, positivo hacia arriba [m]</translation></message>
-<message><source>Heading, clockwise from north [degrees]</source><translation>Rumbo, desde el norte en sentido horario [grados]</translation></message>
-<message><source>North of the heading</source><translation>Norte del rumbo</translation></message>
-<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinación: cabeceo, morro arriba [grados]</translation></message>
-<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinación: alabeo, lado derecho abajo [grados]</translation></message>
-<message><source>Zone or EPSG code</source><translation>Zona o código EPSG</translation></message>
 <message><source>Datum</source><translation>Datum</translation></message>
-<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Acimut del brazo, positivo hacia la izquierda [grados]</translation></message>
-<message><source>Robot's pitch, nose up [degrees]</source><translation>Cabeceo del robot, morro arriba [grados]</translation></message>
-<message><source>Robot's roll, right side down [degrees]</source><translation>Alabeo del robot, lado derecho abajo [grados]</translation></message>
-<message><source>Name of robot or scanner</source><translation>Nombre del robot o del escáner</translation></message>
-<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Alineación: alabeo, cabeceo, guiñada [grados]</translation></message>
-<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Brazo de palanca del TALIN en el robot: adelante, izquierda, arriba [m]</translation></message>
-<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Brazo de palanca del cabezal en el robot: adelante, izquierda, arriba [m]</translation></message>
-<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivote de un brazo en el robot, en lugar del cabezal [m]</translation></message>
-<message><source>From pivot to head [m]</source><translation>Del pivote al cabezal [m]</translation></message>
-<message><source>The boom's azimuth turns about</source><translation>El acimut del brazo gira alrededor de</translation></message>
-<message><source>The scanner looks</source><translation>El escáner mira</translation></message>
-<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Dirección de la mirada: alabeo, cabeceo, guiñada [grados]</translation></message>
-<message><source>Looking direction: nine numbers by rows</source><translation>Dirección de la mirada: nueve números por filas</translation></message>
-<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Eje del motor desde el inclinómetro [m]</translation></message>
-<message><source>Tilt is given as</source><translation>La inclinación se da como</translation></message>
-<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Escáner sobre el motor: alabeo, cabeceo, guiñada [grados]</translation></message>
-<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Escáner sobre el motor: x, y, z [m]</translation></message>
-<message><source>Axis of the stepper</source><translation>Eje del motor</translation></message>
-<message><source>Zero of the stepper [degrees]</source><translation>Cero del motor [grados]</translation></message>
-<message><source>Direction of the stepper, 1 or -1</source><translation>Sentido del motor, 1 o -1</translation></message>
-<message><source>Step from line to line [degrees]</source><translation>Paso de línea a línea [grados]</translation></message>
-<message><source>Beam at the time stamp of a line [degrees]</source><translation>Haz en la marca de tiempo de una línea [grados]</translation></message>
-<message><source>Grid convergence [degrees]</source><translation>Convergencia de la cuadrícula [grados]</translation></message>
-<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Mayor cambio de inclinación durante un barrido [grados]</translation></message>
-<message><source>Largest age of a pose [s]</source><translation>Mayor antigüedad de una pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them</source><translation>XYZ y CSV con todas las columnas, y la cuadrícula y el registro en líneas de comentario: los SIG y las planillas de cálculo pueden rechazarlos</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordenadas mina con números de 8 bytes, que PCL y Open3D no leen; si no, en metros desde un origen en un comentario</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de versión 2000 en vez de versión 12</translation></message>
@@ -2807,5 +2029,1507 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Along the Surface</source><translation>Por la superficie</translation></message>
 <message><source>Throat Width</source><translation>Ancho de garganta</translation></message>
 <message><source>Length in a Section</source><translation>Longitud en una sección</translation></message>
+</context>
+<context>
+<name>core</name>
+<message><source>the JSON holds too many keys</source><translation>el JSON contiene demasiadas claves</translation></message>
+<message><source>the key "%1" appears twice in the same object of the JSON</source><translation>la clave «%1» aparece dos veces en el mismo objeto del JSON</translation></message>
+<message><source>the JSON holds a number that no computer can store</source><translation>el JSON contiene un número que ningún ordenador puede guardar</translation></message>
+<message><source>the JSON is damaged or cut off here</source><translation>el JSON está dañado o cortado aquí</translation></message>
+<message><source>correct the file or choose another</source><translation>corrija el archivo o elija otro</translation></message>
+<message><source>%1: byte %2</source><translation>%1: byte %2</translation></message>
+<message><source>check it around this place</source><translation>compruébelo alrededor de este lugar</translation></message>
+<message><source>this JSON is nested too deep</source><translation>este JSON está anidado a demasiada profundidad</translation></message>
+<message><source>this JSON is too large: %1, and %2 are read</source><translation>este JSON es demasiado grande: %1, y se leen %2</translation></message>
+<message><source>choose another file</source><translation>elija otro archivo</translation></message>
+<message><source>the file is empty</source><translation>el archivo está vacío</translation></message>
+<message><source>copy it again or choose another</source><translation>cópielo de nuevo o elija otro</translation></message>
+<message><source>%n byte behind %1 was not read.</source><translation>%n byte detrás de %1 no se leyó.</translation></message>
+<message><source>%n bytes behind %1 were not read.</source><translation>%n bytes detrás de %1 no se leyeron.</translation></message>
+<message><source>this is the address of a file on another computer, %1</source><translation>esta es la dirección de un archivo en otro ordenador, %1</translation></message>
+<message><source>copy the file to this one, or give its path in a folder that is shared</source><translation>copie el archivo a este, o dé su ruta en una carpeta compartida</translation></message>
+<message><source>this address has a % without the two digits of a byte</source><translation>esta dirección tiene un % sin las dos cifras de un byte</translation></message>
+<message><source>write % as %25, or give the path</source><translation>escriba % como %25, o dé la ruta</translation></message>
+<message><source>this address names no file</source><translation>esta dirección no nombra ningún archivo</translation></message>
+<message><source>give its path</source><translation>dé su ruta</translation></message>
+<message><source>this file was read as an input</source><translation>este archivo se leyó como entrada</translation></message>
+<message><source>this is the file that was read as an input under the name %1</source><translation>este es el archivo que se leyó como entrada con el nombre %1</translation></message>
+<message><source>choose another name</source><translation>elija otro nombre</translation></message>
+<message><source>nothing (null)</source><translation>nada (null)</translation></message>
+<message><source>a list [...]</source><translation>una lista [...]</translation></message>
+<message><source>an object {...}</source><translation>un objeto {...}</translation></message>
+<message><source>holds %1 where a number is needed</source><translation>contiene %1 donde se necesita un número</translation></message>
+<message><source>holds a number out of all reason</source><translation>contiene un número fuera de toda razón</translation></message>
+<message><source>%1 or more</source><translation>%1 o más</translation></message>
+<message><source>%1 or less</source><translation>%1 o menos</translation></message>
+<message><source>from %1 to %2</source><translation>de %1 a %2</translation></message>
+<message><source>is %1 and must be %2</source><translation>es %1 y debe ser %2</translation></message>
+<message><source>is missing</source><translation>falta</translation></message>
+<message><source>must be a whole number from %1 to %2</source><translation>debe ser un número entero de %1 a %2</translation></message>
+<message><source>must be true or false</source><translation>debe ser true o false</translation></message>
+<message><source>must be text</source><translation>debe ser texto</translation></message>
+<message><source>must be %1</source><translation>debe ser %1</translation></message>
+<message><source>must be a list of numbers</source><translation>debe ser una lista de números</translation></message>
+<message><source>must hold %1 numbers</source><translation>debe contener %1 números</translation></message>
+<message><source>must hold three numbers</source><translation>debe contener tres números</translation></message>
+<message><source>must hold three rows of three numbers</source><translation>debe contener tres filas de tres números</translation></message>
+<message><source>is not a rotation: its rows are not perpendicular and of length 1</source><translation>no es una rotación: sus filas no son perpendiculares y de longitud 1</translation></message>
+<message><source>mirrors instead of turning: its determinant is -1</source><translation>refleja en vez de girar: su determinante es -1</translation></message>
+<message><source>must be a time in UTC like "2026-11-20T10:15:30.250Z"</source><translation>debe ser una hora UTC como "2026-11-20T10:15:30.250Z"</translation></message>
+<message><source>must be a list of texts</source><translation>debe ser una lista de textos</translation></message>
+<message><source>must be an object {...}</source><translation>debe ser un objeto {...}</translation></message>
+<message><source>must be a list of objects {...}</source><translation>debe ser una lista de objetos {...}</translation></message>
+<message><source>is not a key here, but "%1" is: units belong to the name</source><translation>no es una clave aquí, pero «%1» sí: las unidades son parte del nombre</translation></message>
+<message><source>is not a key here; known are %1</source><translation>no es una clave aquí; se conocen %1</translation></message>
+<message><source>"format": "%1"</source><translation>"format": "%1"</translation></message>
+<message><source>the JSON holds no object</source><translation>el JSON no contiene ningún objeto</translation></message>
+<message><source>choose a file with %1</source><translation>elija un archivo con %1</translation></message>
+<message><source>"format" is missing</source><translation>falta "format"</translation></message>
+<message><source>"format" is "%1", not "%2"</source><translation>"format" es «%1», no «%2»</translation></message>
+<message><source>%n byte</source><translation>%n byte</translation></message>
+<message><source>%n bytes</source><translation>%n bytes</translation></message>
+<message><source>needs %1 of memory, %2 are free</source><translation>necesita %1 de memoria, hay %2 libres</translation></message>
+<message><source>close other programs or open a smaller file</source><translation>cierre otros programas o abra un archivo más pequeño</translation></message>
+<message><source>no scanner reaches farther than 1,000 km</source><translation>ningún escáner alcanza más de 1,000 km</translation></message>
+<message><source>unit of counts and numbers</source><translation>unidad de las cuentas y los números</translation></message>
+<message><source>from a nanometre to a kilometre</source><translation>de un nanómetro a un kilómetro</translation></message>
+<message><source>angle of a beam, a heading or a mounting</source><translation>ángulo de un haz, de un rumbo o de un montaje</translation></message>
+<message><source>degrees</source><translation>grados</translation></message>
+<message><source>one turn</source><translation>una vuelta</translation></message>
+<message><source>angle of a line</source><translation>ángulo de una línea</translation></message>
+<message><source>a stepper that turns on for days</source><translation>un motor paso a paso que gira durante días</translation></message>
+<message><source>step from beam to beam or line to line</source><translation>paso de haz a haz o de línea a línea</translation></message>
+<message><source>not 0: two beams never look the same way</source><translation>no 0: dos haces nunca miran en la misma dirección</translation></message>
+<message><source>cell of a projected cloud</source><translation>celda de una nube proyectada</translation></message>
+<message><source>finer than any scanner, coarser than any use</source><translation>más fina que la de cualquier escáner, más gruesa que para cualquier uso</translation></message>
+<message><source>tilt, pitch</source><translation>inclinación, cabeceo</translation></message>
+<message><source>beyond it, it is the other way round</source><translation>más allá está al revés</translation></message>
+<message><source>roll, convergence</source><translation>alabeo, convergencia</translation></message>
+<message><source>half a turn</source><translation>media vuelta</translation></message>
+<message><source>easting, northing, place of a sensor</source><translation>este, norte, lugar de un sensor</translation></message>
+<message><source>more than the way round the earth</source><translation>más que la vuelta a la Tierra</translation></message>
+<message><source>deeper than any mine, higher than any mountain</source><translation>más profundo que cualquier mina, más alto que cualquier montaña</translation></message>
+<message><source>lever arm on a robot</source><translation>brazo de palanca en un robot</translation></message>
+<message><source>nothing on a robot is farther away</source><translation>nada en un robot está más lejos</translation></message>
+<message><source>coordinate, in the file's own unit</source><translation>coordenada, en la unidad propia del archivo</translation></message>
+<message><source>the way round the earth in tenths of a millimetre</source><translation>la vuelta a la Tierra en décimas de milímetro</translation></message>
+<message><source>scale of a mine grid</source><translation>escala de una cuadrícula de mina</translation></message>
+<message><source>map projections stay within a hundredth</source><translation>las proyecciones cartográficas quedan dentro de una centésima</translation></message>
+<message><source>lines, beams</source><translation>líneas, haces</translation></message>
+<message><source>more than a day of scanning</source><translation>más de un día de escaneo</translation></message>
+<message><source>this pipe cannot be read: </source><translation>no se puede leer este conducto: </translation></message>
+<message><source>save what it gives to a file and open that</source><translation>guarde lo que da en un archivo y ábralo</translation></message>
+<message><source>this is a keyboard, not a scan</source><translation>esto es un teclado, no un escaneo</translation></message>
+<message><source>give a file, or pipe one in</source><translation>dé un archivo, o conéctelo por un conducto</translation></message>
+<message><source>cancelled</source><translation>cancelado</translation></message>
+<message><source>no program writes into this pipe</source><translation>ningún programa escribe en este conducto</translation></message>
+<message><source>start the program that fills it, then open it again</source><translation>inicie el programa que lo llena y ábralo de nuevo</translation></message>
+<message><source>this is a device, not a scan</source><translation>esto es un dispositivo, no un escaneo</translation></message>
+<message><source>choose a file</source><translation>elija un archivo</translation></message>
+<message><source>the file cannot be opened: </source><translation>no se puede abrir el archivo: </translation></message>
+<message><source>check the path</source><translation>compruebe la ruta</translation></message>
+<message><source>this is not a regular file</source><translation>esto no es un archivo normal</translation></message>
+<message><source>the file cannot be read: </source><translation>no se puede leer el archivo: </translation></message>
+<message><source>check the disk and the path</source><translation>compruebe el disco y la ruta</translation></message>
+<message><source>the folder to write into does not exist</source><translation>la carpeta de destino no existe</translation></message>
+<message><source>make the folder or choose another</source><translation>cree la carpeta o elija otra</translation></message>
+<message><source>the folder to write into is not a folder</source><translation>la carpeta de destino no es una carpeta</translation></message>
+<message><source>choose another folder</source><translation>elija otra carpeta</translation></message>
+<message><source>writing here is not allowed</source><translation>no está permitido escribir aquí</translation></message>
+<message><source>choose another folder or ask for the right to write</source><translation>elija otra carpeta o pida permiso para escribir</translation></message>
+<message><source>the disk can only be read</source><translation>el disco es de solo lectura</translation></message>
+<message><source>the disk is full, so this file was not written</source><translation>el disco está lleno, por eso este archivo no se ha escrito</translation></message>
+<message><source>free some space or choose another disk</source><translation>libere espacio o elija otro disco</translation></message>
+<message><source>the file would be larger than the limit set for it</source><translation>el archivo sería mayor que el límite fijado para él</translation></message>
+<message><source>choose another disk or raise the limit</source><translation>elija otro disco o suba el límite</translation></message>
+<message><source>this is a folder, not a file</source><translation>es una carpeta, no un archivo</translation></message>
+<message><source>give a file name</source><translation>indique un nombre de archivo</translation></message>
+<message><source>this link leads in a circle</source><translation>este enlace lleva en círculo</translation></message>
+<message><source>give the file itself</source><translation>dé el archivo mismo</translation></message>
+<message><source>the file name is too long</source><translation>el nombre del archivo es demasiado largo</translation></message>
+<message><source>choose a shorter name</source><translation>elija un nombre más corto</translation></message>
+<message><source>the file cannot be written: </source><translation>no se puede escribir el archivo: </translation></message>
+<message><source>choose another folder or disk</source><translation>elija otra carpeta u otro disco</translation></message>
+<message><source>what was read back is not what was written, so this file was not written</source><translation>lo que se volvió a leer no es lo que se escribió, así que este archivo no se escribió</translation></message>
+<message><source>check the disk and try again</source><translation>compruebe el disco e inténtelo de nuevo</translation></message>
+<message><source>there is no such file; a name with other bytes than UTF-8 does not come through a file dialog</source><translation>no existe tal archivo; un nombre con otros bytes que UTF-8 no pasa por un diálogo de archivos</translation></message>
+<message><source>give the name on the command line, drag the file into the window, or rename it</source><translation>dé el nombre en la línea de comandos, arrastre el archivo a la ventana o cámbiele el nombre</translation></message>
+<message><source>there is no such file</source><translation>no existe ese archivo</translation></message>
+<message><source>check the spelling and the folder</source><translation>compruebe el nombre y la carpeta</translation></message>
+<message><source>reading this file is not allowed</source><translation>no se permite leer este archivo</translation></message>
+<message><source>ask its owner for the right to read it</source><translation>pida a su dueño permiso para leerlo</translation></message>
+<message><source>choose a file inside it</source><translation>elija un archivo dentro de ella</translation></message>
+<message><source>the file cannot be read: %1</source><translation>no se puede leer el archivo: %1</translation></message>
+<message><source>this file is read-only, so it was not replaced</source><translation>este archivo es de solo lectura, por eso no se ha sustituido</translation></message>
+<message><source>allow writing with chmod u+w, or choose another name</source><translation>permita la escritura con chmod u+w o elija otro nombre</translation></message>
+<message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>este archivo pertenece a otro usuario, que no permite escribir en él; por eso no se ha sustituido</translation></message>
+<message><source>choose another name, or ask its owner</source><translation>elija otro nombre o pregunte a su propietario</translation></message>
+<message><source>; already in place: </source><translation>; ya en su sitio: </translation></message>
+<message><source>no program reads from this pipe</source><translation>ningún programa lee de este conducto</translation></message>
+<message><source>start what reads from it first, or choose a file</source><translation>inicie primero lo que lee de él, o elija un archivo</translation></message>
+<message><source>what reads from this pipe takes nothing</source><translation>lo que lee de este conducto no acepta nada</translation></message>
+<message><source>start it again, or choose a file</source><translation>inícielo de nuevo, o elija un archivo</translation></message>
+<message><source>what reads from this pipe has ended</source><translation>lo que lee de este conducto ha terminado</translation></message>
+<message><source>there is no file name to write to</source><translation>no hay nombre de archivo en el que escribir</translation></message>
+<message><source>this is a link that belongs to another user</source><translation>esto es un enlace que pertenece a otro usuario</translation></message>
+<message><source>give the file it leads to, or another name</source><translation>dé el archivo al que lleva, u otro nombre</translation></message>
+<message><source>two results cannot have one file</source><translation>dos resultados no pueden tener un mismo archivo</translation></message>
+<message><source>give each a name of its own</source><translation>dé a cada uno un nombre propio</translation></message>
+<message><source>it was cancelled, so nothing was written</source><translation>se canceló, así que no se escribió nada</translation></message>
+<message><source>save it again</source><translation>guárdelo otra vez</translation></message>
+<message><source>the file cannot be removed (%1)</source><translation>el archivo no se puede quitar (%1)</translation></message>
+<message><source>check the rights of its folder</source><translation>compruebe los permisos de su carpeta</translation></message>
+<message><source>the folder cannot be made (%1)</source><translation>no se puede crear la carpeta (%1)</translation></message>
+<message><source>this is a device or a pipe, not a file</source><translation>esto es un dispositivo o un conducto, no un archivo</translation></message>
+<message><source>the file is too large for what it should be: %1, and at most %2 are read</source><translation>el archivo es demasiado grande para lo que debería ser: %1, y se leen como mucho %2</translation></message>
+<message><source>choose one that can be written to</source><translation>elija uno en el que se pueda escribir</translation></message>
+<message><source>it is compressed with %1 and damaged or cut off</source><translation>está comprimido con %1 y está dañado o cortado</translation></message>
+<message><source>copy the file again</source><translation>copie de nuevo el archivo</translation></message>
+<message><source>this program was built without %1, which this recording is compressed with</source><translation>este programa se compiló sin %1, con lo que está comprimida esta grabación</translation></message>
+<message><source>unpack it with "mcap compress --compression none" or "rosbag decompress", or install lib%1 and build again</source><translation>descomprímalo con "mcap compress --compression none" o "rosbag decompress", o instale lib%1 y compile de nuevo</translation></message>
+<message><source>it is compressed with "%1", which is not known here</source><translation>está comprimido con «%1», que aquí no se conoce</translation></message>
+<message><source>unpack it with the program that wrote it</source><translation>descomprímalo con el programa que lo escribió</translation></message>
+<message><source>other bytes follow the packed data</source><translation>siguen otros bytes a los datos comprimidos</translation></message>
+<message><source>unpacked this is more than %1, far more than a scan of its size can be</source><translation>descomprimido esto es más de %1, mucho más de lo que puede ser un escaneo de su tamaño</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>descomprímalo a mano y revíselo</translation></message>
+<message><source>there is not enough memory for this file</source><translation>no hay memoria suficiente para este archivo</translation></message>
+<message><source>the packed data are damaged%1</source><translation>los datos comprimidos están dañados%1</translation></message>
+<message><source>the packed data end too early</source><translation>los datos comprimidos terminan demasiado pronto</translation></message>
+<message><source>copy the file again, it may be cut off</source><translation>copie de nuevo el archivo, puede estar cortado</translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>este archivo ZIP no tiene directorio al final</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>el directorio de este archivo ZIP está dañado</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este archivo ZIP no empieza donde indica su directorio: hay otros bytes delante o dentro</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>esta parte del archivo está cifrada</translation></message>
+<message><source>save it without a password</source><translation>guárdelo sin contraseña</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>esta parte del archivo está comprimida con el método %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>comprímalo con DEFLATE, como es habitual</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>esta parte del archivo no está donde indica su directorio</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descomprimido son %1, mucho más de lo que puede ser un escaneo de ese tamaño</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte del archivo está dañada: su longitud o su suma de control no coincide</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>los puntos empezarían en el byte %1, que no está en el archivo</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>ninguna lista de puntos empieza donde indica el archivo E57</translation></message>
+<message><source>export the file again</source><translation>exporte de nuevo el archivo</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>la cabecera de los puntos no corresponde al archivo</translation></message>
+<message><source>a packet of points %1</source><translation>un paquete de puntos %1</translation></message>
+<message><source>is too short</source><translation>es demasiado corto</translation></message>
+<message><source>holds %1 and the file describes %2</source><translation>contiene %1 y el archivo describe %2</translation></message>
+<message><source>%n column</source><translation>%n columna</translation></message>
+<message><source>%n columns</source><translation>%n columnas</translation></message>
+<message><source>ends within its header</source><translation>termina dentro de su encabezado</translation></message>
+<message><source>promises more bytes than it has</source><translation>anuncia más bytes de los que tiene</translation></message>
+<message><source>a packet of points is of kind %1, which E57 does not have</source><translation>un paquete de puntos es del tipo %1, que E57 no tiene</translation></message>
+<message><source>a packet of points says that it has %1 bytes, which are not there</source><translation>un paquete de puntos dice que tiene %1 bytes, que no están</translation></message>
+<message><source>the file promises %1 and has %2 bytes for them</source><translation>el archivo anuncia %1 y tiene %2 bytes para ellos</translation></message>
+<message><source>%n point</source><translation>%n punto</translation></message>
+<message><source>%n points</source><translation>%n puntos</translation></message>
+<message><source>the file promises %1 and the column %2 ends after %3</source><translation>el archivo anuncia %1 y la columna %2 termina después de %3</translation></message>
+<message><source>the file ends within its E57 header</source><translation>el archivo termina dentro de su cabecera E57</translation></message>
+<message><source>this is E57 version %1.%2, and version 1 is known</source><translation>esto es E57 versión %1.%2, y se conoce la versión 1</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>expórtelo como E57 versión 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>la cabecera E57 indica páginas de %1 bytes</translation></message>
+<message><source>%1: byte 40</source><translation>%1: byte 40</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds %2</source><translation>el encabezado E57 anuncia %1 bytes y el archivo contiene %2</translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>las columnas de puntos de este archivo E57 están demasiado anidadas</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>los límites de la columna %1 de este archivo E57 no son posibles</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>el escaneo %1 de este archivo E57 no indica dónde están sus puntos ni cuántos son</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has %2 bytes, which are not in the file</source><translation>el encabezado E57 dice que la parte XML está en el byte %1 y tiene %2 bytes, que no están en el archivo</translation></message>
+<message><source>%1: byte 24</source><translation>%1: byte 24</translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>no se puede leer la parte XML de este archivo E57: </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>la parte XML de este archivo E57 no tiene e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la página %1 de %2 de este archivo E57 está dañada: su suma de control no coincide</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>este archivo E57 termina antes de algo que nombra</translation></message>
+<message><source>a file of this name exists already and a recording overwrites nothing</source><translation>ya existe un archivo con este nombre y una grabación no sobrescribe nada</translation></message>
+<message><source>the folder to record into does not exist</source><translation>la carpeta en la que grabar no existe</translation></message>
+<message><source>recording here is not allowed</source><translation>aquí no está permitido grabar</translation></message>
+<message><source>the disk is full, nothing is recorded</source><translation>el disco está lleno, no se graba nada</translation></message>
+<message><source>the recording cannot be started: </source><translation>no se puede empezar la grabación: </translation></message>
+<message><source>the disk is full, the recording ends here</source><translation>el disco está lleno, la grabación termina aquí</translation></message>
+<message><source>free some space and start a new recording</source><translation>libere espacio y empiece una grabación nueva</translation></message>
+<message><source>the file has reached the limit set for its size, the recording ends here</source><translation>el archivo ha alcanzado el límite fijado para su tamaño, la grabación termina aquí</translation></message>
+<message><source>start a new recording</source><translation>empiece una grabación nueva</translation></message>
+<message><source>the recording ends here: </source><translation>la grabación termina aquí: </translation></message>
+<message><source>check the disk and start a new recording</source><translation>compruebe el disco y empiece una grabación nueva</translation></message>
+<message><source>the disk reports that it lost some of what was recorded: </source><translation>el disco informa de que perdió parte de lo grabado: </translation></message>
+<message><source>check the disk, and start a new recording on another one</source><translation>compruebe el disco, y empiece una grabación nueva en otro</translation></message>
+<message><source>bytes %1 to %2 are damaged and were left out</source><translation>los bytes %1 a %2 están dañados y se dejaron fuera</translation></message>
+<message><source>%1 more places are damaged or were left out</source><translation>%1 lugares más están dañados o se dejaron fuera</translation></message>
+<message><source>it is not a whole chunk</source><translation>no es un bloque completo</translation></message>
+<message><source>its checksum does not fit</source><translation>su suma de verificación no coincide</translation></message>
+<message><source>it promises to unpack to %1, more than a file of this size holds</source><translation>anuncia que se descomprime en %1, más de lo que contiene un archivo de este tamaño</translation></message>
+<message><source>the chunk at byte %1 was left out: %2</source><translation>el bloque en el byte %1 se dejó fuera: %2</translation></message>
+<message><source>the end of the recording</source><translation>el final de la grabación</translation></message>
+<message><source>the file says that it holds %1 and %2 could be read</source><translation>el archivo dice que contiene %1 y se pudieron leer %2</translation></message>
+<message><source>%n message</source><translation>%n mensaje</translation></message>
+<message><source>%n messages</source><translation>%n mensajes</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>no es una grabación MCAP de una versión conocida</translation></message>
+<message><source>choose a recording</source><translation>elija una grabación</translation></message>
+<message><source>unknown reason</source><translation>motivo desconocido</translation></message>
+<message><source>out of memory</source><translation>sin memoria suficiente</translation></message>
+<message><source>the file ends too early</source><translation>el archivo termina demasiado pronto</translation></message>
+<message><source>there are no cells to make a picture of</source><translation>no hay celdas de las que hacer una imagen</translation></message>
+<message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
+<message><source>the picture cannot be made: </source><translation>no se puede hacer la imagen: </translation></message>
+<message><source>free some memory</source><translation>libere memoria</translation></message>
+<message><source>the picture cannot be read: </source><translation>no se puede leer la imagen: </translation></message>
+<message><source>save it again as PNG</source><translation>guárdela de nuevo como PNG</translation></message>
+<message><source>the picture has %1 x %2 pixels; at most %3 are taken</source><translation>la imagen tiene %1 x %2 píxeles; se aceptan como mucho %3</translation></message>
+<message><source>make the picture smaller</source><translation>haga la imagen más pequeña</translation></message>
+<message><source>this is not a readable PNG picture: </source><translation>esto no es una imagen PNG legible: </translation></message>
+<message><source>save the mask again as PNG</source><translation>guarde de nuevo la máscara como PNG</translation></message>
+<message><source>this picture has 16 bits per pixel where 8 are needed</source><translation>esta imagen tiene 16 bits por píxel donde se necesitan 8</translation></message>
+<message><source>save the mask as 8-bit gray</source><translation>guarde la máscara en gris de 8 bits</translation></message>
+<message><source>the picture promises more pixels than the file can hold</source><translation>la imagen anuncia más píxeles de los que el archivo puede contener</translation></message>
+<message><source>export it again</source><translation>expórtelo de nuevo</translation></message>
+<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>esta versión no tiene robots: no lee bags de ROS, ni VLP-16, ni Ouster, ni puente Foxglove</translation></message>
+<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>use una versión con robots (EDGESCAN_ROBOTS)</translation></message>
+<message><source>this is not a whole DXF group</source><translation>esto no es un grupo DXF completo</translation></message>
+<message><source>this coordinate is not a number</source><translation>esta coordenada no es un número</translation></message>
+<message><source>reading points</source><translation>lectura de los puntos</translation></message>
+<message><source>%n point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation>%n punto comparte su fila y su columna con uno más cercano, que se tomó (varios retornos de un haz).</translation></message>
+<message><source>%n points share their row and column with a nearer one, which was taken (several returns of one beam).</source><translation>%n puntos comparten su fila y su columna con uno más cercano, que se tomó (varios retornos de un haz).</translation></message>
+<message><source>this E57 file holds no scan, only %1</source><translation>este archivo E57 no contiene ningún escaneo, solo %1</translation></message>
+<message><source>%n picture</source><translation>%n imagen</translation></message>
+<message><source>%n pictures</source><translation>%n imágenes</translation></message>
+<message><source>this E57 file holds no scan</source><translation>este archivo E57 no contiene ningún escaneo</translation></message>
+<message><source>The first scan of the file holds no points.</source><translation>El primer escaneo del archivo no contiene puntos.</translation></message>
+<message><source>The first %1 scans of the file hold no points.</source><translation>Los primeros %1 escaneos del archivo no contienen puntos.</translation></message>
+<message><source>The file holds %1 scans; this is number %2, --scan chooses another.</source><translation>El archivo contiene %1 escaneos; este es el número %2, --scan elige otro.</translation></message>
+<message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>Las filas y columnas que el archivo da a sus puntos no forman una cuadrícula y no se usaron.</translation></message>
+<message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>El archivo no dice en qué sentido van las líneas: sus columnas se tomaron como líneas, sus filas como haces.</translation></message>
+<message><source>scan %1 of this E57 file</source><translation>el escaneo %1 de este archivo E57</translation></message>
+<message><source>%1 holds no points</source><translation>%1 no contiene puntos</translation></message>
+<message><source>choose another scan or file</source><translation>elija otro escaneo o archivo</translation></message>
+<message><source>%1 has neither cartesian nor spherical coordinates, only %2</source><translation>%1 no tiene coordenadas cartesianas ni esféricas, solo %2</translation></message>
+<message><source>export it with coordinates</source><translation>expórtelo con coordenadas</translation></message>
+<message><source>%n point is marked as invalid in the file and counts as no return.</source><translation>%n punto está marcado como no válido en el archivo y cuenta como sin retorno.</translation></message>
+<message><source>%n points are marked as invalid in the file and count as no return.</source><translation>%n puntos están marcados como no válidos en el archivo y cuentan como sin retorno.</translation></message>
+<message><source>What else a point of this file has is not read: %1.</source><translation>Lo demás que tiene un punto de este archivo no se lee: %1.</translation></message>
+<message><source>The pictures of this file (%1) are not read.</source><translation>Las imágenes de este archivo (%1) no se leen.</translation></message>
+<message><source>the end that the header gives</source><translation>el final que da el encabezado</translation></message>
+<message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La pose del archivo no es una rotación y traslación, así que el escaneo queda en el sistema del escáner.</translation></message>
+<message><source>choose a scan file</source><translation>elija un archivo de escaneo</translation></message>
+<message><source>it may be what a site sent instead of the file: download the file again, or choose a scan file</source><translation>quizá un sitio la envió en lugar del archivo: descargue de nuevo el archivo o elija un archivo de escaneo</translation></message>
+<message><source>unpack it and open the scan in it</source><translation>descomprímalo y abra el escaneo que contiene</translation></message>
+<message><source>save its points as PLY in MeshLab</source><translation>guarde sus puntos como PLY en MeshLab</translation></message>
+<message><source>choose the scan that it was made from</source><translation>elija el escaneo del que se hizo</translation></message>
+<message><source>save the ranges as .npy or .csv</source><translation>guarde las distancias como .npy o .csv</translation></message>
+<message><source>this is a JPEG picture, not a scan</source><translation>es una imagen JPEG, no un escaneo</translation></message>
+<message><source>this is a GIF picture, not a scan</source><translation>es una imagen GIF, no un escaneo</translation></message>
+<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>es una imagen, un sonido o una película (RIFF), no un escaneo</translation></message>
+<message><source>this is a picture or film, not a scan</source><translation>es una imagen o una película, no un escaneo</translation></message>
+<message><source>this is a Photoshop picture, not a scan</source><translation>es una imagen de Photoshop, no un escaneo</translation></message>
+<message><source>this is a program, not a scan</source><translation>es un programa, no un escaneo</translation></message>
+<message><source>this is a PDF document, not a scan</source><translation>es un documento PDF, no un escaneo</translation></message>
+<message><source>this is a ZIP archive, not a scan</source><translation>es un archivo comprimido ZIP, no un escaneo</translation></message>
+<message><source>this is a gzip archive in another one, not a scan</source><translation>es un archivo gzip dentro de otro, no un escaneo</translation></message>
+<message><source>this is an xz archive, not a scan</source><translation>es un archivo xz, no un escaneo</translation></message>
+<message><source>unpack it (xz -d) and open the scan in it</source><translation>descomprímalo (xz -d) y abra el escaneo que contiene</translation></message>
+<message><source>this is a bzip2 archive, not a scan</source><translation>es un archivo bzip2, no un escaneo</translation></message>
+<message><source>unpack it (bzip2 -d) and open the scan in it</source><translation>descomprímalo (bzip2 -d) y abra el escaneo que contiene</translation></message>
+<message><source>this is a zstd archive, not a scan</source><translation>es un archivo zstd, no un escaneo</translation></message>
+<message><source>unpack it (zstd -d) and open the scan in it</source><translation>descomprímalo (zstd -d) y abra el escaneo que contiene</translation></message>
+<message><source>this is a 7-Zip archive, not a scan</source><translation>es un archivo 7-Zip, no un escaneo</translation></message>
+<message><source>this is a RAR archive, not a scan</source><translation>es un archivo RAR, no un escaneo</translation></message>
+<message><source>this is an HDF5 file, which is not read</source><translation>es un archivo HDF5, que no se lee</translation></message>
+<message><source>this is a MATLAB file, which is not read</source><translation>es un archivo de MATLAB, que no se lee</translation></message>
+<message><source>save the ranges with writematrix(ranges, 'scan.csv')</source><translation>guarde las distancias con writematrix(ranges, 'scan.csv')</translation></message>
+<message><source>this is an old Office document, not a scan</source><translation>es un documento antiguo de Office, no un escaneo</translation></message>
+<message><source>save the table as .csv</source><translation>guarde la tabla como .csv</translation></message>
+<message><source>this is a Parquet table, which is not read</source><translation>es una tabla Parquet, que no se lee</translation></message>
+<message><source>this is an Arrow table, which is not read</source><translation>es una tabla Arrow, que no se lee</translation></message>
+<message><source>this is a glTF model, which is not read</source><translation>es un modelo glTF, que no se lee</translation></message>
+<message><source>save it as PLY in Blender or MeshLab</source><translation>guárdelo como PLY en Blender o MeshLab</translation></message>
+<message><source>this is a STEP model, not a scan</source><translation>es un modelo STEP, no un escaneo</translation></message>
+<message><source>this is an FBX model, which is not read</source><translation>es un modelo FBX, que no se lee</translation></message>
+<message><source>save it as PLY in Blender</source><translation>guárdelo como PLY en Blender</translation></message>
+<message><source>this is a web page (HTML), not a scan</source><translation>es una página web (HTML), no un escaneo</translation></message>
+<message><source>this is an SVG picture, not a scan</source><translation>es una imagen SVG, no un escaneo</translation></message>
+<message><source>this is an XML document, not a scan</source><translation>es un documento XML, no un escaneo</translation></message>
+<message><source>this is a text document (RTF), not a scan</source><translation>es un documento de texto (RTF), no un escaneo</translation></message>
+<message><source>this is a PostScript document, not a scan</source><translation>es un documento PostScript, no un escaneo</translation></message>
+<message><source>this is a file of VTK, which is not read</source><translation>es un archivo de VTK, que no se lee</translation></message>
+<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>guarde sus puntos como PLY, o como CSV desde la tabla de ParaView</translation></message>
+<message><source>this is an OFF mesh, which is not read</source><translation>es una malla OFF, que no se lee</translation></message>
+<message><source>this is a VRML scene, which is not read</source><translation>es una escena VRML, que no se lee</translation></message>
+<message><source>this is a table of rocks, not a scan</source><translation>es una tabla de rocas, no un escaneo</translation></message>
+<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>es un ráster de alturas (cuadrícula ASCII de Esri), no un escaneo</translation></message>
+<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>es un ráster de alturas (cuadrícula de Surfer), no un escaneo</translation></message>
+<message><source>export it as E57 with FARO SCENE</source><translation>expórtelo como E57 con FARO SCENE</translation></message>
+<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>expórtelo como E57 o LAS con RiSCAN PRO, o con rdbconvert de RIEGL</translation></message>
+<message><source>export it as E57 with Z+F LaserControl</source><translation>expórtelo como E57 con Z+F LaserControl</translation></message>
+<message><source>export it as E57 or PTX with Leica Cyclone</source><translation>expórtelo como E57 o PTX con Leica Cyclone</translation></message>
+<message><source>export it as E57 with Autodesk ReCap</source><translation>expórtelo como E57 con Autodesk ReCap</translation></message>
+<message><source>this is a FARO scan (FLS), which is not read</source><translation>es un escaneo FARO (FLS), que no se lee</translation></message>
+<message><source>this is a FARO workspace, which is not read</source><translation>es un espacio de trabajo FARO, que no se lee</translation></message>
+<message><source>this is a FARO project, which is not read</source><translation>es un proyecto FARO, que no se lee</translation></message>
+<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>es un flujo RIEGL (RXP), que no se lee</translation></message>
+<message><source>this is a RIEGL database, which is not read</source><translation>es una base de datos RIEGL, que no se lee</translation></message>
+<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>es una base de datos RIEGL (RDBX), que no se lee</translation></message>
+<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>es un escaneo RIEGL (3DD), que no se lee</translation></message>
+<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>es un escaneo Z+F (ZFS), que no se lee</translation></message>
+<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>es un proyecto Z+F (ZFPRJ), que no se lee</translation></message>
+<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>es un escaneo Z+F (ZFC), que no se lee</translation></message>
+<message><source>this is a Leica LGS project, which is not read</source><translation>es un proyecto Leica LGS, que no se lee</translation></message>
+<message><source>this is a Leica LGSx project, which is not read</source><translation>es un proyecto Leica LGSx, que no se lee</translation></message>
+<message><source>this is a Leica Cyclone database, which is not read</source><translation>es una base de datos Leica Cyclone, que no se lee</translation></message>
+<message><source>this is an Autodesk ReCap project, which is not read</source><translation>es un proyecto Autodesk ReCap, que no se lee</translation></message>
+<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>es un escaneo Autodesk ReCap, que no se lee</translation></message>
+<message><source>this is a Trimble scan (TZF), which is not read</source><translation>es un escaneo Trimble (TZF), que no se lee</translation></message>
+<message><source>export it as E57 with Trimble RealWorks</source><translation>expórtelo como E57 con Trimble RealWorks</translation></message>
+<message><source>this is a Topcon scan (CL3), which is not read</source><translation>es un escaneo Topcon (CL3), que no se lee</translation></message>
+<message><source>export it as E57 or PTX with Topcon's program</source><translation>expórtelo como E57 o PTX con el programa de Topcon</translation></message>
+<message><source>this is a Topcon scan (CLR), which is not read</source><translation>es un escaneo Topcon (CLR), que no se lee</translation></message>
+<message><source>this is a Pointools cloud (POD), which is not read</source><translation>es una nube Pointools (POD), que no se lee</translation></message>
+<message><source>export it as LAS with Bentley's program</source><translation>expórtelo como LAS con el programa de Bentley</translation></message>
+<message><source>this is a Python pickle, which only Python can open</source><translation>es un pickle de Python, que solo Python puede abrir</translation></message>
+<message><source>this is a ROS bag that does not begin like one</source><translation>es un bag de ROS que no empieza como tal</translation></message>
+<message><source>copy it again</source><translation>cópiela de nuevo</translation></message>
+<message><source>this is a ROS 2 bag that does not begin like one</source><translation>es un bag de ROS 2 que no empieza como tal</translation></message>
+<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>es un archivo binario sin telegrama de un escáner SICK</translation></message>
+<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>guarde los puntos como PCD o PLY; una captura de telegramas contiene los bytes tal como llegaron del escáner</translation></message>
+<message><source>this is a BMP picture, not a scan</source><translation>es una imagen BMP, no un escaneo</translation></message>
+<message><source>this is a drawing (DXF), which is not read</source><translation>es un dibujo (DXF), que no se lee</translation></message>
+<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>elija el escaneo, o guarde los puntos del dibujo como CSV, LAS o PLY</translation></message>
+<message><source>this is an Excel workbook, not a table of text</source><translation>es un libro de Excel, no una tabla de texto</translation></message>
+<message><source>save the sheet as .csv</source><translation>guarde la hoja como .csv</translation></message>
+<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>es una hoja de cálculo OpenDocument, no una tabla de texto</translation></message>
+<message><source>this is a numpy archive, which is not read</source><translation>es un archivo numpy, que no se lee</translation></message>
+<message><source>save the array of ranges or points as .npy</source><translation>guarde la matriz de distancias o puntos como .npy</translation></message>
+<message><source>this is a ROS bag, and %1</source><translation>esto es un bag de ROS, y %1</translation></message>
+<message><source>Network capture</source><translation>Captura de red</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en gris, y las distancias necesitan 16 bits en gris</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en color, y las distancias necesitan 16 bits en gris</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>elija un escaneo, o una imagen de distancias de 16 bits por píxel</translation></message>
+<message><source>The picture is animated; the first frame was read.</source><translation>La imagen es animada; se leyó el primer cuadro.</translation></message>
+<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>La imagen no termina con IEND: el archivo se cortó detrás de sus píxeles.</translation></message>
+<message><source>the picture</source><translation>la imagen</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>es una imagen PNG que no se puede leer: </translation></message>
+<message><source>close other programs</source><translation>cierre otros programas</translation></message>
+<message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>La imagen pide girarse o reflejarse al mostrarse (orientación %1): sus filas se tomaron como líneas tal como están guardadas.</translation></message>
+<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>la imagen anuncia más píxeles de los que contiene de un escaneo un archivo de %1</translation></message>
+<message><source>a pixel</source><translation>un píxel</translation></message>
+<message><source>%n pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation>%n píxel no contiene distancia (negativo, no numérico o demasiado lejos) y se tomó como sin retorno.</translation></message>
+<message><source>%n pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation>%n píxeles no contienen distancia (negativos, no numéricos o demasiado lejos) y se tomaron como sin retorno.</translation></message>
+<message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidad tomada como milímetros, como en las imágenes de distancias.</translation></message>
+<message><source>the file ends within its LAS header</source><translation>el archivo termina dentro de su encabezado LAS</translation></message>
+<message><source>this is LAS version %1.%2, and versions up to 1.4 are known</source><translation>esto es LAS versión %1.%2, y se conocen las versiones hasta 1.4</translation></message>
+<message><source>save it as LAS 1.2 or 1.4</source><translation>guárdelo como LAS 1.2 o 1.4</translation></message>
+<message><source>the LAS header says it is %1 bytes long</source><translation>el encabezado LAS dice que tiene %1 bytes</translation></message>
+<message><source>the scale or offset in the LAS header is not a number that coordinates can have</source><translation>la escala o el desplazamiento del encabezado LAS no es un número que puedan tener unas coordenadas</translation></message>
+<message><source>points of format %1 with %2 bytes are none that LAS knows</source><translation>LAS no conoce puntos del formato %1 con %2 bytes</translation></message>
+<message><source>the file holds no points</source><translation>el archivo no contiene puntos</translation></message>
+<message><source>the points begin at byte %1, which is not in the file</source><translation>los puntos empiezan en el byte %1, que no está en el archivo</translation></message>
+<message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them</source><translation>el encabezado anuncia %1 de %2 bytes y el archivo contiene %3 bytes de ellos</translation></message>
+<message><source>The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. A grid, cell states or a place in the mine that they held are lost; copy the file again.</source><translation>El final del archivo está dañado o falta: %1 de %2 registros detrás de los puntos no se pueden leer. Una cuadrícula, estados de celdas o un lugar en la mina que contenían se han perdido; copie de nuevo el archivo.</translation></message>
+<message><source>the %1 that the header promises</source><translation>los %1 que anuncia el encabezado</translation></message>
+<message><source>the last record</source><translation>el último registro</translation></message>
+<message><source>The waveforms of this file were not read.</source><translation>Las formas de onda de este archivo no se leyeron.</translation></message>
+<message><source>describes a scan of %1 valid cells and holds %2</source><translation>describe un escaneo de %1 celdas válidas y contiene %2</translation></message>
+<message><source>save the scan again</source><translation>guarde de nuevo el escaneo</translation></message>
+<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x e y de este archivo son grados de longitud y latitud, según su sistema de coordenadas, y los puntos necesitan metros</translation></message>
+<message><source>export it in a projected coordinate system such as UTM</source><translation>expórtelo en un sistema de coordenadas proyectado como UTM</translation></message>
+<message><source>The coordinate system of the file is %1, without its unit: metres were taken. --unit says another one.</source><translation>El sistema de coordenadas del archivo es %1, sin su unidad: se tomaron metros. --unit indica otra.</translation></message>
+<message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>El sistema de coordenadas del archivo da las longitudes en %1 de %2 mm: se convirtieron.</translation></message>
+<message><source>Heights of the file have another unit than x and y, %1 mm: they were converted.</source><translation>Las alturas del archivo tienen otra unidad que x e y, %1 mm: se convirtieron.</translation></message>
+<message><source>%n point is marked as withheld in the file and counts as no return.</source><translation>%n punto está marcado como excluido en el archivo y cuenta como sin retorno.</translation></message>
+<message><source>%n points are marked as withheld in the file and count as no return.</source><translation>%n puntos están marcados como excluidos en el archivo y cuentan como sin retorno.</translation></message>
+<message><source>there are no points to save</source><translation>no hay puntos que guardar</translation></message>
+<message><source>choose other cells or settings</source><translation>elija otras celdas u otros ajustes</translation></message>
+<message><source>LAS holds 2147 km in whole millimetres, and these points lie farther apart</source><translation>LAS abarca 2147 km en milímetros enteros, y estos puntos están más separados</translation></message>
+<message><source>save them as .pcd or .ply</source><translation>guárdelos como .pcd o .ply</translation></message>
+<message><source>LASzip gives no reason</source><translation>LASzip no da ningún motivo</translation></message>
+<message><source>this LAZ file cannot be unpacked: %1</source><translation>este archivo LAZ no se puede descomprimir: %1</translation></message>
+<message><source>the header promises %1, more than a file of %2 holds of a scan</source><translation>el encabezado anuncia %1, más de lo que un archivo de %2 contiene de un escaneo</translation></message>
+<message><source>copy it again, or save it as .las</source><translation>cópielo de nuevo, o guárdelo como .las</translation></message>
+<message><source>the header promises %1 and the file ends after %2 (%3)</source><translation>el encabezado anuncia %1 y el archivo termina después de %2 (%3)</translation></message>
+<message><source>this LAZ file is damaged or cut off</source><translation>este archivo LAZ está dañado o cortado</translation></message>
+<message><source>this LAZ file cannot be unpacked: </source><translation>este archivo LAZ no se puede descomprimir: </translation></message>
+<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>este archivo LAZ no se puede descomprimir: termina demasiado pronto</translation></message>
+<message><source>this LAS file is compressed (LAZ), and this build of the program was made without LASzip</source><translation>este archivo LAS está comprimido (LAZ), y esta versión del programa se compiló sin LASzip</translation></message>
+<message><source>save it uncompressed as .las, with CloudCompare or "laszip -i IN.laz -o OUT.las"</source><translation>guárdelo sin comprimir como .las, con CloudCompare o "laszip -i IN.laz -o OUT.las"</translation></message>
+<message><source>reading ranges</source><translation>lectura de las distancias</translation></message>
+<message><source>the array at [%1, %2]</source><translation>la matriz en [%1, %2]</translation></message>
+<message><source>The first three of %1 columns were taken as x, y and z; the others are not read.</source><translation>Las tres primeras de %1 columnas se tomaron como x, y y z; las demás no se leen.</translation></message>
+<message><source>the records of this numpy array have no x, y and z, only %1</source><translation>los registros de esta matriz numpy no tienen x, y y z, solo %1</translation></message>
+<message><source>save points with fields x, y and z</source><translation>guarde los puntos con campos x, y y z</translation></message>
+<message><source>the fields of this numpy array have different byte orders</source><translation>los campos de esta matriz numpy tienen distintos órdenes de bytes</translation></message>
+<message><source>save it again with one</source><translation>guárdela de nuevo con uno solo</translation></message>
+<message><source>a numpy array of shape %1 is larger than any scan</source><translation>una matriz numpy de forma %1 es mayor que cualquier escaneo</translation></message>
+<message><source>split it</source><translation>divídala</translation></message>
+<message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>una matriz numpy de forma %1 pueden ser puntos con los ejes cambiados, o tres líneas de distancias</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>guarde los puntos como (n, 3), que es points.T, o indique los ángulos: --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>una matriz numpy de forma %1 no es ni distancias (líneas, haces) ni puntos (n, 3) o (líneas, haces, 3)</translation></message>
+<message><source>save it in one of these shapes</source><translation>guárdela en una de estas formas</translation></message>
+<message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>El archivo contiene más de una matriz (numpy.save más de una vez); se leyó la primera.</translation></message>
+<message><source>the array</source><translation>la matriz</translation></message>
+<message><source>Python objects, which only Python can open</source><translation>objetos de Python, que solo Python puede abrir</translation></message>
+<message><source>true and false</source><translation>verdadero y falso</translation></message>
+<message><source>complex numbers</source><translation>números complejos</translation></message>
+<message><source>dates or times</source><translation>fechas u horas</translation></message>
+<message><source>values of type %1</source><translation>valores del tipo %1</translation></message>
+<message><source>save the array again with numpy.save</source><translation>guarde de nuevo la matriz con numpy.save</translation></message>
+<message><source>the file ends within its numpy header</source><translation>el archivo termina dentro de su encabezado numpy</translation></message>
+<message><source>this is version %1 of numpy's format</source><translation>esta es la versión %1 del formato de numpy</translation></message>
+<message><source>the numpy header does not say type, order and shape</source><translation>el encabezado numpy no dice tipo, orden y forma</translation></message>
+<message><source>the numpy header promises an array of shape %1</source><translation>el encabezado numpy anuncia una matriz de forma %1</translation></message>
+<message><source>this numpy array holds %1</source><translation>esta matriz numpy contiene %1</translation></message>
+<message><source>save it as an array of numbers (ranges.astype(numpy.float32))</source><translation>guárdela como matriz de números (ranges.astype(numpy.float32))</translation></message>
+<message><source>this numpy array of shape %1 is empty</source><translation>esta matriz numpy de forma %1 está vacía</translation></message>
+<message><source>the numpy header promises an array of shape %1, %2 of %3 bytes, and the file holds %4 bytes of them</source><translation>el encabezado numpy anuncia una matriz de forma %1, %2 de %3 bytes, y el archivo contiene %4 bytes de ellos</translation></message>
+<message><source>%n item</source><translation>%n elemento</translation></message>
+<message><source>%n items</source><translation>%n elementos</translation></message>
+<message><source>this vertex does not hold three numbers</source><translation>este vértice no contiene tres números</translation></message>
+<message><source>copy the file again, it may be cut off here</source><translation>copie de nuevo el archivo, puede estar cortado aquí</translation></message>
+<message><source>this OBJ file has no vertices</source><translation>este archivo OBJ no tiene vértices</translation></message>
+<message><source>%n line holds no words of OBJ and was not read, the first is line %1.</source><translation>%n línea no tiene palabras de OBJ y no se leyó, la primera es la línea %1.</translation></message>
+<message><source>%n lines hold no words of OBJ and were not read, the first is line %1.</source><translation>%n líneas no tienen palabras de OBJ y no se leyeron, la primera es la línea %1.</translation></message>
+<message><source>this header line of the PCD file is not understood</source><translation>no se entiende esta línea del encabezado del archivo PCD</translation></message>
+<message><source>compare it with a PCD file of version 0.7</source><translation>compárelo con un archivo PCD de versión 0.7</translation></message>
+<message><source>the PCD header has no DATA line</source><translation>el encabezado PCD no tiene línea DATA</translation></message>
+<message><source>the PCD header names %1 and gives %2, %3 and %4</source><translation>el encabezado PCD nombra %1 y da %2, %3 y %4</translation></message>
+<message><source>%n field</source><translation>%n campo</translation></message>
+<message><source>%n fields</source><translation>%n campos</translation></message>
+<message><source>%n size</source><translation>%n tamaño</translation></message>
+<message><source>%n sizes</source><translation>%n tamaños</translation></message>
+<message><source>%n type</source><translation>%n tipo</translation></message>
+<message><source>%n types</source><translation>%n tipos</translation></message>
+<message><source>%n count</source><translation>%n cuenta</translation></message>
+<message><source>%n counts</source><translation>%n cuentas</translation></message>
+<message><source>the header promises more points than any file holds</source><translation>el encabezado anuncia más puntos de los que contiene ningún archivo</translation></message>
+<message><source>the header promises %1 and %2 x %3 of them</source><translation>el encabezado anuncia %1 y %2 x %3 de ellos</translation></message>
+<message><source>the field %1 has a type or size that PCD does not know</source><translation>el campo %1 tiene un tipo o un tamaño que PCD no conoce</translation></message>
+<message><source>one point would take more than a megabyte</source><translation>un punto ocuparía más de un megabyte</translation></message>
+<message><source>the PCD file has no fields x, y and z</source><translation>el archivo PCD no tiene campos x, y y z</translation></message>
+<message><source>export the file with coordinates</source><translation>exporte el archivo con coordenadas</translation></message>
+<message><source>the file ends before its compressed points</source><translation>el archivo termina antes de sus puntos comprimidos</translation></message>
+<message><source>promises %1 compressed bytes and holds %2</source><translation>anuncia %1 bytes comprimidos y contiene %2</translation></message>
+<message><source>promises that %1 unpack to %2, which no scan does</source><translation>anuncia que %1 se descomprimen en %2, lo que ningún escaneo hace</translation></message>
+<message><source>export the file again, uncompressed</source><translation>exporte de nuevo el archivo, sin comprimir</translation></message>
+<message><source>the compressed points are damaged</source><translation>los puntos comprimidos están dañados</translation></message>
+<message><source>the points</source><translation>los puntos</translation></message>
+<message><source>the encoding "%1" is not ascii, binary or binary_compressed</source><translation>la codificación «%1» no es ascii, binary ni binary_compressed</translation></message>
+<message><source>this header line of the PLY file is not understood</source><translation>no se entiende esta línea del encabezado del archivo PLY</translation></message>
+<message><source>the PLY header has no end_header line</source><translation>el encabezado PLY no tiene línea end_header</translation></message>
+<message><source>the file ends before its vertices</source><translation>el archivo termina antes de sus vértices</translation></message>
+<message><source>the header promises %1</source><translation>el encabezado anuncia %1</translation></message>
+<message><source>check the file</source><translation>compruebe el archivo</translation></message>
+<message><source>the PLY file has no vertices</source><translation>el archivo PLY no tiene vértices</translation></message>
+<message><source>The lists that each vertex of this file has were not read.</source><translation>Las listas que tiene cada vértice de este archivo no se leyeron.</translation></message>
+<message><source>the header promises %1 and the file ends after %2</source><translation>el encabezado anuncia %1 y el archivo termina después de %2</translation></message>
+<message><source>%n vertex</source><translation>%n vértice</translation></message>
+<message><source>%n vertices</source><translation>%n vértices</translation></message>
+<message><source>the format "%1" is none that PLY knows</source><translation>PLY no conoce el formato «%1»</translation></message>
+<message><source>the header promises %1 and the file holds %2 bytes of them</source><translation>el encabezado anuncia %1 y el archivo contiene %2 bytes de ellos</translation></message>
+<message><source>the file is cut off in its last vertex</source><translation>el archivo está cortado en su último vértice</translation></message>
+<message><source>Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.</source><translation>Cada vértice tiene un byte que el encabezado no nombra, como lo escribe PCL detrás de los colores: se omitió.</translation></message>
+<message><source>the vertices have no x, y and z</source><translation>los vértices no tienen x, y y z</translation></message>
+<message><source>Only the vertices were read, not what follows them: %1.</source><translation>Solo se leyeron los vértices, no lo que los sigue: %1.</translation></message>
+<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: --columns 2,1,3</source><translation>diga qué columnas son este (x), norte (y) y elevación (z), por número o nombre: --columns 2,1,3</translation></message>
+<message><source>--columns %1 does not name three different ones of its %2%3</source><translation>--columns %1 no nombra tres distintas de sus %2%3</translation></message>
+<message><source>give three numbers from 1, or three names, such as --columns 2,1,3</source><translation>dé tres números desde 1, o tres nombres, como --columns 2,1,3</translation></message>
+<message><source>holds %1 where a point needs three</source><translation>contiene %1 donde un punto necesita tres</translation></message>
+<message><source>%n number</source><translation>%n número</translation></message>
+<message><source>%n numbers</source><translation>%n números</translation></message>
+<message><source>choose a point list or a table of ranges</source><translation>elija una lista de puntos o una tabla de distancias</translation></message>
+<message><source>its heading names %1 (%2), and points need x, y and z in metres</source><translation>su título nombra %1 (%2), y los puntos necesitan x, y y z en metros</translation></message>
+<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escriba x, y y z, o distancias como tabla con una fila por línea; o </translation></message>
+<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>su encabezado nombra ejes (%1), y no se entienden todos los x, y y z</translation></message>
+<message><source>the second to the fourth</source><translation>de la segunda a la cuarta</translation></message>
+<message><source>the third to the fifth</source><translation>de la tercera a la quinta</translation></message>
+<message><source>the fourth to the sixth</source><translation>de la cuarta a la sexta</translation></message>
+<message><source>the fifth to the seventh</source><translation>de la quinta a la séptima</translation></message>
+<message><source>the first holds</source><translation>la primera contiene</translation></message>
+<message><source>the first two hold</source><translation>las dos primeras contienen</translation></message>
+<message><source>the first three hold</source><translation>las tres primeras contienen</translation></message>
+<message><source>the first four hold</source><translation>las cuatro primeras contienen</translation></message>
+<message><source>No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and z.</source><translation>Ningún encabezado nombra las columnas: las dos primeras se tomaron como fila y columna de la cuadrícula, de la tercera a la quinta como x, y y z.</translation></message>
+<message><source>No heading names the columns: %1 were taken for x, y and z, as %2 whole numbers only.</source><translation>Ningún título nombra las columnas: como x, y y z se tomaron %1, pues %2 solo números enteros.</translation></message>
+<message><source>The header names no x, y and z: the first three columns were taken for them (%1, %2, %3).</source><translation>El encabezado no nombra x, y ni z: se tomaron para ello las tres primeras columnas (%1, %2, %3).</translation></message>
+<message><source>The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.</source><translation>El encabezado no nombra tantas columnas como hay (%1): las tres primeras se tomaron como x, y y z.</translation></message>
+<message><source>this is neither text nor any scan format that is known</source><translation>esto no es ni texto ni ningún formato de escaneo conocido</translation></message>
+<message><source>begins a further list, behind the %1 of the first</source><translation>empieza otra lista, después de los %1 de la primera</translation></message>
+<message><source>save each scan in a file of its own</source><translation>guarde cada escaneo en un archivo propio</translation></message>
+<message><source>holds %1 where a point needs %2</source><translation>contiene %1 donde un punto necesita %2</translation></message>
+<message><source>the file may be cut off here, copy it again</source><translation>el archivo puede estar cortado aquí, cópielo de nuevo</translation></message>
+<message><source>promises %1 and holds %2</source><translation>anuncia %1 y contiene %2</translation></message>
+<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidad tomada de un comentario del archivo: %1 mm por unidad.</translation></message>
+<message><source>scan %1 of this PTX file promises %2 of %3, and the file ends before them</source><translation>el escaneo %1 de este archivo PTX anuncia %2 de %3, y el archivo termina antes</translation></message>
+<message><source>behind the %1 of %2 that the header promises there are more</source><translation>después de los %1 de %2 que anuncia el encabezado hay más</translation></message>
+<message><source>scan %1 has no PTX header here</source><translation>el escaneo %1 no tiene aquí encabezado PTX</translation></message>
+<message><source>the scan of this PTX file holds 0 points</source><translation>el escaneo de este archivo PTX contiene 0 puntos</translation></message>
+<message><source>the %1 scans of this PTX file hold 0 points</source><translation>los %1 escaneos de este archivo PTX contienen 0 puntos</translation></message>
+<message><source>the header promises %1 and the file holds %2</source><translation>el encabezado anuncia %1 y el archivo contiene %2</translation></message>
+<message><source>The first %1 of these scans hold no point with a return.</source><translation>Los primeros %1 de estos escaneos no tienen ningún punto con retorno.</translation></message>
+<message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matriz del encabezado tiene el lugar del escáner en su última columna y no en su última fila: se leyó por columnas.</translation></message>
+<message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La línea 3 del encabezado pone el escáner a %1 m del lugar que da su matriz: se usó la matriz.</translation></message>
+<message><source>Behind the last of these scans there is text that is none.</source><translation>Detrás del último de estos escaneos hay texto que no lo es.</translation></message>
+<message><source>PTX holds one point per cell, and points behind the nearest of their cell were asked for</source><translation>PTX contiene un punto por celda, y se pidieron también los puntos detrás del más cercano de su celda</translation></message>
+<message><source>use .pcd, .ply, .csv, .xyz, .las or .obj for them</source><translation>use para ellos .pcd, .ply, .csv, .xyz, .las u .obj</translation></message>
+<message><source>column %1 holds %2, so this is not a table of ranges</source><translation>la columna %1 contiene %2, así que esto no es una tabla de distancias</translation></message>
+<message><source>for a list of points call its columns x, y and z in a first row, and leave out --beam-step and --line-step</source><translation>para una lista de puntos llame a sus columnas x, y y z en una primera fila, y deje fuera --beam-step y --line-step</translation></message>
+<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; o guárdela con una fila por línea: tiene tantas filas como haces un LMS511</translation></message>
+<message><source>holds %1 where the first line holds %2</source><translation>contiene %1 donde la primera línea contiene %2</translation></message>
+<message><source>%n range</source><translation>%n distancia</translation></message>
+<message><source>%n ranges</source><translation>%n distancias</translation></message>
+<message><source>copy or export the file again</source><translation>copie o exporte de nuevo el archivo</translation></message>
+<message><source>%n column is not ranges, by the header, and not read: %1.</source><translation>%n columna no son distancias, según el encabezado, y no se leyó: %1.</translation></message>
+<message><source>%n columns are not ranges, by the header, and not read: %1.</source><translation>%n columnas no son distancias, según el encabezado, y no se leyeron: %1.</translation></message>
+<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Los ángulos de los haces se tomaron del encabezado: de %1 a %2 grados.</translation></message>
+<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Los ángulos de las líneas se tomaron de la primera columna: de %1 a %2 grados.</translation></message>
+<message><source>line %1, beam %2</source><translation>línea %1, haz %2</translation></message>
+<message><source> infinite ranges were taken as no return.</source><translation> distancias infinitas se tomaron como sin retorno.</translation></message>
+<message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distancias menores que 0, todas el mismo número, se tomaron como sin retorno.</translation></message>
+<message><source> ranges longer than any scanner reaches were taken as no return.</source><translation> distancias más largas que el alcance de cualquier escáner se tomaron como sin retorno.</translation></message>
+<message><source>%1 holds %2, which is not a range</source><translation>%1 contiene %2, que no es una distancia</translation></message>
+<message><source>check that these are ranges; points need columns x, y and z</source><translation>compruebe que sean distancias; los puntos necesitan columnas x, y y z</translation></message>
+<message><source>cells hold %1 in the numbers of the file</source><translation>celdas contienen %1 en los números del archivo</translation></message>
+<message><source>give %1</source><translation>indique %1</translation></message>
+<message><source>: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>: donde no se dieron se tomaron los de un LMS511 (haces desde -5 grados cada 1/6 de grado, líneas desde 0 cada 0.18 grados, eje spin).</translation></message>
+<message><source>a table of %1 per line does not say its angles</source><translation>una tabla de %1 por línea no dice sus ángulos</translation></message>
+<message><source>The table does not say its angles</source><translation>La tabla no dice sus ángulos</translation></message>
+<message><source>a picture of %1 per line does not say its angles</source><translation>una imagen de %1 por línea no dice sus ángulos</translation></message>
+<message><source>The picture does not say its angles</source><translation>La imagen no dice sus ángulos</translation></message>
+<message><source>a numpy array of %1 per line does not say its angles</source><translation>una matriz numpy de %1 por línea no dice sus ángulos</translation></message>
+<message><source>The numpy array does not say its angles</source><translation>La matriz numpy no dice sus ángulos</translation></message>
+<message><source>this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats</source><translation>esta imagen TIFF tiene %1 de %2 bits, y las distancias necesitan uno de 16 bits o de números de 4 bytes</translation></message>
+<message><source>%n channel</source><translation>%n canal</translation></message>
+<message><source>%n channels</source><translation>%n canales</translation></message>
+<message><source>this TIFF picture is stored in tiles</source><translation>esta imagen TIFF está guardada en mosaicos</translation></message>
+<message><source>save it in strips</source><translation>guárdela en tiras</translation></message>
+<message><source>the picture has no pixels</source><translation>la imagen no tiene píxeles</translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>la imagen TIFF está dañada o es de un tipo que no se puede leer</translation></message>
+<message><source>reading the picture</source><translation>lectura de la imagen</translation></message>
+<message><source>The file holds %1 (pages); the first was read.</source><translation>El archivo contiene %1 (páginas); se leyó la primera.</translation></message>
+<message><source>this is a TIFF picture, and this build of the program cannot read TIFF</source><translation>esto es una imagen TIFF, y esta versión del programa no puede leer TIFF</translation></message>
+<message><source>save the ranges as PNG of 16 bits</source><translation>guarde las distancias como PNG de 16 bits</translation></message>
+<message><source>%1 lines x %2 beams</source><translation>%1 líneas x %2 haces</translation></message>
+<message><source>holds %1 bytes where %2 need %3</source><translation>contiene %1 bytes donde %2 necesitan %3</translation></message>
+<message><source>check lines and beams in the .json file</source><translation>revise líneas y haces en el archivo .json</translation></message>
+<message><source>"beam_deg" is missing</source><translation>falta "beam_deg"</translation></message>
+<message><source>"line_deg" is missing</source><translation>falta "line_deg"</translation></message>
+<message><source>"axis" is missing</source><translation>falta "axis"</translation></message>
+<message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>añádalo al archivo .json, o indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta el archivo de datos %1; en su lugar se leyó %2.</translation></message>
+<message><source>counts alone are not a raw grid</source><translation>unas cuentas solas no son una cuadrícula sin procesar</translation></message>
+<message><source>give the description before them</source><translation>indique la descripción antes que ellas</translation></message>
+<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>estos valores necesitan su descripción %1 al lado, y no se puede leer</translation></message>
+<message><source>copy it into the same folder</source><translation>cópiela en la misma carpeta</translation></message>
+<message><source>save it as PCD, which carries every scan</source><translation>guárdelo como PCD, que admite cualquier escaneo</translation></message>
+<message><source>a raw grid needs beam and line angles and this cloud has none</source><translation>una cuadrícula sin procesar necesita ángulos de haces y de líneas y esta nube no los tiene</translation></message>
+<message><source>a raw grid holds whole counts of its unit up to 65535, and the range at %1 is none or means no return</source><translation>una cuadrícula sin procesar contiene cuentas enteras de su unidad hasta 65535, y la distancia en %1 no lo es o significa sin retorno</translation></message>
+<message><source>%1, and %2</source><translation>%1, y %2</translation></message>
+<message><source>a point of a string needs its number, northing, easting and elevation</source><translation>un punto de una cadena necesita su número, norte, este y elevación</translation></message>
+<message><source>copy the file again, it may be cut off or damaged here</source><translation>copie de nuevo el archivo, puede estar cortado o dañado aquí</translation></message>
+<message><source>a Surpac string file is text, and this is none</source><translation>un archivo de cadenas de Surpac es texto, y este no lo es</translation></message>
+<message><source>Surpac strings</source><translation>Líneas de Surpac</translation></message>
+<message><source>this Surpac file has no points</source><translation>este archivo Surpac no tiene puntos</translation></message>
+<message><source>The file does not end with END: it may have been cut off; compare it with the original.</source><translation>El archivo no termina con END: puede estar cortado; compárelo con el original.</translation></message>
+<message><source>Descriptions of points (D1 and further) are not read.</source><translation>Las descripciones de los puntos (D1 y siguientes) no se leen.</translation></message>
+<message><source>%n line behind END was not read.</source><translation>%n línea detrás de END no se leyó.</translation></message>
+<message><source>%n lines behind END were not read.</source><translation>%n líneas detrás de END no se leyeron.</translation></message>
+<message><source>open the scan as the scanner stored it, or with its record</source><translation>abra el escaneo tal como lo guardó el escáner, o con su registro</translation></message>
+<message><source>finding the axis</source><translation>búsqueda del eje</translation></message>
+<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>no se siguen en líneas que giran alrededor de un eje en otro lugar</translation></message>
+<message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Cada línea solo tiene un haz de cada %1, por turno: %2 líneas seguidas se pusieron lado a lado.</translation></message>
+<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>los %1 puntos no están en ángulos haz x línea alrededor del origen:</translation></message>
+<message><source>about %1 no scan lines can be recognised</source><translation>alrededor de %1 no se reconocen líneas de escaneo</translation></message>
+<message><source>about %1 %2 % lie on the best %3</source><translation>alrededor de %1 el %2 % está en los mejores %3</translation></message>
+<message><source>%n line angles</source><translation>%n ángulos de línea</translation></message>
+<message><source>%n beam angles</source><translation>%n ángulos de haz</translation></message>
+<message><source> (99 % are needed)</source><translation> (se necesita el 99 %)</translation></message>
+<message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>La lista no era una cuadrícula completa en orden: se recuperaron %1 líneas x %2 haces a partir de los ángulos de sus puntos.</translation></message>
+<message><source> lines repeated the line before and were left out.</source><translation> líneas repetían la línea anterior y se dejaron fuera.</translation></message>
+<message><source> points stood in the list before, as when a driver stores lines twice, and were taken once.</source><translation> puntos ya estaban en la lista, como cuando un controlador guarda líneas dos veces, y se tomaron una vez.</translation></message>
+<message><source> lines or beams without any point were put back empty, to keep the steps even.</source><translation> líneas o haces sin ningún punto se repusieron vacíos, para mantener pasos iguales.</translation></message>
+<message><source> points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.</source><translation> puntos no pertenecen a una sola celda de la cuadrícula (en el eje de rotación, o fuera de la cuadrícula) y se dejaron fuera.</translation></message>
+<message><source> points lay in a cell with a nearer one, which was taken.</source><translation> puntos estaban en una celda con uno más cercano, que se tomó.</translation></message>
+<message><source>The line angles are uneven: steps from %1 to %2 degrees, kept as they are.</source><translation>Los ángulos de las líneas son desiguales: pasos de %1 a %2 grados, conservados como están.</translation></message>
+<message><source>The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.</source><translation>Las líneas giran alrededor del eje y del archivo, que pasó a ser z: x es la z del archivo, y su x, z su y.</translation></message>
+<message><source>holds %1 with a return, too few to find a scanner's grid</source><translation>contiene %1 con retorno, muy pocos para encontrar la cuadrícula de un escáner</translation></message>
+<message><source>check that the file is complete</source><translation>compruebe que el archivo esté completo</translation></message>
+<message><source>holds more points than can be put on a grid</source><translation>contiene más puntos de los que caben en una cuadrícula</translation></message>
+<message><source>split the file</source><translation>divida el archivo</translation></message>
+<message><source>finding the grid</source><translation>búsqueda de la cuadrícula</translation></message>
+<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra el escaneo tal como lo guardó el escáner, con el origen en el escáner</translation></message>
+<message><source>%1 x %2 degrees</source><translation>%1 x %2 grados</translation></message>
+<message><source>cells of %1 degrees over %2 would be %3 million cells</source><translation>celdas de %1 grados sobre %2 serían %3 millones de celdas</translation></message>
+<message><source>give a larger --grid-step</source><translation>indique un --grid-step mayor</translation></message>
+<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>los %1 puntos están todos en una sola dirección desde allí, dentro de %2 y a %3 a %4</translation></message>
+<message><source>%n point in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n punto incluido, visto sobre %1 x %2 grados; %3 de %4 celdas llenas (grado de llenado %5 %; de las celdas en torno a una llena el %6 %), %7 asignado a una celda con otro más cercano</translation></message>
+<message><source>%n points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n puntos incluidos, vistos sobre %1 x %2 grados; %3 de %4 celdas llenas (grado de llenado %5 %; de las celdas en torno a una llena el %6 %), %7 asignados a una celda con otro más cercano</translation></message>
+<message><source>%n point far from all others left out</source><translation>%n punto lejos de todos los demás dejado fuera</translation></message>
+<message><source>%n points far from all others left out</source><translation>%n puntos lejos de todos los demás dejados fuera</translation></message>
+<message><source>a grid step of %1 degrees makes no grid</source><translation>un paso de cuadrícula de %1 grados no da ninguna cuadrícula</translation></message>
+<message><source>give --grid-step between 0 and 45 degrees</source><translation>indique --grid-step entre 0 y 45 grados</translation></message>
+<message><source>only %1 a return, too few to make a grid of them</source><translation>solo %1 retorno, muy pocos para hacer una cuadrícula</translation></message>
+<message><source>%n point has</source><translation>%n punto tiene</translation></message>
+<message><source>%n points have</source><translation>%n puntos tienen</translation></message>
+<message><source>projecting the points</source><translation>proyección de los puntos</translation></message>
+<message><source>seen from there the points make no picture: %1</source><translation>vistos desde allí los puntos no forman una imagen: %1</translation></message>
+<message><source>give a larger --grid-step, or another --sensor</source><translation>indique un --grid-step mayor, u otro --sensor</translation></message>
+<message><source>The file lists only points: </source><translation>El archivo contiene solo puntos: </translation></message>
+<message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from</source><translation>indique --sensor X,Y,Z,, el lugar en metros desde donde se tomó el escaneo</translation></message>
+<message><source>Unit taken as millimetres</source><translation>Unidad tomada como milímetros</translation></message>
+<message><source>Unit taken as centimetres</source><translation>Unidad tomada como centímetros</translation></message>
+<message><source>Unit taken as metres</source><translation>Unidad tomada como metros</translation></message>
+<message><source>, in which every range is a whole number of millimetres.</source><translation>, unidad en la que cada distancia es un número entero de milímetros.</translation></message>
+<message><source>, from the size of the numbers.</source><translation>, por el tamaño de los números.</translation></message>
+<message><source>a recording is being written already</source><translation>ya se está escribiendo una grabación</translation></message>
+<message><source>stop it first</source><translation>deténgala primero</translation></message>
+<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distancias son el range_max de sus mensajes, se repiten y se tomaron como sin retorno.</translation></message>
+<message><source>no return </source><translation>sin retorno </translation></message>
+<message><source>sweep complete</source><translation>barrido completo</translation></message>
+<message><source>sweep ended</source><translation>barrido terminado</translation></message>
+<message><source>window clean</source><translation>ventana limpia</translation></message>
+<message><source> earlier in this sweep</source><translation> antes en este barrido</translation></message>
+<message><source> scan telegrams since the start could not be decoded, so their lines are lost: </source><translation> telegramas de escaneo desde el inicio no se pudieron descodificar, así que sus líneas se han perdido: </translation></message>
+<message><source> bytes since the start were not a telegram and were skipped.</source><translation> bytes desde el inicio no eran un telegrama y se omitieron.</translation></message>
+<message><source>The sweep has ended; no line has come since.</source><translation>El barrido ha terminado; desde entonces no ha llegado ninguna línea.</translation></message>
+<message><source>device ok</source><translation>equipo en orden</translation></message>
+<message><source>DEVICE ERROR earlier in this sweep</source><translation>ERROR DEL APARATO antes en este barrido</translation></message>
+<message><source>pose of unknown age</source><translation>pose de edad desconocida</translation></message>
+<message><source>beam %1 of %2 would be at %3 degrees</source><translation>el haz %1 de %2 estaría a %3 grados</translation></message>
+<message><source>line %1 of %2 would be at %3 degrees</source><translation>la línea %1 de %2 estaría a %3 grados</translation></message>
+<message><source>give angles from %1 to %2 degrees</source><translation>indique ángulos de %1 a %2 grados</translation></message>
+<message><source>a calibration alone gives no place</source><translation>una calibración sola no da un lugar</translation></message>
+<message><source>give --pose POSE.json too</source><translation>indique también --pose POSE.json</translation></message>
+<message><source>the format %1 does not have it</source><translation>el formato %1 no lo tiene</translation></message>
+<message><source>%1 points lie farther than %2 from the sensor and were taken as no return: --sensor X,Y,Z says where it stood.</source><translation>%1 puntos están a más de %2 del sensor y se tomaron como sin retorno: --sensor X,Y,Z dice dónde estaba.</translation></message>
+<message><source>%1 cannot be a measured %2: %3 to %4</source><translation>%1 no puede ser un valor medido de %2: de %3 a %4</translation></message>
+<message><source>%1 at %5 cannot be a measured %2: %3 to %4</source><translation>%1 en %5 no puede ser un valor medido de %2: de %3 a %4</translation></message>
+<message><source>check the unit and the numbers of the file</source><translation>compruebe la unidad y los números del archivo</translation></message>
+<message><source>beam %1</source><translation>haz %1</translation></message>
+<message><source>line %1</source><translation>línea %1</translation></message>
+<message><source>the skew of beam %1</source><translation>el desfase del haz %1</translation></message>
+<message><source>all %1 beams look the same way</source><translation>los %1 haces miran todos en la misma dirección</translation></message>
+<message><source>give the step from beam to beam</source><translation>indique el paso de haz a haz</translation></message>
+<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos los puntos están a menos de %1 m entre sí y al menos a %2 m del escáner, lo que ningún escáner mide</translation></message>
+<message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from, or check --unit</source><translation>indique --sensor X,Y,Z, el lugar en metros desde donde se tomó el escaneo, o compruebe --unit</translation></message>
+<message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>El lugar del sensor se halló a partir de las distancias que el archivo contiene con sus puntos.</translation></message>
+<message><source>The columns of lines and beams hold no grid and were not used.</source><translation>Las columnas de líneas y haces no contienen ninguna cuadrícula y no se usaron.</translation></message>
+<message><source>too few points</source><translation>muy pocos puntos</translation></message>
+<message><source>left-handed points</source><translation>puntos de mano izquierda</translation></message>
+<message><source>their scan lines turn about another axis than --axis says</source><translation>sus líneas de escaneo giran alrededor de otro eje que el de --axis</translation></message>
+<message><source>their scan lines turn about an axis through the origin</source><translation>sus líneas de escaneo giran alrededor de un eje por el origen</translation></message>
+<message><source>another grid</source><translation>otra cuadrícula</translation></message>
+<message><source>about the axis of their scan lines they are on no common beams</source><translation>alrededor del eje de sus líneas de escaneo no están en haces comunes</translation></message>
+<message><source>Lines and beams were exchanged: only that way the lines make fans about one axis.</source><translation>Líneas y haces se intercambiaron: solo así las líneas forman abanicos alrededor de un eje.</translation></message>
+<message><source>The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.</source><translation>Las filas del archivo, tal como están, no forman abanicos alrededor de un eje: %1, y solo así las líneas forman abanicos.</translation></message>
+<message><source>they were taken as beams, and the columns as lines</source><translation>se tomaron como haces, y las columnas como líneas</translation></message>
+<message><source>its counts of rows and columns were exchanged</source><translation>se intercambiaron sus números de filas y columnas</translation></message>
+<message><source>its points were taken row by row, where the header says column by column</source><translation>sus puntos se tomaron fila por fila, donde el encabezado dice columna por columna</translation></message>
+<message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Ninguna celda de este escaneo tiene una distancia medida: revise el archivo, el topic y los límites de distancia.</translation></message>
+<message><source>a cell has the state %1, which does not exist</source><translation>una celda tiene el estado %1, que no existe</translation></message>
+<message><source>describes %1 and holds %2</source><translation>describe %1 y contiene %2</translation></message>
+<message><source>describes %1 but has no columns range_mm and state</source><translation>describe %1 pero no tiene las columnas range_mm y state</translation></message>
+<message><source>save the scan again, or remove the comment lines</source><translation>guarde de nuevo el escaneo, o quite las líneas de comentario</translation></message>
+<message><source>--unit does not apply: this program saved the file, in metres</source><translation>--unit no se aplica: este programa guardó el archivo, en metros</translation></message>
+<message><source>leave --unit out</source><translation>deje fuera --unit</translation></message>
+<message><source>a valid cell has a number that is not a range</source><translation>una celda válida tiene un número que no es una distancia</translation></message>
+<message><source>the description in the comment lines has no angles</source><translation>la descripción en las líneas de comentario no tiene ángulos</translation></message>
+<message><source>%n point was filled and not measured, as filled_sd_mm says: it was taken as no return.</source><translation>%n punto se rellenó y no se midió, como dice filled_sd_mm: se tomó como sin retorno.</translation></message>
+<message><source>%n points were filled and not measured, as filled_sd_mm says: they were taken as no return.</source><translation>%n puntos se rellenaron y no se midieron, como dice filled_sd_mm: se tomaron como sin retorno.</translation></message>
+<message><source>the file gives the grid of its cells</source><translation>el archivo da la cuadrícula de sus celdas</translation></message>
+<message><source>The matrix of the %1 file was not used: its points are in another frame than the scanner's.</source><translation>La matriz del archivo %1 no se usó: sus puntos están en otro sistema que el del escáner.</translation></message>
+<message><source>%1 cells hold status codes of an LMS2xx from %2 on instead of a range and were taken as such.</source><translation>%1 celdas contienen códigos de estado de un LMS2xx desde %2 en vez de una distancia y se tomaron como tales.</translation></message>
+<message><source>The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.</source><translation>Las coordenadas están redondeadas y cada punto cae en un número entero de milímetros a lo largo de su haz: estos se tomaron como distancias.</translation></message>
+<message><source>The file's coordinates are left-handed and were turned right-handed: y is mirrored.</source><translation>Las coordenadas del archivo son levógiras y se hicieron dextrógiras: y está reflejada.</translation></message>
+<message><source>%1 of %2 cells of the grid that was found have no point and count as no return.</source><translation>%1 de %2 celdas de la cuadrícula encontrada no tienen punto y cuentan como sin retorno.</translation></message>
+<message><source>the origin, because no sensor position is known (--sensor X,Y,Z gives it)</source><translation>el origen, porque no se conoce ninguna posición del sensor (--sensor X,Y,Z la da)</translation></message>
+<message><source>the sensor position given, (%1, %2, %3) m</source><translation>la posición del sensor indicada, (%1, %2, %3) m</translation></message>
+<message><source>the sensor position in the file, (%1, %2, %3) m</source><translation>la posición del sensor en el archivo, (%1, %2, %3) m</translation></message>
+<message><source>The points lie on no scanner grid and were projected about %1: %2.</source><translation>Los puntos no están en ninguna cuadrícula de escáner y se proyectaron tomando como centro %1: %2.</translation></message>
+<message><source>The points were projected about %1: %2.</source><translation>Los puntos se proyectaron tomando como centro %1: %2.</translation></message>
+<message><source>The cells have the given %1 degrees</source><translation>Las celdas tienen los %1 grados indicados</translation></message>
+<message><source>The cells have %1 degrees, from the spacing of the points</source><translation>Las celdas tienen %1 grados, por la separación de los puntos</translation></message>
+<message><source>, along lines that were recognised in the cloud.</source><translation>, a lo largo de líneas que se reconocieron en la nube.</translation></message>
+<message><source>Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, or with its record, has the grid of the scan.</source><translation>Los bordes de una nube proyectada difieren de los de su escaneo: un archivo con los puntos en el orden del escáner, o con su registro, tiene la cuadrícula del escaneo.</translation></message>
+<message><source>projected about %1: %2</source><translation>proyectados tomando como centro %1: %2</translation></message>
+<message><source>The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.</source><translation>El eje de las líneas del escaneo está a %1 (en los números del archivo) de la posición conocida del sensor.</translation></message>
+<message><source>%n point is a later return of a pulse, as the file says: the first returns make the grid</source><translation>%n punto es un retorno posterior de un pulso, según el archivo: los primeros retornos forman la cuadrícula</translation></message>
+<message><source>%n points are later returns of a pulse, as the file says: the first returns make the grid</source><translation>%n puntos son retornos posteriores de un pulso, según el archivo: los primeros retornos forman la cuadrícula</translation></message>
+<message><source>, and %1</source><translation>, y %1</translation></message>
+<message><source>%n other was attached to its cell</source><translation>%n otro se asignó a su celda</translation></message>
+<message><source>%n others were attached to their cells</source><translation>%n otros se asignaron a sus celdas</translation></message>
+<message><source>%n other has no cell of its own and was left out</source><translation>%n otro no tiene celda propia y se dejó fuera</translation></message>
+<message><source>%n others have no cell of their own and were left out</source><translation>%n otros no tienen celda propia y se dejaron fuera</translation></message>
+<message><source>%1 lines, %2 beams and mounting %3 were found from them.</source><translation>%1 líneas, %2 haces y el montaje %3 se encontraron a partir de ellos.</translation></message>
+<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la última línea del escaneo está incompleta y la última fila no tiene fin de línea: el archivo se cortó</translation></message>
+<message><source>the file is in another frame than the scanner's, and %1 of its points share their line and beam with another</source><translation>el archivo está en otro marco que el del escáner, y %1 de sus puntos comparten línea y haz con otro</translation></message>
+<message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>La cuadrícula tiene tantas líneas y haces como nombran los puntos, %1 x %2: una línea o un haz detrás del último punto no está en el archivo.</translation></message>
+<message><source>the points have a grid</source><translation>los puntos tienen una cuadrícula</translation></message>
+<message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>La lista solo contiene retornos: una línea o un haz del borde sin ningún retorno no está en ella.</translation></message>
+<message><source>points are one and the same,%1</source><translation>puntos son uno y el mismo,%1</translation></message>
+<message><source>points are %1 (in the numbers of the file) from the sensor</source><translation>puntos están a %1 (en los números del archivo) del sensor</translation></message>
+<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>sus números se redondearon a %1 cifras, así que los cercanos a %2 van en pasos de %3: las cifras que ubican los puntos se han perdido</translation></message>
+<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escriba de nuevo las coordenadas con todos sus decimales, como números y no en la forma 1.23E+06</translation></message>
+<message><source>%1 numbers per line without names are a table of ranges only with its angles; as points, %2</source><translation>%1 números por línea sin nombres son una tabla de distancias solo con sus ángulos; como puntos, %2</translation></message>
+<message><source>give --beam-start --beam-step --line-start --line-step --axis, or name the columns x, y and z</source><translation>indique --beam-start --beam-step --line-start --line-step --axis, o nombre las columnas x, y y z</translation></message>
+<message><source>%1 of the %2 of the file have no cell of their own.</source><translation>%1 de los %2 del archivo no tienen celda propia.</translation></message>
+<message><source>the file holds 0 points with a return, out of %1</source><translation>el archivo contiene 0 puntos con retorno, de %1</translation></message>
+<message><source>choose another file, or copy it again</source><translation>elija otro archivo, o cópielo de nuevo</translation></message>
+<message><source>Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.</source><translation>En este archivo, los números hasta %1 tienen una resolución de unos %2: se escribió con flotantes de 4 bytes.</translation></message>
+<message><source>%n point with infinite or absurdly large coordinates was taken as no return.</source><translation>%n punto con coordenadas infinitas o absurdamente grandes se tomó como sin retorno.</translation></message>
+<message><source>%n points with infinite or absurdly large coordinates were taken as no return.</source><translation>%n puntos con coordenadas infinitas o absurdamente grandes se tomaron como sin retorno.</translation></message>
+<message><source>the pose could not be removed (%1)</source><translation>no se pudo quitar la pose (%1)</translation></message>
+<message><source>remove the file by hand</source><translation>quite el archivo a mano</translation></message>
+<message><source>the file name has no extension that names a format</source><translation>el nombre del archivo no tiene una extensión que nombre un formato</translation></message>
+<message><source>"%1" is not a format that can be written</source><translation>«%1» no es un formato que se pueda escribir</translation></message>
+<message><source>use %1</source><translation>use %1</translation></message>
+<message><source>the edge mask has %1 x %2 cells and the scan %3 x %4</source><translation>la máscara de bordes tiene %1 x %2 celdas y el escaneo %3 x %4</translation></message>
+<message><source>detect the edges of this scan again</source><translation>detecte de nuevo los bordes de este escaneo</translation></message>
+<message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>el escaneo no tiene pose, así que no se conoce su lugar en la cuadrícula de la mina</translation></message>
+<message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>indique una pose y la calibración del robot, o guarde en el sistema del escáner</translation></message>
+<message><source>the scan has no cells</source><translation>el escaneo no tiene celdas</translation></message>
+<message><source>a raw grid or a recording holds ranges and no coordinates</source><translation>una cuadrícula sin procesar o una grabación contiene distancias y no coordenadas</translation></message>
+<message><source>save it without a frame, or as %1</source><translation>guárdelo sin marco, o como %1</translation></message>
+<message><source>%n point behind the nearest of its cell is not in this file: --include-attached saves all points.</source><translation>%n punto detrás del más cercano de su celda no está en este archivo: --include-attached guarda todos los puntos.</translation></message>
+<message><source>%n points behind the nearest of their cell are not in this file: --include-attached saves all points.</source><translation>%n puntos detrás del más cercano de su celda no están en este archivo: --include-attached guarda todos los puntos.</translation></message>
+<message><source>The file holds points and no grid: %1 cells without a range are not in it.</source><translation>El archivo contiene puntos y ninguna cuadrícula: %1 celdas sin distancia no están en él.</translation></message>
+<message><source>This file knows only points and no returns: %1 cells of other states become no returns.</source><translation>Este archivo solo conoce puntos y celdas sin retorno: %1 celdas de otros estados pasan a ser sin retorno.</translation></message>
+<message><source>The file holds numbers only: keep %1.provenance.json next to it, which holds the grid, or write it with --comments.</source><translation>El archivo contiene solo números: guarde junto a él %1.provenance.json, que contiene la cuadrícula, o escríbalo con --comments.</translation></message>
+<message><source>The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.</source><translation>El archivo no contiene las intensidades: .pcd, .ply, .las, .ptx y .csv sí.</translation></message>
+<message><source>The file rounds the points to whole steps of %1 mm.</source><translation>El archivo redondea los puntos a pasos enteros de %1 mm.</translation></message>
+<message><source>The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.</source><translation>El archivo está en el marco del escáner y no contiene el lugar del escaneo en la mina: --frame mine da coordenadas de mina.</translation></message>
+<message><source>The file has room for one place of the scanner, and this scanner moved by up to %1 mm: without %2.provenance.json its ranges are as much off; its points are exact.</source><translation>El archivo tiene sitio para un lugar del escáner, y este escáner se movió hasta %1 mm: sin %2.provenance.json sus distancias difieren en lo mismo; sus puntos son exactos.</translation></message>
+<message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Este archivo es una exportación de puntos de arista, no un escaneo: todas las demás celdas cuentan como sin retorno. Abra el escaneo para buscar aristas.</translation></message>
+<message><source>was written for another one</source><translation>se escribió para otro</translation></message>
+<message><source>describes no grid</source><translation>no describe ninguna cuadrícula</translation></message>
+<message><source>does not list the cells of the points</source><translation>no enumera las celdas de los puntos</translation></message>
+<message><source>has a grid for which there is not enough memory</source><translation>tiene una cuadrícula para la que no hay bastante memoria</translation></message>
+<message><source>describes a grid without angles and without a sensor</source><translation>describe una cuadrícula sin ángulos y sin sensor</translation></message>
+<message><source>lists other cells than the file has points</source><translation>enumera otras celdas que los puntos que tiene el archivo</translation></message>
+<message><source>does not hold the place of the scan in the mine</source><translation>no contiene el lugar del escaneo en la mina</translation></message>
+<message><source>cannot be read (%1)</source><translation>no se puede leer (%1)</translation></message>
+<message><source>The record next to the file %1, so the grid in it was not used.</source><translation>El registro junto al archivo no sirve (%1), así que no se usó su cuadrícula.</translation></message>
+<message><source>lists a cell twice</source><translation>enumera una celda dos veces</translation></message>
+<message><source>The file puts the sensor %1 away from its points, which are all within %2 of each other (in its own numbers): no scanner measures so, and the place was not used.</source><translation>El archivo pone el sensor a %1 de sus puntos, que están todos a menos de %2 entre sí (en sus propios números): ningún escáner mide así, y ese lugar no se usó.</translation></message>
+<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>los %1 puntos de su cuadrícula están en una sola dirección desde el origen, dentro de %2 grados y hasta %3: el escáner estaba en otro lugar</translation></message>
+<message><source>Unit taken as metres, in which the numbers fit the sensor position given.</source><translation>Se tomó el metro como unidad, con el que los números concuerdan con la posición del sensor indicada.</translation></message>
+<message><source>Unit taken as millimetres, in which the numbers fit the sensor position given.</source><translation>Se tomó el milímetro como unidad, con el que los números concuerdan con la posición del sensor indicada.</translation></message>
+<message><source>numbers up to %1 in this file have a resolution of about %2</source><translation>los números hasta %1 de este archivo tienen una resolución de unos %2</translation></message>
+<message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>El texto tiene dos bytes por carácter (UTF-16) y se leyó así.</translation></message>
+<message><source>%n byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n byte cero (NUL) sigue a la última fila, como los deja un corte de luz: faltan las filas que no se escribieron.</translation></message>
+<message><source>%n bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n bytes cero (NUL) siguen a la última fila, como los deja un corte de luz: faltan las filas que no se escribieron.</translation></message>
+<message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matriz del archivo no es una rotación y traslación, así que el escaneo queda en el sistema del escáner.</translation></message>
+<message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>El archivo %1 pone el escáner en %2, %3, %4 m, que no es un lugar de la tierra, así que el escaneo queda en el sistema del escáner.</translation></message>
+<message><source>as the %1 file has it</source><translation>como lo tiene el archivo %1</translation></message>
+<message><source>the header of %1</source><translation>el encabezado de %1</translation></message>
+<message><source>The place is the one written in the %1 file: whether that is the mine grid, who registered it knows.</source><translation>El lugar es el escrito en el archivo %1: si eso es la cuadrícula de la mina, lo sabe quien lo registró.</translation></message>
+<message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 off the axis</source><translation>Los puntos están en otro marco que el del escáner. Sus líneas de escaneo giran alrededor de un eje, en %1, %2, %3 m, y el espejo está a %4 del eje</translation></message>
+<message><source>; the grid has the scale %1</source><translation>; la cuadrícula tiene la escala %1</translation></message>
+<message><source>%1. The points fit lines and beams within %2.</source><translation>%1. Los puntos encajan en líneas y haces con un error de %2.</translation></message>
+<message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>Es más de lo que explica el redondeo de los números, %1 mm: las distancias pueden estar desviadas y los bordes diferir de los del escaneo. El registro del archivo, o el escaneo tal como se midió, los tiene exactos.</translation></message>
+<message><source>the scan lines of the points</source><translation>las líneas de escaneo de los puntos</translation></message>
+<message><source>The place was found from the scan lines of the points: whether their frame is the mine grid, the file does not say.</source><translation>El lugar se encontró a partir de las líneas de escaneo de los puntos: el archivo no dice si su marco es la cuadrícula de la mina.</translation></message>
+<message><source>copy the capture again</source><translation>copie de nuevo la captura</translation></message>
+<message><source>the capture ends within its header</source><translation>la captura termina dentro de su encabezado</translation></message>
+<message><source>is too short for a packet</source><translation>es demasiado corto para un paquete</translation></message>
+<message><source>names an interface that the capture does not describe</source><translation>nombra una interfaz que la captura no describe</translation></message>
+<message><source>promises more bytes of a packet than it has</source><translation>anuncia más bytes de un paquete de los que tiene</translation></message>
+<message><source>a block of this PCAPNG capture %1</source><translation>un bloque de esta captura PCAPNG %1</translation></message>
+<message><source>says that it has %1 bytes</source><translation>dice que tiene %1 bytes</translation></message>
+<message><source>is too short for an interface</source><translation>es demasiado corto para una interfaz</translation></message>
+<message><source>this is not a capture of network packets</source><translation>no es una captura de paquetes de red</translation></message>
+<message><source>The capture was cut off: everything up to the cut is here.</source><translation>La captura se cortó: todo hasta el corte está aquí.</translation></message>
+<message><source>%n packet has a time before 1970 or after 2262 and count as of 1970.</source><translation>%n paquete tiene una hora anterior a 1970 o posterior a 2262 y cuenta como de 1970.</translation></message>
+<message><source>%n packets have a time before 1970 or after 2262 and count as of 1970.</source><translation>%n paquetes tienen una hora anterior a 1970 o posterior a 2262 y cuentan como de 1970.</translation></message>
+<message><source>%n byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.</source><translation>%n byte que envió el escáner falta en la captura (%1): los telegramas de ahí se han perdido.</translation></message>
+<message><source>%n bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost.</source><translation>%n bytes que envió el escáner faltan en la captura (%1): los telegramas de ahí se han perdido.</translation></message>
+<message><source>%n place</source><translation>%n lugar</translation></message>
+<message><source>%n places</source><translation>%n lugares</translation></message>
+<message><source>%n byte that the scanner sent belongs to no whole telegram.</source><translation>%n byte que envió el escáner no pertenece a ningún telegrama entero.</translation></message>
+<message><source>%n bytes that the scanner sent belong to no whole telegram.</source><translation>%n bytes que envió el escáner no pertenecen a ningún telegrama entero.</translation></message>
+<message><source>%n packet came out of order and %1 brought bytes again; they were put in order.</source><translation>%n paquete llegó desordenado y %1 trajeron bytes de nuevo; se pusieron en orden.</translation></message>
+<message><source>%n packets came out of order and %1 brought bytes again; they were put in order.</source><translation>%n paquetes llegaron desordenados y %1 trajeron bytes de nuevo; se pusieron en orden.</translation></message>
+<message><source>%n fragment of IP packets were not put together.</source><translation>%n fragmento de paquetes IP no se unió.</translation></message>
+<message><source>%n fragments of IP packets were not put together.</source><translation>%n fragmentos de paquetes IP no se unieron.</translation></message>
+<message><source>putting packets together</source><translation>unión de los paquetes</translation></message>
+<message><source>this capture holds no scan telegram of a SICK scanner, and %1</source><translation>esta captura no contiene ningún telegrama de escaneo de un escáner SICK, y %1</translation></message>
+<message><source>this capture holds %1, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>esta captura contiene %1, %2 de ellos TCP, y ningún telegrama de escaneo de un escáner SICK ni ningún paquete de un VLP-16 o un Ouster</translation></message>
+<message><source>%n packet</source><translation>%n paquete</translation></message>
+<message><source>%n packets</source><translation>%n paquetes</translation></message>
+<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capture la conexión al puerto del escáner (2111 o 2112) mientras escanea</translation></message>
+<message><source>%n other sender has some too</source><translation>%n otro emisor también tiene</translation></message>
+<message><source>%n other senders have some too</source><translation>%n otros emisores también tienen</translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 was opened, and %4.</source><translation>La captura contiene %1 flujos; se abrió el de %2 con %3, y %4.</translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 was opened.</source><translation>La captura contiene %1 flujos; se abrió el de %2 con %3.</translation></message>
+<message><source>%n scan telegram</source><translation>%n telegrama de escaneo</translation></message>
+<message><source>%n scan telegrams</source><translation>%n telegramas de escaneo</translation></message>
+<message><source>finding telegrams</source><translation>búsqueda de telegramas</translation></message>
+<message><source>these are %1 of a SICK device and none is a scan</source><translation>estos son %1 de un aparato SICK y ninguno es un escaneo</translation></message>
+<message><source>%n telegram</source><translation>%n telegrama</translation></message>
+<message><source>%n telegrams</source><translation>%n telegramas</translation></message>
+<message><source>capture while the scanner sends scans (sEN LMDscandata 1)</source><translation>capture mientras el escáner envía escaneos (sEN LMDscandata 1)</translation></message>
+<message><source>CoLa stream</source><translation>Flujo CoLa</translation></message>
+<message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n byte del flujo no pertenece a ningún telegrama entero.</translation></message>
+<message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n bytes del flujo no pertenecen a ningún telegrama entero.</translation></message>
+<message><source>save the scan again, or remove "acquisition"</source><translation>guarde de nuevo el escaneo, o quite "acquisition"</translation></message>
+<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" debe ser un objeto {...}</translation></message>
+<message><source>radians</source><translation>radianes</translation></message>
+<message><source>milliradians</source><translation>milirradianes</translation></message>
+<message><source>angles in %1, azimuths %2</source><translation>ángulos en %1, acimuts %2</translation></message>
+<message><source>angles taken as %1, azimuths %2</source><translation>ángulos tomados como %1, acimuts %2</translation></message>
+<message><source>clockwise from y</source><translation>en sentido horario desde y</translation></message>
+<message><source>counter-clockwise from x</source><translation>en sentido antihorario desde x</translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with %1 and heights from the zenith.</source><translation>Los puntos se calcularon a partir de las columnas de ángulos y distancias, con %1 y alturas desde el cenit.</translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with %1.</source><translation>Los puntos se calcularon a partir de las columnas de ángulos y distancias, con %1.</translation></message>
+<message><source>degrees of latitude and longitude</source><translation>grados de latitud y longitud</translation></message>
+<message><source>angles and no ranges</source><translation>ángulos y no distancias</translation></message>
+<message><source>angles and ranges</source><translation>ángulos y distancias</translation></message>
+<message><source>two coordinates of a point and not the third</source><translation>dos coordenadas de un punto y no la tercera</translation></message>
+<message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compárelo con docs/reference/formats.md, "Raw grid"</translation></message>
+<message><source>this is a preset and not a scan</source><translation>esto es un preajuste y no un escaneo</translation></message>
+<message><source>choose it in the panel Edges, or give it with --preset</source><translation>elíjalo en el panel Bordes, o indíquelo con --preset</translation></message>
+<message><source>this is a pose and not a scan</source><translation>esto es una pose y no un escaneo</translation></message>
+<message><source>open its scan and give it with --pose</source><translation>abra su escaneo e indíquelo con --pose</translation></message>
+<message><source>this is a calibration and not a scan</source><translation>esto es una calibración y no un escaneo</translation></message>
+<message><source>open its scan and give it with --calibration</source><translation>abra su escaneo e indíquelo con --calibration</translation></message>
+<message><source>this is a file of targets and not a scan</source><translation>esto es un archivo de objetivos y no un escaneo</translation></message>
+<message><source>open its scan</source><translation>abra su escaneo</translation></message>
+<message><source>this is edits of rocks and not a scan</source><translation>esto es una edición de rocas y no un escaneo</translation></message>
+<message><source>open its scan, or give it with --edits</source><translation>abra su escaneo, o indíquelas con --edits</translation></message>
+<message><source>this is a record of an export and not a scan</source><translation>esto es un registro de una exportación y no un escaneo</translation></message>
+<message><source>open its scan, or check it with edgescan-cli verify</source><translation>abra su escaneo, o compruébelo con edgescan-cli verify</translation></message>
+<message><source>must hold counts</source><translation>debe contener cuentas</translation></message>
+<message><source>holds %1, and there are %2</source><translation>contiene %1, y hay %2</translation></message>
+<message><source>needs start and step</source><translation>necesita start y step</translation></message>
+<message><source>holds %1, %2 are needed</source><translation>contiene %1, se necesitan %2</translation></message>
+<message><source>%n angle</source><translation>%n ángulo</translation></message>
+<message><source>%n angles</source><translation>%n ángulos</translation></message>
+<message><source>must be 1 or -1</source><translation>debe ser 1 o -1</translation></message>
+<message><source>must be a list</source><translation>debe ser una lista</translation></message>
+<message><source>must hold ["state", first cell, cells]</source><translation>debe contener ["state", primera celda, celdas]</translation></message>
+<message><source>leaves the grid</source><translation>se sale de la cuadrícula</translation></message>
+<message><source>names cell %1 twice</source><translation>nombra dos veces la celda %1</translation></message>
+<message><source>must name a file in the same folder</source><translation>debe nombrar un archivo de la misma carpeta</translation></message>
+<message><source>must be greater than 0</source><translation>debe ser mayor que 0</translation></message>
+<message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>el encabezado anuncia %1 de %2 bytes y el archivo contiene %3 bytes de ellos, que es más</translation></message>
+<message><source>holds %1 where the header promises %2</source><translation>contiene %1 donde el encabezado anuncia %2</translation></message>
+<message><source>the header promises %1, and more text follows them here</source><translation>el encabezado anuncia %1, y aquí sigue más texto</translation></message>
+<message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return</source><translation>, que se repite exactamente y está lejos del resto, como nada medido lo está: se tomó como sin retorno</translation></message>
+<message><source> (--keep-repeated takes it as measured).</source><translation> (--keep-repeated lo toma como medido).</translation></message>
+<message><source>holds decimal commas in quotes between commas</source><translation>contiene comas decimales entre comillas y entre comas</translation></message>
+<message><source>save the table with semicolons, or with decimal points</source><translation>guarde la tabla con punto y coma, o con puntos decimales</translation></message>
+<message><source>holds decimal commas between commas</source><translation>contiene comas decimales entre comas</translation></message>
+<message><source>The last row has no line end: the file may have been cut off there; compare it with the original.</source><translation>La última fila no tiene fin de línea: el archivo puede estar cortado ahí; compárelo con el original.</translation></message>
+<message><source>save the file with plain numbers, without separators of thousands</source><translation>guarde el archivo con números simples, sin separadores de miles</translation></message>
+<message><source>holds %1 in a column whose numbers have three digits behind their mark or no mark at all, so that it may separate decimals or thousands</source><translation>contiene %1 en una columna cuyos números tienen tres cifras detrás de su signo o ningún signo, de modo que puede separar decimales o millares</translation></message>
+<message><source>save the file with the same count of decimals in each number, or without separators of thousands</source><translation>guarde el archivo con el mismo número de decimales en cada número, o sin separadores de millares</translation></message>
+<message><source>holds %1, a number whose thousands are set apart</source><translation>contiene %1, un número con los millares separados</translation></message>
+<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contiene bytes cero, como un archivo que no se escribió hasta el final</translation></message>
+<message><source>copy the file or export it again</source><translation>copie o exporte de nuevo el archivo</translation></message>
+<message><source>%1 has a decimal comma</source><translation>%1 tiene una coma decimal</translation></message>
+<message><source>save the file with decimal points</source><translation>guarde el archivo con puntos decimales</translation></message>
+<message><source>%1 is more than one number between two separators</source><translation>%1 es más de un número entre dos separadores</translation></message>
+<message><source>correct the line or export the file again</source><translation>corrija la línea o exporte de nuevo el archivo</translation></message>
+<message><source>%1 is not a number</source><translation>%1 no es un número</translation></message>
+<message><source>%1 is below x, y or z and is not a number</source><translation>%1 está debajo de x, y o z y no es un número</translation></message>
+<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>guarde el archivo con números simples en estas columnas, sin unidades ni signos</translation></message>
+<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>hay palabras entre los números de sus filas, y ningún encabezado nombra x, y y z</translation></message>
+<message><source>write a first row with the names of the columns, such as id,x,y,z,code</source><translation>escriba una primera fila con los nombres de las columnas, como id,x,y,z,code</translation></message>
+<message><source>its numbers are separated by "%1", which separates none here</source><translation>sus números están separados por «%1», que aquí no separa ninguno</translation></message>
+<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>guarde el archivo con comas, puntos y comas, tabuladores o espacios entre sus números</translation></message>
+<message><source>this is text without a row of numbers, so no scan</source><translation>es texto sin una fila de números, así que no es un escaneo</translation></message>
+<message><source>choose a scan: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>elija un escaneo: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, una cuadrícula sin procesar (.json), una imagen de distancias (.png, .tif), una grabación (.mcap), un bag de ROS o una captura de red (.pcap)</translation></message>
+<message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>La grabación describe otra cuadrícula que la de sus telegramas: cuentan los telegramas.</translation></message>
+<message><source>the recording's "%1" is "%2", which cannot be used.</source><translation>«%1» de la grabación es «%2», que no se puede usar.</translation></message>
+<message><source>%n reading of inclinometer or TALIN cannot be used.</source><translation>%n lectura del inclinómetro o de TALIN no se puede usar.</translation></message>
+<message><source>%n readings of inclinometer or TALIN cannot be used.</source><translation>%n lecturas del inclinómetro o de TALIN no se pueden usar.</translation></message>
+<message><source>the recording's own readings</source><translation>las lecturas propias de la grabación</translation></message>
+<message><source>The recording holds readings of TALIN and does not say where the boom pointed (boom_azimuth_deg).</source><translation>La grabación contiene lecturas de TALIN y no dice adónde apuntaba la pluma (boom_azimuth_deg).</translation></message>
+<message><source>the recording</source><translation>la grabación</translation></message>
+<message><source> with %1</source><translation> con %1</translation></message>
+<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>una pose necesita la calibración del robot, y la grabación no contiene ninguna</translation></message>
+<message><source>give --calibration ROBOT.json too</source><translation>indique también --calibration ROBOT.json</translation></message>
+<message><source>a calibration needs a pose, and the recording holds none that can be used</source><translation>una calibración necesita una pose, y la grabación no contiene ninguna utilizable</translation></message>
+<message><source>The recording holds poses and not how the robot is built: --calibration ROBOT.json places the scan.</source><translation>La grabación contiene poses pero no cómo está construido el robot: --calibration ROBOT.json ubica el escaneo.</translation></message>
+<message><source>The recording's pose cannot be used: %1.</source><translation>La pose de la grabación no se puede usar: %1.</translation></message>
+<message><source>The recording was cut off: everything up to the cut is here.</source><translation>La grabación se cortó: todo hasta el corte está aquí.</translation></message>
+<message><source>%1 times in the recording are after %2 and were read as this time.</source><translation>%1 tiempos de la grabación son posteriores a %2 y se leyeron como ese tiempo.</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este archivo MCAP no contiene nada que enviara un escáner láser</translation></message>
+<message><source>choose a recording of a sweep</source><translation>elija la grabación de un barrido</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>en este archivo MCAP no se puede leer nada que haya enviado un escáner láser%1</translation></message>
+<message><source>, and %1 more</source><translation>, y %1 más</translation></message>
+<message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit no se aplica: los telegramas de una grabación dicen ellos mismos su unidad</translation></message>
+<message><source>one sweep</source><translation>un barrido</translation></message>
+<message><source>%1 sweeps</source><translation>%1 barridos</translation></message>
+<message><source>the %1 scan telegrams in this recording hold no line of ranges</source><translation>los %1 telegramas de escaneo de esta grabación no contienen ninguna línea de distancias</translation></message>
+<message><source>no scan telegram in this recording can be decoded%1</source><translation>ningún telegrama de escaneo de esta grabación se puede decodificar%1</translation></message>
+<message><source>this recording holds no scan telegram%1</source><translation>esta grabación no contiene ningún telegrama de escaneo%1</translation></message>
+<message><source>choose another recording</source><translation>elija otra grabación</translation></message>
+<message><source>The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.</source><translation>La grabación contiene %1 barridos; se abrió el barrido %2; ningún otro tiene más líneas.</translation></message>
+<message><source>%1 scan telegrams could not be decoded: %2.</source><translation>%1 telegramas de escaneo no se pudieron decodificar: %2.</translation></message>
+<message><source>%n message holds bytes that are not a whole telegram: what was in it is lost.</source><translation>%n mensaje contiene bytes que no son un telegrama entero: su contenido se ha perdido.</translation></message>
+<message><source>%n messages hold bytes that are not a whole telegram: what was in them is lost.</source><translation>%n mensajes contienen bytes que no son un telegrama entero: su contenido se ha perdido.</translation></message>
+<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: hay %1 líneas, no se sabe cuántas eran.</translation></message>
+<message><source>a recording holds whole counts of its unit up to 65535, and the range at line %1, beam %2 is none</source><translation>una grabación contiene cuentas enteras de su unidad hasta 65535, y la distancia en la línea %1, haz %2 no lo es</translation></message>
+<message><source>a recording needs beam and line angles and this cloud has none</source><translation>una grabación necesita ángulos de haces y de líneas y esta nube no los tiene</translation></message>
+<message><source>a recording holds at most %1 lines of %2 beams</source><translation>una grabación contiene como mucho %1 líneas de %2 haces</translation></message>
+<message><source>telegrams cannot describe this scan</source><translation>los telegramas no pueden describir este escaneo</translation></message>
+<message><source>the disk is %1 s behind (%2 MB)</source><translation>el disco lleva %1 s de retraso (%2 MB)</translation></message>
+<message><source>the disk is slower than the scanner, telegrams are missing in the recording</source><translation>el disco es más lento que el escáner, faltan telegramas en la grabación</translation></message>
+<message><source>record on another disk</source><translation>grabe en otro disco</translation></message>
+<message><source>the disk did not take the end of the recording, what it has is cut off</source><translation>el disco no aceptó el final de la grabación, lo que tiene está cortado</translation></message>
+<message><source>check the disk; the file opens with what was written</source><translation>compruebe el disco; el archivo se abre con lo que se escribió</translation></message>
+<message><source>The bag is cut off or damaged at byte %1: the last %2.</source><translation>El bag está cortado o dañado en el byte %1: los últimos %2.</translation></message>
+<message><source>%n byte was not read</source><translation>%n byte no se leyó</translation></message>
+<message><source>%n bytes were not read</source><translation>%n bytes no se leyeron</translation></message>
+<message><source>%n chunk is damaged and was left out (%1).</source><translation>%n bloque está dañado y se dejó fuera (%1).</translation></message>
+<message><source>%n chunks are damaged and were left out (%1).</source><translation>%n bloques están dañados y se dejaron fuera (%1).</translation></message>
+<message><source>%n message belongs to no topic of the bag and was left out.</source><translation>%n mensaje no pertenece a ningún topic del bag y se dejó fuera.</translation></message>
+<message><source>%n messages belong to no topic of the bag and were left out.</source><translation>%n mensajes no pertenecen a ningún topic del bag y se dejaron fuera.</translation></message>
+<message><source>its records do not end with it</source><translation>sus registros no terminan con él</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>es un bag de ROS de una versión distinta de 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>conviértalo con «rosbag migrate»</translation></message>
+<message><source>The bag was cut off: everything up to the cut is here.</source><translation>El bag se cortó: todo hasta el corte está aquí.</translation></message>
+<message><source>%n message is compressed and damaged and was left out.</source><translation>%n mensaje está comprimido y dañado y se dejó fuera.</translation></message>
+<message><source>%n messages are compressed and damaged and were left out.</source><translation>%n mensajes están comprimidos y dañados y se dejaron fuera.</translation></message>
+<message><source>this SQLite database is damaged: its tables give more than the file can hold</source><translation>esta base de datos SQLite está dañada: sus tablas dan más de lo que el archivo puede contener</translation></message>
+<message><source>this SQLite database is not a ROS bag: "%1" is not a plain table</source><translation>esta base de datos SQLite no es un bag de ROS: «%1» no es una tabla simple</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada o dañada: no se pueden leer sus tablas</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite no es un bag de ROS: no tiene tabla de topics</translation></message>
+<message><source>The database is cut off or damaged (%1): messages behind the first %2 were not read.</source><translation>La base de datos está cortada o dañada (%1): los mensajes tras los primeros %2 no se leyeron.</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>no se puede abrir esta base SQLite</translation></message>
+<message><source>%n byte behind the end of the database was not read.</source><translation>%n byte detrás del final de la base de datos no se leyó.</translation></message>
+<message><source>%n bytes behind the end of the database were not read.</source><translation>%n bytes detrás del final de la base de datos no se leyeron.</translation></message>
+<message><source>this is a ROS 2 bag in SQLite, and this program was built without SQLite</source><translation>esto es un bag de ROS 2 en SQLite, y este programa se compiló sin SQLite</translation></message>
+<message><source>convert it with "ros2 bag convert" to MCAP, or install libsqlite3-dev and build again</source><translation>conviértalo con "ros2 bag convert" a MCAP, o instale libsqlite3-dev y compile de nuevo</translation></message>
+<message><source>The log %1 of the recorder could not be read: its messages are not in the scan.</source><translation>El registro %1 del grabador no se pudo leer: sus mensajes no están en el escaneo.</translation></message>
+<message><source>The recorder was not ended: its newest messages were read from %1.</source><translation>El grabador no se terminó: sus mensajes más nuevos se leyeron de %1.</translation></message>
+<message><source>The recorder was ended within a change: the database was read as it was before it, by %1.</source><translation>El grabador terminó en medio de un cambio: la base de datos se leyó como estaba antes, por medio de %1.</translation></message>
+<message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>El registro %1 del grabador termina con %2 páginas incompletas: sus mensajes no están en el escaneo.</translation></message>
+<message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>El registro %1 pertenece a varias bases de datos y no se leyó: el último cambio puede estar a medias.</translation></message>
+<message><source>the log %1 cannot be read: the folder for temporary files is missing</source><translation>no se puede leer el registro %1: falta la carpeta de archivos temporales</translation></message>
+<message><source>set TMPDIR to a folder</source><translation>ponga una carpeta en TMPDIR</translation></message>
+<message><source>it is longer than a megabyte</source><translation>ocupa más de un megabyte</translation></message>
+<message><source>a line of "=" is not followed by "MSG:"</source><translation>a una línea de "=" no le sigue "MSG:"</translation></message>
+<message><source>it names more than 1000 types</source><translation>nombra más de 1000 tipos</translation></message>
+<message><source>the type %1 is not defined</source><translation>el tipo %1 no está definido</translation></message>
+<message><source>a type contains itself, or types are nested more than 32 deep</source><translation>un tipo se contiene a sí mismo, o hay tipos anidados a más de 32 niveles</translation></message>
+<message><source>the definition of the message type %1 cannot be read: %2</source><translation>no se puede leer la definición del tipo de mensaje %1: %2</translation></message>
+<message><source>record the bag again, or convert it with the program that wrote it</source><translation>grabe de nuevo el bag, o conviértalo con el programa que lo escribió</translation></message>
+<message><source>a line has a type and no name: "%1"</source><translation>una línea tiene un tipo y no un nombre: "%1"</translation></message>
+<message><source>a field has no name: "%1"</source><translation>un campo no tiene nombre: "%1"</translation></message>
+<message><source>the length of "%1" is not a number</source><translation>la longitud de «%1» no es un número</translation></message>
+<message><source>a message of type %1 is encoded in a way that is not read (PLAIN_CDR and PLAIN_CDR2 are)</source><translation>un mensaje del tipo %1 está codificado de un modo que no se lee (PLAIN_CDR y PLAIN_CDR2 sí)</translation></message>
+<message><source>record it with another middleware, or convert the bag</source><translation>grábelo con otro middleware, o convierta el bag</translation></message>
+<message><source>a message of type %1 ends too early or does not fit its definition</source><translation>un mensaje del tipo %1 termina demasiado pronto o no se ajusta a su definición</translation></message>
+<message><source>copy the bag again</source><translation>copie de nuevo el bag</translation></message>
+<message><source>it promises to unpack to more than a bag of this size holds</source><translation>anuncia que se descomprime en más de lo que contiene un bag de este tamaño</translation></message>
+<message><source>%1 accepts the connection; asking for its topics.</source><translation>%1 acepta la conexión; preguntando por sus topics.</translation></message>
+<message><source>the bridge says: %1</source><translation>el puente dice: %1</translation></message>
+<message><source>check foxglove_bridge on the robot</source><translation>compruebe foxglove_bridge en el robot</translation></message>
+<message><source>the bridge offers no topics</source><translation>el puente no ofrece ningún topic</translation></message>
+<message><source>check that the robot's programs run</source><translation>compruebe que los programas del robot funcionan</translation></message>
+<message><source>no scan line of %1 for %2</source><translation>ninguna línea de escaneo de %1 en %2</translation></message>
+<message><source>check whether the laser runs and publishes this topic</source><translation>compruebe si el láser funciona y publica este topic</translation></message>
+<message><source>the bridge describes its topics in a text of more than 4 MB</source><translation>el puente describe sus topics en un texto de más de 4 MB</translation></message>
+<message><source>choose another bridge, or let it offer fewer topics</source><translation>elija otro puente, o haga que ofrezca menos topics</translation></message>
+<message><source>what it sends is not the Foxglove WebSocket protocol</source><translation>lo que envía no es el protocolo WebSocket de Foxglove</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs there</source><translation>compruebe el puerto (8765) y que allí funciona foxglove_bridge</translation></message>
+<message><source>the bridge closed the connection</source><translation>el puente cerró la conexión</translation></message>
+<message><source>the bridge sends a message of more than 64 MB</source><translation>el puente envía un mensaje de más de 64 MB</translation></message>
+<message><source>choose another topic</source><translation>elija otro topic</translation></message>
+<message><source>the connection broke (%1)</source><translation>la conexión se interrumpió (%1)</translation></message>
+<message><source>check power, cable and the address, and that this computer is in the robot's network</source><translation>compruebe la alimentación, el cable y la dirección, y que este ordenador está en la red del robot</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs on the robot</source><translation>compruebe el puerto (8765) y que foxglove_bridge funciona en el robot</translation></message>
+<message><source>what answers there is not a Foxglove bridge</source><translation>lo que responde allí no es un puente Foxglove</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs there; a scanner of SICK is HOST without ws://</source><translation>compruebe el puerto (8765) y que allí funciona foxglove_bridge; un escáner de SICK es HOST sin ws://</translation></message>
+<message><source>the connection is closed</source><translation>la conexión está cerrada</translation></message>
+<message><source>the subscription cannot be sent (%1)</source><translation>no se puede enviar la suscripción (%1)</translation></message>
+<message><source>check the network</source><translation>compruebe la red</translation></message>
+<message><source>%1 and others</source><translation>%1 y otros</translation></message>
+<message><source>the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)%1</source><translation>el puente no ofrece ningún topic de un láser (sensor_msgs/LaserScan o PointCloud2)%1</translation></message>
+<message><source>check that the laser's driver runs</source><translation>compruebe que el controlador del láser funciona</translation></message>
+<message><source>the bridge offers no topic of a laser called "%1"</source><translation>el puente no ofrece ningún topic de un láser llamado «%1»</translation></message>
+<message><source>choose one of %1</source><translation>elija uno de %1</translation></message>
+<message><source>GUESS: the topic %1 was taken; --topic chooses another: %2.</source><translation>SUPOSICIÓN: se tomó el topic %1; --topic elige otro: %2.</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>no hay memoria suficiente para esta nube</translation></message>
+<message><source>lines come, but their angle is not known: %1</source><translation>llegan líneas, pero no se conoce su ángulo: %1</translation></message>
+<message><source>give the joint that turns the laser (--joint), or the step from line to line (--line-step)</source><translation>indique la articulación que gira el láser (--joint), o el paso de línea a línea (--line-step)</translation></message>
+<message><source>it is not a file of a bag</source><translation>no es un archivo de un bag</translation></message>
+<message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La parte %1 del bag no se pudo leer (%2): sus mensajes no están en el escaneo.</translation></message>
+<message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta la parte %1 del bag: sus mensajes no están en el escaneo.</translation></message>
+<message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nombra %1, cuyo nombre no es el de un archivo de mensajes (.mcap, .db3, .bag): no se leyó.</translation></message>
+<message><source>no part of the bag is there</source><translation>no está ninguna parte del bag</translation></message>
+<message><source>this is not the metadata of an Ouster: beam angles or columns of a frame are missing</source><translation>estos no son los metadatos de un Ouster: faltan los ángulos de los haces o las columnas de un cuadro</translation></message>
+<message><source>save the sensor's metadata again</source><translation>guarde de nuevo los metadatos del sensor</translation></message>
+<message><source>the capture</source><translation>la captura</translation></message>
+<message><source>%1 turns</source><translation>%1 vueltas</translation></message>
+<message><source>The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. --scan chooses another.</source><translation>La captura contiene %1 vueltas del escáner; se abrió la vuelta %2, contada desde 0. --scan elige otra.</translation></message>
+<message><source>%n packet came out of order and was put in the order of the scanner's clock.</source><translation>%n paquete llegó desordenado y se puso en el orden del reloj del escáner.</translation></message>
+<message><source>%n packets came out of order and were put in the order of the scanner's clock.</source><translation>%n paquetes llegaron desordenados y se pusieron en el orden del reloj del escáner.</translation></message>
+<message><source>%n packet is missing in part in the capture: its lines are lost.</source><translation>%n paquete falta en parte en la captura: sus líneas se han perdido.</translation></message>
+<message><source>%n packets are missing in part in the capture: their lines are lost.</source><translation>%n paquetes faltan en parte en la captura: sus líneas se han perdido.</translation></message>
+<message><source>%n packet is in the capture twice: it was read once.</source><translation>%n paquete está dos veces en la captura: se leyó una vez.</translation></message>
+<message><source>%n packets are in the capture twice: each was read once.</source><translation>%n paquetes están dos veces en la captura: cada uno se leyó una vez.</translation></message>
+<message><source>The capture holds packets of %1 scanners; the one with most of them was opened.</source><translation>La captura contiene paquetes de %1 escáneres; se abrió el que más tiene.</translation></message>
+<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 left out.</source><translation>El escáner envió dos retornos por haz: aquí están los más fuertes, y quedaron fuera %1.</translation></message>
+<message><source>%n other of the capture was</source><translation>%n otro de la captura</translation></message>
+<message><source>%n others of the capture were</source><translation>%n otros de la captura</translation></message>
+<message><source>The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.</source><translation>Los haces de un VLP-16 empiezan hasta 11 mm por encima y por debajo de su centro: los puntos están desviados otro tanto.</translation></message>
+<message><source>the packets of an Ouster do not say the angles of its beams</source><translation>los paquetes de un Ouster no dicen los ángulos de sus haces</translation></message>
+<message><source>save the sensor's metadata as %1 next to the capture</source><translation>guarde los metadatos del sensor como %1 junto a la captura</translation></message>
+<message><source>no packet of the capture fits the sensor of %1</source><translation>ningún paquete de la captura corresponde al sensor de %1</translation></message>
+<message><source>save the metadata of the sensor that was captured</source><translation>guarde los metadatos del sensor que se capturó</translation></message>
+<message><source>The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.</source><translation>Los haces de un Ouster empiezan a unos centímetros de su eje, y las distancias son las medidas: los puntos están desviados otro tanto.</translation></message>
+<message><source>%n line of the turn is missing in the capture and is shown as lost.</source><translation>%n línea de la vuelta falta en la captura y se muestra como perdida.</translation></message>
+<message><source>%n lines of the turn are missing in the capture and are shown as lost.</source><translation>%n líneas de la vuelta faltan en la captura y se muestran como perdidas.</translation></message>
+<message><source>the capturing computer's clock, carried on by the scanner's</source><translation>el reloj del ordenador que capturó, continuado por el del escáner</translation></message>
+<message><source>The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.</source><translation>La nube es de un escáner de varios haces: sus anillos son los haces, y sus disparos las líneas.</translation></message>
+<message><source>the cloud has no fields x, y and z</source><translation>la nube no tiene campos x, y y z</translation></message>
+<message><source>the cloud promises %1 x %2 points of %3 bytes and holds %4 bytes</source><translation>la nube anuncia %1 x %2 puntos de %3 bytes y contiene %4 bytes</translation></message>
+<message><source>choose another topic or message</source><translation>elija otro topic u otro mensaje</translation></message>
+<message><source>the topic %1</source><translation>el topic %1</translation></message>
+<message><source>one cloud</source><translation>una nube</translation></message>
+<message><source>%1 clouds</source><translation>%1 nubes</translation></message>
+<message><source>The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.</source><translation>El bag no contiene la definición de sus mensajes: se SUPUSO la de ROS 2 de 2022.</translation></message>
+<message><source>The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. --scan chooses another.</source><translation>El topic %1 contiene una nube en cada mensaje; se abrió el mensaje %2, contado desde 0. --scan elige otro.</translation></message>
+<message><source>no file of messages that metadata.yaml names is in this folder: %1%2</source><translation>ningún archivo de mensajes que nombra metadata.yaml está en esta carpeta: %1%2</translation></message>
+<message><source> and %1 more</source><translation> y %1 más</translation></message>
+<message><source>copy the files of the bag into it</source><translation>copie en ella los archivos del bag</translation></message>
+<message><source>this folder holds %1 of several bags</source><translation>esta carpeta contiene %1 de varios bags</translation></message>
+<message><source>%n file</source><translation>%n archivo</translation></message>
+<message><source>%n files</source><translation>%n archivos</translation></message>
+<message><source>open one of them, as %1</source><translation>abra uno de ellos, como %1</translation></message>
+<message><source>This file is part %1 of %2 of a bag. Open %3 for all of it.</source><translation>Este archivo es la parte %1 de %2 de un bag. Abra %3 para tenerlo entero.</translation></message>
+<message><source>%1 x %2 points with %3</source><translation>%1 x %2 puntos con %3</translation></message>
+<message><source>%1turn rates and accelerations, which are not used: transforms and joints turn the laser</source><translation>%1velocidades de giro y aceleraciones, que no se usan: giran el láser las transformaciones y las articulaciones</translation></message>
+<message><source>scan lines of %1 beams</source><translation>líneas de escaneo de %1 haces</translation></message>
+<message><source>poses in the frame %1</source><translation>poses en el marco %1</translation></message>
+<message><source>GUESS: the poses of the topic %1 are those of the frame %2.</source><translation>SUPOSICIÓN: las poses del topic %1 son las del marco %2.</translation></message>
+<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Las transformaciones ponen el escáner en %1, %2, %3 m, donde no hay nada en la tierra: el escaneo queda en el sistema del escáner.</translation></message>
+<message><source>the frame %1 of the bag</source><translation>el marco %1 del bag</translation></message>
+<message><source>the transforms of the bag</source><translation>las transformaciones del bag</translation></message>
+<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSICIÓN: el sistema %1 del bag se toma como cuadrícula de la mina, con x al este, y al norte y z hacia arriba.</translation></message>
+<message><source>%n message of the topic was left out: %1.</source><translation>%n mensaje del topic se dejó fuera: %1.</translation></message>
+<message><source>%n messages of the topic were left out: %1.</source><translation>%n mensajes del topic se dejaron fuera: %1.</translation></message>
+<message><source>%n message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation>%n mensaje tiene un time_increment imposible: los haces de una línea cuentan como medidos a la vez.</translation></message>
+<message><source>%n messages have a time_increment that cannot be: the beams of a line count as measured at once.</source><translation>%n mensajes tienen un time_increment imposible: los haces de una línea cuentan como medidos a la vez.</translation></message>
+<message><source>%n line came out of order and was put in the order of its stamp</source><translation>%n línea llegó desordenada y se puso en el orden de su hora</translation></message>
+<message><source>%n lines came out of order and were put in the order of their stamps</source><translation>%n líneas llegaron desordenadas y se pusieron en el orden de sus horas</translation></message>
+<message><source>%n message of the topic is in the bag twice, with the same stamp and ranges: it was read once.</source><translation>%n mensaje del topic está dos veces en el bag, con la misma hora y las mismas distancias: se leyó una vez.</translation></message>
+<message><source>%n messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.</source><translation>%n mensajes del topic están dos veces en el bag, con la misma hora y las mismas distancias: cada uno se leyó una vez.</translation></message>
+<message><source>In %1 angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>En %1 angle_max no está donde angle_min y angle_increment ponen el último haz: se usó angle_increment, y los haces pueden estar reflejados o girados.</translation></message>
+<message><source>%n message of joints is damaged and was left out.</source><translation>%n mensaje de articulaciones está dañado y se dejó fuera.</translation></message>
+<message><source>%n messages of joints are damaged and were left out.</source><translation>%n mensajes de articulaciones están dañados y se dejaron fuera.</translation></message>
+<message><source>GUESS: the angle of each line comes from %1.</source><translation>SUPOSICIÓN: el ángulo de cada línea viene de %1.</translation></message>
+<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (%1). Give --axis where that is wrong.</source><translation>Una articulación no dice cómo está montado el láser en ella. SUPUESTO: el eje (%1). Indique --axis donde eso no sea correcto.</translation></message>
+<message><source>sweep, by the name of the joint</source><translation>sweep, por el nombre de la articulación</translation></message>
+<message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>El eje está a %1 grados fuera del plano del abanico: los puntos están desviados otro tanto.</translation></message>
+<message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>El láser está a %1 mm de su eje: las distancias son las medidas, y los puntos como si estuviera en el eje.</translation></message>
+<message><source>%n line was measured before the first or after the last angle and was left out.</source><translation>%n línea se midió antes del primer ángulo o después del último y se dejó fuera.</translation></message>
+<message><source>%n lines were measured before the first or after the last angle and were left out.</source><translation>%n líneas se midieron antes del primer ángulo o después del último y se dejaron fuera.</translation></message>
+<message><source>%n line was measured while the laser did not turn and was left out.</source><translation>%n línea se midió mientras el láser no giraba y se dejó fuera.</translation></message>
+<message><source>%n lines were measured while the laser did not turn and were left out.</source><translation>%n líneas se midieron mientras el láser no giraba y se dejaron fuera.</translation></message>
+<message><source>the laser did not turn while it measured</source><translation>el láser no giró mientras medía</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>elija otro topic o indique la articulación que lo gira</translation></message>
+<message><source>assembling lines</source><translation>componiendo líneas</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>no se pudo colocar ninguna línea del topic %1</translation></message>
+<message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. --scan chooses another.</source><translation>El topic contiene %1 barridos; se abrió el barrido %2, contado desde 0. --scan elige otro.</translation></message>
+<message><source>the stamps of the messages</source><translation>las marcas de tiempo de los mensajes</translation></message>
+<message><source> at %1 Hz</source><translation> a %1 Hz</translation></message>
+<message><source>no topic of this %1 is a laser's%2%3</source><translation>ningún topic de este %1 es de un láser%2%3</translation></message>
+<message><source>choose another bag</source><translation>elija otro bag</translation></message>
+<message><source>the bag has no topic "%1"</source><translation>el bag no tiene ningún topic «%1»</translation></message>
+<message><source>the topic %1 holds no scan</source><translation>el topic %1 no contiene ningún escaneo</translation></message>
+<message><source> messages of transforms are damaged and were left out.</source><translation> mensajes de transformaciones están dañados y se dejaron fuera.</translation></message>
+<message><source> transforms of the bag have no rotation, no name or no finite numbers and were left out.</source><translation> transformaciones del bag no tienen rotación, nombre o números finitos y se dejaron fuera.</translation></message>
+<message><source> transforms name another parent for their frame than the first one and were left out.</source><translation> transformaciones nombran otro padre de su sistema que la primera y se dejaron fuera.</translation></message>
+<message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformaciones del bag son de más sistemas de los que tiene un robot y se dejaron fuera.</translation></message>
+<message><source>The transforms of the bag form a loop at the frame %1.</source><translation>Las transformaciones del bag forman un bucle en el marco %1.</translation></message>
+<message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>Las transformaciones del bag forman una cadena de más de %1 sistemas: los de arriba no se usan.</translation></message>
+<message><source>ranges of the topic are %1 m</source><translation>distancias del topic son %1 m</translation></message>
+<message><source>it has no beams or no stamp</source><translation>no tiene haces o no tiene marca de tiempo</translation></message>
+<message><source>its angle_increment does not give the step between beams</source><translation>su angle_increment no da el paso entre haces</translation></message>
+<message><source>its angle_min or angle_increment puts beams outside of one turn</source><translation>su angle_min o angle_increment pone haces fuera de una vuelta</translation></message>
+<message><source>no message of the topic %1 is a line of ranges%2</source><translation>ningún mensaje del topic %1 es una línea de distancias%2</translation></message>
+<message><source>the transform of the frame %1 in %2</source><translation>la transformación del marco %1 en %2</translation></message>
+<message><source>%1 turns about more than one axis (%2 degrees off)</source><translation>%1 gira alrededor de más de un eje (diferencia de %2 grados)</translation></message>
+<message><source>choose another topic, or give the joint that turns the laser</source><translation>elija otro topic, o indique la articulación que gira el láser</translation></message>
+<message><source>%1 turns the laser in the plane of its own fan: that is not a sweep</source><translation>%1 gira el láser en el plano de su propio abanico: eso no es un barrido</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>ninguna transformación gira el sistema %1 del láser mientras mide</translation></message>
+<message><source>give the joint that turns it (--joint), or the step from line to line (--line-step) and the axis (--axis)</source><translation>indique la articulación que lo gira (--joint), o el paso de línea a línea (--line-step) y el eje (--axis)</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>ninguna articulación giró mientras el láser medía</translation></message>
+<message><source>there is no joint called %1</source><translation>no hay ninguna articulación llamada %1</translation></message>
+<message><source>give the step from line to line (--line-step), or choose another topic</source><translation>indique el paso de línea a línea (--line-step), o elija otro topic</translation></message>
+<message><source>the joint %1</source><translation>la articulación %1</translation></message>
+<message><source>there are too many topics</source><translation>hay demasiados topics</translation></message>
+<message><source>a line came out of order</source><translation>una línea llegó fuera de orden</translation></message>
+<message><source>the angle of a line is not known</source><translation>no se conoce el ángulo de una línea</translation></message>
+<message><source>the laser did not turn yet</source><translation>el láser aún no giró</translation></message>
+<message><source>%1 messages of the topic %2 are in the bag twice: each was read once.</source><translation>%1 mensajes del topic %2 están dos veces en el bag: cada uno se leyó una vez.</translation></message>
+<message><source>%1 degrees</source><translation>%1 grados</translation></message>
+<message><source>, %1 times its uncertainty</source><translation>, %1 veces su incertidumbre</translation></message>
+<message><source>odd beams lie %1 ahead of even ones%2</source><translation>los haces impares están %1 por delante de los pares%2</translation></message>
+<message><source>odd beams lie %1 behind even ones%2</source><translation>los haces impares están %1 por detrás de los pares%2</translation></message>
+<message><source>, %1 times the usual unevenness of its steps</source><translation>, %1 veces la irregularidad habitual de sus pasos</translation></message>
+<message><source>the stepper slipped at %1 (first at line %2, by up to %3%4)</source><translation>el motor paso a paso perdió pasos en %1 (la primera vez en la línea %2, hasta %3%4)</translation></message>
+<message><source>%n line</source><translation>%n línea</translation></message>
+<message><source>%n lines</source><translation>%n líneas</translation></message>
+<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be%4</source><translation>los haces de %1 líneas están por turno %2 y %3 grados por delante de donde deberían%4</translation></message>
+<message><source> At %1 of the first and last lines the stepper still swung back: folds there are left out.</source><translation> En %1 de las primeras y últimas líneas el motor paso a paso aún oscilaba: los pliegues de ahí se dejan fuera.</translation></message>
+<message><source>Not measured at the angles that the file gives: </source><translation>No medido en los ángulos que da el archivo: </translation></message>
+<message><source>Not straightened: the scan has no lines with angles.</source><translation>No enderezado: el escaneo no tiene líneas con ángulos.</translation></message>
+<message><source>Straightened: %1, and were put side by side: %2 lines make one.</source><translation>Enderezado: %1, y se pusieron una al lado de otra: %2 líneas forman una.</translation></message>
+<message><source>Straightened: no interlaced beams and no slips were found; the angles stay.</source><translation>Enderezado: no se hallaron haces entrelazados ni deslizamientos; los ángulos quedan.</translation></message>
+<message><source>%n slip was seen in every second beam only, and is left as it is.</source><translation>%n deslizamiento se vio solo en uno de cada dos haces y se deja como está.</translation></message>
+<message><source>%n slips were seen in every second beam only, and are left as they are.</source><translation>%n deslizamientos se vieron solo en uno de cada dos haces y se dejan como están.</translation></message>
+<message><source>; edges across the lines are combed: --straighten (Scan &gt; Straighten Beams) puts these lines side by side as one.</source><translation>; los bordes que cruzan las líneas quedan dentados: --straighten (Scan &gt; Straighten Beams) pone estas líneas lado a lado como una.</translation></message>
+<message><source>; EdgeScan+ allows for it, but the cloud does not: --straighten (Scan &gt; Straighten Beams) corrects the angles.</source><translation>; EdgeScan+ lo tiene en cuenta, pero la nube no: --straighten (Scan &gt; Straighten Beams) corrige los ángulos.</translation></message>
+<message><source>has no direction</source><translation>no tiene dirección</translation></message>
+<message><source>and "head_in_robot_m" exclude each other</source><translation>y "head_in_robot_m" se excluyen</translation></message>
+<message><source>compare it with the example in docs/reference/coordinates.md</source><translation>compárelo con el ejemplo de docs/reference/coordinates.md</translation></message>
+<message><source>the inclinometer's two axes cannot be raised by %1 and %2 degrees at once</source><translation>los dos ejes del inclinómetro no pueden levantarse %1 y %2 grados a la vez</translation></message>
+<message><source>check whether it reads pitch and roll instead of the elevations of its axes</source><translation>compruebe si lee cabeceo y alabeo en vez de las elevaciones de sus ejes</translation></message>
+<message><source>a boom slewed by %1 degrees on this robot cannot be raised by %2</source><translation>un brazo girado %1 grados en este robot no puede levantarse %2</translation></message>
+<message><source>check the slew angle and the inclinometer</source><translation>compruebe el ángulo de giro y el inclinómetro</translation></message>
+<message><source>RL, positive up [m]</source><translation>RL, positivo hacia arriba [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Rumbo, desde el norte en sentido horario [grados]</translation></message>
+<message><source>North of the heading</source><translation>Norte del rumbo</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinación: cabeceo, morro arriba [grados]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinación: alabeo, lado derecho abajo [grados]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zona o código EPSG</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Acimut del brazo, positivo hacia la izquierda [grados]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Cabeceo del robot, morro arriba [grados]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Alabeo del robot, lado derecho abajo [grados]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nombre del robot o del escáner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Alineación: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Brazo de palanca del TALIN en el robot: adelante, izquierda, arriba [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Brazo de palanca del cabezal en el robot: adelante, izquierda, arriba [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivote de un brazo en el robot, en lugar del cabezal [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Del pivote al cabezal [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>El acimut del brazo gira alrededor de</translation></message>
+<message><source>The scanner looks</source><translation>El escáner mira</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Dirección de la mirada: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Dirección de la mirada: nueve números por filas</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Eje del motor desde el inclinómetro [m]</translation></message>
+<message><source>Tilt is given as</source><translation>La inclinación se da como</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Escáner sobre el motor: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Escáner sobre el motor: x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Eje del motor</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Cero del motor [grados]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sentido del motor, 1 o -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Paso de línea a línea [grados]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Haz en la marca de tiempo de una línea [grados]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergencia de la cuadrícula [grados]</translation></message>
+<message><source>Scale of the grid</source><translation>Escala de la cuadrícula</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Mayor cambio de inclinación durante un barrido [grados]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Mayor antigüedad de una pose [s]</translation></message>
+<message><source>%1 is missing.</source><translation>%1 falta.</translation></message>
+<message><source>%1: "%2" is not a number.</source><translation>%1: «%2» no es un número.</translation></message>
+<message><source>%1: "%2" is not three numbers.</source><translation>%1: «%2» no son tres números.</translation></message>
+<message><source>%1: "%2" is not nine numbers.</source><translation>%1: «%2» no son nueve números.</translation></message>
+<message><source>the file must hold an object {...}</source><translation>el archivo debe contener un objeto {...}</translation></message>
+<message><source>choose a pose or calibration file</source><translation>elija un archivo de pose o de calibración</translation></message>
+<message><source>the pose is of robot "%1" and the calibration of "%2"</source><translation>la pose es del robot «%1» y la calibración de «%2»</translation></message>
+<message><source>give the calibration of the robot that made the scan</source><translation>indique la calibración del robot que hizo el escaneo</translation></message>
+<message><source>the scan turns about %1 and the stepper of the calibration about another axis, %2 degrees away</source><translation>el escaneo gira alrededor de %1 y el motor paso a paso de la calibración alrededor de otro eje, a %2 grados</translation></message>
+<message><source>x (sweep)</source><translation>x (sweep)</translation></message>
+<message><source>z (spin)</source><translation>z (spin)</translation></message>
+<message><source>open the scan with the right --axis, or correct "stepper.axis" of the calibration: [0, 0, 1] for a spin, [1, 0, 0] for a sweep</source><translation>abra el escaneo con el --axis correcto, o corrija "stepper.axis" de la calibración: [0, 0, 1] para spin, [1, 0, 0] para sweep</translation></message>
+<message><source>%1 line times do not fit a scan of %2 lines</source><translation>%1 tiempos de línea no corresponden a un escaneo de %2 líneas</translation></message>
+<message><source>give the times of this scan</source><translation>indique los tiempos de este escaneo</translation></message>
+<message><source>OUT OF SPEC: </source><translation>FUERA DE TOLERANCIA: </translation></message>
+<message><source>The pose carries no time, so its age is not known.</source><translation>La pose no tiene hora, así que no se conoce su edad.</translation></message>
+<message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>No se conoce el inicio del escaneo, así que tampoco la edad de la pose.</translation></message>
+<message><source>the pose is %1 s older than the start of the scan.</source><translation>la pose es %1 s más antigua que el comienzo del escaneo.</translation></message>
+<message><source>the tilt of the head changed by %1 degrees while it scanned, more than %2.</source><translation>la inclinación del cabezal cambió %1 grados durante el escaneo, más de %2.</translation></message>
+<message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>La calibración no da %1; se usa 0: añada lo que falta (Escaneo &gt; Pose y montaje, página Montaje).</translation></message>
+<message><source>%1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>%1 de %2 líneas se midieron antes de la primera o después de la última pose y recibieron la más cercana.</translation></message>
+<message><source>the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>las poses mueven la base a %1 m/s entre dos líneas, más rápido que cualquier máquina bajo tierra.</translation></message>
+<message><source>there is no pose</source><translation>no hay pose</translation></message>
+<message><source>give readings of inclinometer and TALIN</source><translation>indique lecturas de inclinómetro y TALIN</translation></message>
+<message><source>the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>los ángulos del motor paso a paso están supuestos, así que E, N y RL pueden ser erróneos: indique el montaje, el paso y el ángulo de la primera línea.</translation></message>
+<message><source>the base moved and the times of the lines are not known</source><translation>la base se movió y no se conocen los tiempos de las líneas</translation></message>
+<message><source>add "scan_start" and "scan_end" to the pose file</source><translation>añada "scan_start" y "scan_end" al archivo de pose</translation></message>
+<message><source>a pose needs the robot's calibration</source><translation>una pose necesita la calibración del robot</translation></message>
+<message><source>--calibration replaces the calibration in %1.</source><translation>--calibration sustituye la calibración de %1.</translation></message>
+<message><source>mine grid</source><translation>coordenadas mina</translation></message>
+<message><source>local metres from the mine grid origin</source><translation>metros locales desde el origen de la cuadrícula de la mina</translation></message>
+<message><source>save the scan again, or remove "placement"</source><translation>guarde de nuevo el escaneo, o quite "placement"</translation></message>
+<message><source>must not be where the pivot is</source><translation>no debe estar donde está el pivote</translation></message>
+<message><source>"placement" must be an object {...}</source><translation>"placement" debe ser un objeto {...}</translation></message>
+<message><source>must be a rotation and a translation, twelve numbers</source><translation>debe ser una rotación y una traslación, doce números</translation></message>
+<message><source>must hold one pose or %1, one per line</source><translation>debe contener una pose o %1, una por línea</translation></message>
+<message><source>must hold rotations and translations, twelve numbers each</source><translation>debe contener rotaciones y traslaciones, doce números cada una</translation></message>
+<message><source>and "%1" exclude each other</source><translation>y «%1» se excluyen</translation></message>
+<message><source>needs a "time" in every reading when "sweep" is "moving"</source><translation>necesita un "time" en cada lectura cuando "sweep" es "moving"</translation></message>
+<message><source>must be in the order of time</source><translation>debe estar en el orden del tiempo</translation></message>
+<message><source>comes before "scan_start"</source><translation>viene antes de "scan_start"</translation></message>
+<message><source>; a scanner that hangs has "viewing": "down" in its calibration</source><translation>; un escáner que cuelga tiene "viewing": "down" en su calibración</translation></message>
+<message><source>write easting, northing and level, such as 498765.432; 5150123.456; 287.654</source><translation>escriba este, norte y nivel, como 498765.432; 5150123.456; 287.654</translation></message>
+<message><source>the line holds %1 and a place has three, with a heading four, with pitch and roll six</source><translation>la línea contiene %1 y un lugar tiene tres, con rumbo cuatro, con cabeceo y alabeo seis</translation></message>
+<message><source>the line is empty</source><translation>la línea está vacía</translation></message>
+<message><source>%1 may be one number with a comma for thousands, or two numbers</source><translation>%1 puede ser un número con coma de millares, o dos números</translation></message>
+<message><source>leave that comma out, or write blanks between the numbers</source><translation>quite esa coma, o escriba espacios entre los números</translation></message>
+<message><source>the first of four whole numbers may be the point's or the easting</source><translation>el primero de cuatro números enteros puede ser el del punto o el este</translation></message>
+<message><source>leave the point's number out, or write decimals</source><translation>quite el número del punto, o escriba decimales</translation></message>
+<message><source>How a motor turned the scanner was not said in full. ASSUMED: </source><translation>No se indicó del todo cómo un motor giró el escáner. SUPUESTO: </translation></message>
+<message><source>the axis (</source><translation>el eje (</translation></message>
+<message><source>, seen in the ranges)</source><translation>, visto en las distancias)</translation></message>
+<message><source>the step from line to line (</source><translation>el paso de línea a línea (</translation></message>
+<message><source>the angle of the first line (</source><translation>el ángulo de la primera línea (</translation></message>
+<message><source>the file gives points and not angles</source><translation>el archivo da puntos y no ángulos</translation></message>
+<message><source>scan of a file</source><translation>escaneo de un archivo</translation></message>
+<message><source>no file holds more</source><translation>ningún archivo contiene más</translation></message>
+<message><source>Angle of the first beam [degrees]</source><translation>Ángulo del primer haz [grados]</translation></message>
+<message><source>Angle from beam to beam [degrees]</source><translation>Ángulo de un haz al siguiente [grados]</translation></message>
+<message><source>Angle of the first line [degrees]</source><translation>Ángulo de la primera línea [grados]</translation></message>
+<message><source>Angle from line to line [degrees]</source><translation>Ángulo de una línea a la siguiente [grados]</translation></message>
+<message><source>Unit of the numbers in the file; replaces the one that the file gives</source><translation>Unidad de los números del archivo; sustituye a la que da el archivo</translation></message>
+<message><source>Millimetres per number in the file</source><translation>Milímetros por número del archivo</translation></message>
+<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Celdas de una nube que se proyecta [grados]; si no, según el espaciado de sus puntos</translation></message>
+<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>En torno a qué gira el motor paso a paso: spin (dirección de visión) o sweep (línea 0/180 grados)</translation></message>
+<message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar del escáner para una nube sin cuadrícula, como X,Y,Z [m]</translation></message>
+<message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Puntos que no están en ninguna cuadrícula de escáner: proyectarlos en torno al sensor (auto), hacerlo sin buscar una cuadrícula (always), o rechazarlos (never)</translation></message>
+<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corregir los ángulos de los haces entrelazados de dos pasadas, y de las líneas en que el motor paso a paso patinó</translation></message>
+<message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tema (topic) de un bag de ROS que es el escaneo; si no, un láser que gira</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulación (joint) de un bag de ROS que gira el láser; si no, la dan las transformaciones</translation></message>
+<message><source>Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3</source><translation>Columnas de x, y y z en una lista de puntos, por número desde 1 o por nombre: 2,1,3</translation></message>
+<message><source>Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return</source><translation>Tomar un valor o punto que se repite exactamente, lejos del resto, como medido y no como sin retorno</translation></message>
+<message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
+<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
+<message><source>must not be 0</source><translation>no debe ser 0</translation></message>
+<message><source>%1, or a number of %2</source><translation>%1, o un número de %2</translation></message>
+<message><source>"%1" is not one of its values</source><translation>«%1» no es uno de sus valores</translation></message>
+<message><source>from %1 to %2%3</source><translation>de %1 a %2%3</translation></message>
+<message><source>give three numbers %1: X,Y,Z</source><translation>indique tres números %1: X,Y,Z</translation></message>
+<message><source>give a whole number %1</source><translation>indique un número entero %1</translation></message>
+<message><source>give a number %1</source><translation>indique un número %1</translation></message>
+<message><source> that is not 0</source><translation> que no sea 0</translation></message>
+<message><source>"%1" is not three numbers</source><translation>«%1» no son tres números</translation></message>
+<message><source>"%1" is not a number</source><translation>«%1» no es un número</translation></message>
+<message><source>%1 is out of reason for a %2</source><translation>%1 está fuera de lo razonable para %2</translation></message>
+<message><source>%1 holds %2</source><translation>%1 contiene %2</translation></message>
+<message><source>--scan %1</source><translation>--scan %1</translation></message>
+<message><source>use --scan 0</source><translation>use --scan 0</translation></message>
+<message><source>use --scan 0 to %1</source><translation>use --scan de 0 a %1</translation></message>
+<message><source>--%1 %2 replaces %3, which the file gives.</source><translation>--%1 %2 sustituye %3, que da el archivo.</translation></message>
+<message><source>--%1 has no effect: %2; leave it out.</source><translation>--%1 no tiene efecto: %2; déjelo fuera.</translation></message>
+<message><source>what the scan was opened with is damaged</source><translation>con lo que se abrió el escaneo está dañado</translation></message>
+<message><source>export again</source><translation>exporte de nuevo</translation></message>
+<message><source>verify with the version that made the export</source><translation>verifique con la versión que hizo la exportación</translation></message>
+<message><source>the file</source><translation>el archivo</translation></message>
+<message><source>one scan</source><translation>un escaneo</translation></message>
+<message><source>%1 scans</source><translation>%1 escaneos</translation></message>
+<message><source>the scanner</source><translation>el escáner</translation></message>
+<message><source>the scanner's answer to %1</source><translation>la respuesta del escáner a %1</translation></message>
+<message><source>the value</source><translation>el valor</translation></message>
+<message><source>the text</source><translation>el texto</translation></message>
+<message><source>the scan frequency</source><translation>la frecuencia de escaneo</translation></message>
+<message><source>the number of sectors</source><translation>el número de sectores</translation></message>
+<message><source>the angle step</source><translation>el paso angular</translation></message>
+<message><source>the start angle</source><translation>el ángulo inicial</translation></message>
+<message><source>the stop angle</source><translation>el ángulo final</translation></message>
+<message><source>the channels</source><translation>los canales</translation></message>
+<message><source>the remission switch</source><translation>el interruptor de remisión</translation></message>
+<message><source>the remission width</source><translation>el ancho de remisión</translation></message>
+<message><source>the unit</source><translation>la unidad</translation></message>
+<message><source>the encoders</source><translation>los codificadores</translation></message>
+<message><source>the position switch</source><translation>el interruptor de posición</translation></message>
+<message><source>the name switch</source><translation>el interruptor de nombre</translation></message>
+<message><source>the comment switch</source><translation>el interruptor de comentario</translation></message>
+<message><source>the time switch</source><translation>el interruptor de tiempo</translation></message>
+<message><source>the output interval</source><translation>el intervalo de salida</translation></message>
+<message><source>the name</source><translation>el nombre</translation></message>
+<message><source>the version</source><translation>la versión</translation></message>
+<message><source>the state</source><translation>el estado</translation></message>
+<message><source>the temperature range</source><translation>el margen de temperatura</translation></message>
+<message><source>the time</source><translation>la hora</translation></message>
+<message><source>the date</source><translation>la fecha</translation></message>
+<message><source>the code of a refusal</source><translation>el código de un rechazo</translation></message>
+<message><source>this is not an answer of a scanner</source><translation>esto no es una respuesta de un escáner</translation></message>
+<message><source>byte 0 of the telegram</source><translation>byte 0 del telegrama</translation></message>
+<message><source>an answer without a name</source><translation>una respuesta sin nombre</translation></message>
+<message><source>byte 4 of the telegram</source><translation>byte 4 del telegrama</translation></message>
+<message><source>access to the method is denied, log in first</source><translation>el acceso al método está denegado, inicie sesión primero</translation></message>
+<message><source>the method is not known</source><translation>no se conoce el método</translation></message>
+<message><source>the variable is not known</source><translation>no se conoce la variable</translation></message>
+<message><source>not possible now, or a value is out of its range</source><translation>no es posible ahora, o un valor está fuera de su intervalo</translation></message>
+<message><source>the arguments are wrong in number or form</source><translation>los argumentos son erróneos en número o forma</translation></message>
+<message><source>unknown error</source><translation>error desconocido</translation></message>
+<message><source>the telegram is too long</source><translation>el telegrama es demasiado largo</translation></message>
+<message><source>the telegram is too short</source><translation>el telegrama es demasiado corto</translation></message>
+<message><source>the type is not known</source><translation>no se conoce el tipo</translation></message>
+<message><source>writing the variable is denied, log in first</source><translation>escribir la variable está denegado, inicie sesión primero</translation></message>
+<message><source>the command is not known to the name server</source><translation>el servidor de nombres no conoce el comando</translation></message>
+<message><source>the CoLa command is not known</source><translation>no se conoce el comando CoLa</translation></message>
+<message><source>the method is still busy</source><translation>el método aún está ocupado</translation></message>
+<message><source>an array is out of its bounds</source><translation>una tabla se sale de sus límites</translation></message>
+<message><source>the event is not known</source><translation>no se conoce el evento</translation></message>
+<message><source>a CoLa A value is too large</source><translation>un valor CoLa A es demasiado grande</translation></message>
+<message><source>a CoLa A character is invalid</source><translation>un carácter CoLa A no es válido</translation></message>
+<message><source>no message</source><translation>ningún mensaje</translation></message>
+<message><source>no answer</source><translation>ninguna respuesta</translation></message>
+<message><source>internal error</source><translation>error interno</translation></message>
+<message><source>hub address is corrupted</source><translation>la dirección del hub está dañada</translation></message>
+<message><source>hub address cannot be decoded</source><translation>la dirección del hub no se puede decodificar</translation></message>
+<message><source>hub address is out of range</source><translation>la dirección del hub está fuera de su intervalo</translation></message>
+<message><source>hub address expected</source><translation>se esperaba la dirección del hub</translation></message>
+<message><source>asynchronous methods are suppressed</source><translation>los métodos asíncronos están suprimidos</translation></message>
+<message><source>complex arrays are not supported</source><translation>no se admiten tablas complejas</translation></message>
+<message><source>a reason that is not documented</source><translation>un motivo que no está documentado</translation></message>
+<message><source>byte %1 of the telegram</source><translation>byte %1 del telegrama</translation></message>
+<message><source>is cut off</source><translation>está cortado</translation></message>
+<message><source>is not a number of %1 bits</source><translation>no es un número de %1 bits</translation></message>
+<message><source>does not end after %1 characters</source><translation>no termina después de %1 caracteres</translation></message>
+<message><source>are cut off</source><translation>están cortados</translation></message>
+<message><source>bridges with encryption are not supported</source><translation>no se admiten puentes con cifrado</translation></message>
+<message><source>write ws://HOST or ws://HOST:PORT</source><translation>escriba ws://HOST o ws://HOST:PORT</translation></message>
+<message><source>"%1://" is not known here</source><translation>aquí no se conoce «%1://»</translation></message>
+<message><source>write HOST or HOST:PORT for a scanner, ws://HOST or ws://HOST:PORT for a robot's Foxglove bridge</source><translation>escriba HOST o HOST:PORT para un escáner, ws://HOST o ws://HOST:PORT para el puente Foxglove de un robot</translation></message>
+<message><source>what follows the bracket is not a port</source><translation>lo que sigue al corchete no es un puerto</translation></message>
+<message><source>there is no port behind the colon</source><translation>no hay ningún puerto detrás de los dos puntos</translation></message>
+<message><source>there is no host</source><translation>no hay host</translation></message>
+<message><source>"%1" is not a port</source><translation>«%1» no es un puerto</translation></message>
+<message><source>give a number from 1 to 65535</source><translation>indique un número de 1 a 65535</translation></message>
+<message><source>no scanner is given</source><translation>no se ha indicado ningún escáner</translation></message>
+<message><source>give its IP address or host name</source><translation>indique su dirección IP o su nombre de host</translation></message>
+<message><source>the host name is not known</source><translation>el nombre de host es desconocido</translation></message>
+<message><source>check its spelling or use the scanner's IP address</source><translation>compruebe cómo está escrito o use la dirección IP del escáner</translation></message>
+<message><source>the name server does not answer</source><translation>el servidor de nombres no responde</translation></message>
+<message><source>use the scanner's IP address</source><translation>use la dirección IP del escáner</translation></message>
+<message><source>nothing answers there</source><translation>nada responde en esa dirección</translation></message>
+<message><source>the connection is refused</source><translation>la conexión es rechazada</translation></message>
+<message><source>there is no way to this address</source><translation>no hay ruta hacia esta dirección</translation></message>
+<message><source>check the cable and the network settings of this computer</source><translation>compruebe el cable y los ajustes de red de este equipo</translation></message>
+<message><source>cannot connect (%1)</source><translation>no se puede conectar (%1)</translation></message>
+<message><source>check the address and the network settings of this computer</source><translation>compruebe la dirección y los ajustes de red de este equipo</translation></message>
+<message><source>check power, cable and the address, and that this computer is in the scanner's network</source><translation>compruebe la alimentación, el cable y la dirección, y que este equipo esté en la red del escáner</translation></message>
+<message><source>check the port (2111 or 2112) and that no other program holds the scanner</source><translation>compruebe el puerto (2111 o 2112) y que ningún otro programa ocupe el escáner</translation></message>
+<message><source>a command cannot be sent (%1)</source><translation>no se puede enviar un comando (%1)</translation></message>
+<message><source>check the cable</source><translation>compruebe el cable</translation></message>
+<message><source>the scanner closed the connection</source><translation>el escáner cerró la conexión</translation></message>
+<message><source>check that a scanner of SICK answers there; a robot's Foxglove bridge is ws://HOST</source><translation>compruebe que allí responde un escáner de SICK; el puente Foxglove de un robot es ws://HOST</translation></message>
+<message><source>the name of a channel</source><translation>el nombre de un canal</translation></message>
+<message><source>the scale of a channel</source><translation>la escala de un canal</translation></message>
+<message><source>the offset of a channel</source><translation>el desplazamiento de un canal</translation></message>
+<message><source>the start angle of a channel</source><translation>el ángulo inicial de un canal</translation></message>
+<message><source>the angle step of a channel</source><translation>el paso angular de un canal</translation></message>
+<message><source>the number of values of a channel</source><translation>el número de valores de un canal</translation></message>
+<message><source>the values of a channel</source><translation>los valores de un canal</translation></message>
+<message><source>the number of channels</source><translation>el número de canales</translation></message>
+<message><source>the device number</source><translation>el número del aparato</translation></message>
+<message><source>the serial number</source><translation>el número de serie</translation></message>
+<message><source>the device status</source><translation>el estado del aparato</translation></message>
+<message><source>the telegram counter</source><translation>el contador de telegramas</translation></message>
+<message><source>the scan counter</source><translation>el contador de escaneos</translation></message>
+<message><source>the time since start-up</source><translation>el tiempo desde el arranque</translation></message>
+<message><source>the time of transmission</source><translation>la hora de transmisión</translation></message>
+<message><source>the digital inputs</source><translation>las entradas digitales</translation></message>
+<message><source>the digital outputs</source><translation>las salidas digitales</translation></message>
+<message><source>the layer angle</source><translation>el ángulo de la capa</translation></message>
+<message><source>the measurement frequency</source><translation>la frecuencia de medición</translation></message>
+<message><source>the number of encoders</source><translation>el número de codificadores</translation></message>
+<message><source>an encoder position</source><translation>una posición de codificador</translation></message>
+<message><source>an encoder speed</source><translation>una velocidad de codificador</translation></message>
+<message><source>the position</source><translation>la posición</translation></message>
+<message><source>the rotation</source><translation>la rotación</translation></message>
+<message><source>the rotation type</source><translation>el tipo de rotación</translation></message>
+<message><source>the year</source><translation>el año</translation></message>
+<message><source>the date and time</source><translation>la fecha y la hora</translation></message>
+<message><source>the microsecond</source><translation>el microsegundo</translation></message>
+<message><source>the event type</source><translation>el tipo de evento</translation></message>
+<message><source>the event's encoder</source><translation>el codificador del evento</translation></message>
+<message><source>the event's time</source><translation>la hora del evento</translation></message>
+<message><source>the event's angle</source><translation>el ángulo del evento</translation></message>
+<message><source>the position flag</source><translation>el indicador de posición</translation></message>
+<message><source>the name flag</source><translation>el indicador de nombre</translation></message>
+<message><source>the device name</source><translation>el nombre del aparato</translation></message>
+<message><source>the comment flag</source><translation>el indicador de comentario</translation></message>
+<message><source>the comment</source><translation>el comentario</translation></message>
+<message><source>the time flag</source><translation>el indicador de hora</translation></message>
+<message><source>the event flag</source><translation>el indicador de evento</translation></message>
+<message><source>the offset of the channel %1 is %2, which no scanner uses</source><translation>el desplazamiento del canal %1 es %2, que ningún escáner usa</translation></message>
+<message><source>the scale of the channel %1 is %2, which no scanner uses</source><translation>la escala del canal %1 es %2, que ningún escáner usa</translation></message>
+<message><source>the scan telegram</source><translation>el telegrama de escaneo</translation></message>
+<message><source>this is not a scan telegram (LMDscandata)</source><translation>esto no es un telegrama de escaneo (LMDscandata)</translation></message>
+<message><source>no line was received</source><translation>no se recibió ninguna línea</translation></message>
+<message><source>check that foxglove_bridge runs there; a scanner of SICK is HOST without ws://</source><translation>compruebe que allí funciona foxglove_bridge; un escáner de SICK es HOST sin ws://</translation></message>
+<message><source>check cable, address and port</source><translation>compruebe el cable, la dirección y el puerto</translation></message>
+<message><source>%1: disconnected.</source><translation>%1: desconectado.</translation></message>
+<message><source>%1 Trying again in %2.</source><translation>%1 Nuevo intento en %2.</translation></message>
+<message><source>Connecting to %1.</source><translation>Conectando con %1.</translation></message>
+<message><source> is sending.</source><translation> envía.</translation></message>
+<message><source> is sending again.</source><translation> vuelve a enviar.</translation></message>
+<message><source>%1: no scan for %2.</source><translation>%1: ningún escaneo desde hace %2.</translation></message>
+<message><source>%1 accepts the connection; asking what it is.</source><translation>%1 acepta la conexión; preguntando qué es.</translation></message>
+<message><source>the scanner refuses to send scans: %1</source><translation>el escáner se niega a enviar escaneos: %1</translation></message>
+<message><source>check what else uses it</source><translation>compruebe qué más lo usa</translation></message>
+<message><source>no scan for %1</source><translation>ningún escaneo en %1</translation></message>
+<message><source>check the cable and whether the scanner's mirror turns</source><translation>compruebe el cable y que el espejo del escáner gire</translation></message>
+<message><source>firmware %1</source><translation>firmware %1</translation></message>
+<message><source>%1 degrees from %2 to %3</source><translation>%1 grados de %2 a %3</translation></message>
+<message><source>something accepts the connection but does not answer in CoLa</source><translation>algo acepta la conexión pero no responde en CoLa</translation></message>
+<message><source>check that it is a SICK scanner and the port is 2111 or 2112</source><translation>compruebe que es un escáner SICK y que el puerto es 2111 o 2112</translation></message>
+<message><source>no answer to "%1"</source><translation>ninguna respuesta a «%1»</translation></message>
+<message><source>check the connection</source><translation>compruebe la conexión</translation></message>
+<message><source>A telegram came late and was put into its line</source><translation>Un telegrama llegó tarde y se puso en su línea</translation></message>
+<message><source>telegrams came late and were put into their lines</source><translation>telegramas llegaron tarde y se pusieron en sus líneas</translation></message>
+<message><source>A telegram came after its sweep had ended</source><translation>Un telegrama llegó después del final de su barrido</translation></message>
+<message><source>telegrams came after their sweep had ended</source><translation>telegramas llegaron después del final de su barrido</translation></message>
+<message><source>: not used</source><translation>: no se usó</translation></message>
+<message><source>A telegram had other beams than the sweep, or was of another layer of the scanner</source><translation>Un telegrama tenía otros haces que el barrido, o era de otra capa del escáner</translation></message>
+<message><source>telegrams had other beams than the sweep, or were of another layer of the scanner</source><translation>telegramas tenían otros haces que el barrido, o eran de otra capa del escáner</translation></message>
+<message><source>: no lines of this sweep</source><translation>: no son líneas de este barrido</translation></message>
+<message><source>A telegram held no ranges</source><translation>Un telegrama no contenía distancias</translation></message>
+<message><source>telegrams held no ranges</source><translation>telegramas no contenían distancias</translation></message>
+<message><source>: their lines are lost</source><translation>: sus líneas se han perdido</translation></message>
+<message><source>The scanner's counters jumped ahead once</source><translation>Los contadores del escáner saltaron hacia delante una vez</translation></message>
+<message><source>times the scanner's counters jumped ahead</source><translation>veces los contadores del escáner saltaron hacia delante</translation></message>
+<message><source>, by more lines than its clock allows: whether lines were lost there is not known</source><translation>, más líneas de las que permite su reloj: no se sabe si allí se perdieron líneas</translation></message>
+<message><source>One of the scanner's counters was set back</source><translation>Uno de los contadores del escáner se atrasó</translation></message>
+<message><source>times one of the scanner's counters was set back</source><translation>veces se atrasó uno de los contadores del escáner</translation></message>
+<message><source>: lost lines there are counted by the other one and the clock</source><translation>: las líneas perdidas de ahí se cuentan por el otro y el reloj</translation></message>
+<message><source>The scanner's counters stood still for a line</source><translation>Los contadores del escáner se pararon durante una línea</translation></message>
+<message><source>times the scanner's counters stood still from line to line</source><translation>veces los contadores del escáner se pararon de una línea a otra</translation></message>
+<message><source>: lost lines cannot be counted there</source><translation>: ahí no se pueden contar las líneas perdidas</translation></message>
+<message><source>The scanner's clock was set while its counters ran on</source><translation>El reloj del escáner se ajustó mientras sus contadores seguían</translation></message>
+<message><source>times the scanner's clock was set while its counters ran on</source><translation>veces el reloj del escáner se ajustó mientras sus contadores seguían</translation></message>
+<message><source>: the times of lines there are reckoned</source><translation>: las horas de las líneas de ahí son calculadas</translation></message>
+<message><source>The scanner's clock stood still for a line</source><translation>El reloj del escáner se paró durante una línea</translation></message>
+<message><source>times the scanner's clock stood still from line to line</source><translation>veces el reloj del escáner se paró de una línea a otra</translation></message>
+<message><source>The scanner paused for more than a second</source><translation>El escáner hizo una pausa de más de un segundo</translation></message>
+<message><source>times the scanner paused for more than a second</source><translation>veces el escáner hizo una pausa de más de un segundo</translation></message>
+<message><source>, and its counters know of no lost line</source><translation>, y sus contadores no conocen ninguna línea perdida</translation></message>
+<message><source>The scanner restarted</source><translation>El escáner se reinició</translation></message>
+<message><source>times the scanner restarted</source><translation>veces se reinició el escáner</translation></message>
+<message><source>: lines lost meanwhile are counted by this computer's clock</source><translation>: las líneas perdidas entretanto se cuentan por el reloj de esta computadora</translation></message>
+<message><source>A telegram brought other echoes than the first one</source><translation>Un telegrama trajo otros ecos que el primero</translation></message>
+<message><source>telegrams brought other echoes than the first one</source><translation>telegramas trajeron otros ecos que el primero</translation></message>
+<message><source>: their ranges may be of another echo</source><translation>: sus distancias pueden ser de otro eco</translation></message>
+<message><source>The telegrams come from another scanner</source><translation>Los telegramas vienen de otro escáner</translation></message>
+<message><source>times the telegrams came from another scanner</source><translation>veces los telegramas vinieron de otro escáner</translation></message>
+<message><source>: the sweep is not of one device</source><translation>: el barrido no es de un solo aparato</translation></message>
+<message><source>A line was lost between two sweeps</source><translation>Una línea se perdió entre dos barridos</translation></message>
+<message><source>lines were lost between two sweeps</source><translation>líneas se perdieron entre dos barridos</translation></message>
+<message><source> (first at line </source><translation> (primero en la línea </translation></message>
+<message><source> (%1 by the counters)</source><translation> (%1 según los contadores)</translation></message>
+<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» de la grabación es «%2», que no se puede usar</translation></message>
+<message><source>the recording computer's clock, carried on by the scanner's</source><translation>el reloj del ordenador que grabó, continuado por el del escáner</translation></message>
+<message><source> from line %1 on</source><translation> desde la línea %1</translation></message>
+<message><source>window too dirty to measure through</source><translation>ventana demasiado sucia para medir a través</translation></message>
+<message><source>dirty window</source><translation>ventana sucia</translation></message>
+<message><source>none reported</source><translation>ninguna comunicada</translation></message>
+<message><source>first echo that the scanner sent</source><translation>primer eco que envió el escáner</translation></message>
+<message><source>last echo that the scanner sent</source><translation>último eco que envió el escáner</translation></message>
+<message><source>, the motor turning on while a line is measured)</source><translation>, el motor sigue girando mientras se mide una línea)</translation></message>
+<message><source>%1. Give %2 where that is wrong.</source><translation>%1. Indique %2 donde eso no sea correcto.</translation></message>
+<message><source>lines %1 and others</source><translation>líneas %1 y otras</translation></message>
+<message><source>lines %1</source><translation>líneas %1</translation></message>
+<message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>La cuenta del codificador en la primera línea recibida se toma como primer ángulo del barrido.</translation></message>
+<message><source>The first line received is taken as line 0 of the sweep.</source><translation>La primera línea recibida se toma como línea 0 del barrido.</translation></message>
+<message><source>Telegrams were lost: %1 (%2 in all).</source><translation>Se perdieron telegramas: %1 (%2 en total).</translation></message>
+<message><source>Telegrams had fewer beams than the sweep, the others are lost: %1 (%2 in all).</source><translation>Algunos telegramas tenían menos haces que el barrido, los demás se perdieron: %1 (%2 en total).</translation></message>
+<message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Los telegramas llevan cuentas del codificador, pero no se indicó cuántas hay por grado: los ángulos no las siguen.</translation></message>
+<message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>El escáner perdió la cuenta del codificador al reiniciarse: los ángulos de las líneas siguientes se calculan.</translation></message>
+<message><source> (from line %1 on).</source><translation> (desde la línea %1).</translation></message>
+<message><source>The scanner reported an error or was not ready</source><translation>El escáner comunicó un error o no estaba listo</translation></message>
+<message><source>The scanner reported a window too dirty to measure through</source><translation>El escáner comunicó una ventana demasiado sucia para medir</translation></message>
+<message><source>The scanner reported a dirty window</source><translation>El escáner comunicó una ventana sucia</translation></message>
 </context>
 </TS>

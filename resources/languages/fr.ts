@@ -3,536 +3,6 @@
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
-<message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unité prise en millimètres, comme dans les images de distances.</translation></message>
-<message><source>Unit taken as millimetres</source><translation>Unité prise en millimètres</translation></message>
-<message><source>Unit taken as centimetres</source><translation>Unité prise en centimètres</translation></message>
-<message><source>Unit taken as metres</source><translation>Unité prise en mètres</translation></message>
-<message><source>, from the size of the numbers.</source><translation>, d'après la grandeur des nombres.</translation></message>
-<message><source>, in which every range is a whole number of millimetres.</source><translation>, unité dans laquelle chaque distance est un nombre entier de millimètres.</translation></message>
-<message><source>, in which the numbers fit the sensor position given.</source><translation>, unité dans laquelle les nombres concordent avec la position donnée du capteur.</translation></message>
-<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unité prise d'un commentaire du fichier : %1 mm par unité.</translation></message>
-<message><source>The coordinate system of the file is %1, without its unit: metres were taken. %2 says another one.</source><translation>Le système de coordonnées du fichier est %1, sans son unité : des mètres ont été supposés. %2 en indique une autre.</translation></message>
-<message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>Le système de coordonnées du fichier donne les longueurs en %1 de %2 mm : elles ont été converties.</translation></message>
-<message><source>Heights of the file have another unit than x and y, %1 mm: they were converted.</source><translation>Les hauteurs du fichier ont une autre unité que x et y, %1 mm : elles ont été converties.</translation></message>
-<message><source>The file's coordinates are left-handed and were turned right-handed: y is mirrored.</source><translation>Les coordonnées du fichier forment un repère indirect et ont été rendues directes : y est inversé.</translation></message>
-<message><source>The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.</source><translation>Les coordonnées sont arrondies et chaque point tombe à un nombre entier de millimètres sur son faisceau : ceux-ci ont été pris comme distances.</translation></message>
-<message><source>Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.</source><translation>Dans ce fichier, les nombres jusqu'à %1 ont une résolution d'environ %2 : il a été écrit avec des flottants de 4 octets.</translation></message>
-<message><source>numbers up to %1 in this file have a resolution of about </source><translation>dans ce fichier, les nombres jusqu'à %1 ont une résolution d'environ </translation></message>
-<message><source>the origin, because no sensor position is known (%1 gives it)</source><translation>l'origine, car aucune position du capteur n'est connue (%1 la donne)</translation></message>
-<message><source>the sensor position given, (</source><translation>la position donnée du capteur, (</translation></message>
-<message><source>the sensor position in the file, (</source><translation>la position du capteur dans le fichier, (</translation></message>
-<message><source>The points lie on no scanner grid and were projected about </source><translation>Les points ne sont sur aucune grille de scanner et ont été projetés autour de </translation></message>
-<message><source>The points were projected about </source><translation>Les points ont été projetés autour de </translation></message>
-<message><source>; projected about </source><translation> ; projetés autour de </translation></message>
-<message><source> points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> points lus, vus sur %1 x %2 degrés ; %3 cellules remplies sur %4 (taux de remplissage %5 % ; des cellules autour d'une cellule remplie %6 %), </translation></message>
-<message><source> point attached to a cell with a nearer one</source><translation> point rattaché à une cellule qui en a un plus proche</translation></message>
-<message><source> points attached to a cell with a nearer one</source><translation> points rattachés à une cellule qui en a un plus proche</translation></message>
-<message><source> point far from all others left out</source><translation> point loin de tous les autres laissé de côté</translation></message>
-<message><source> points far from all others left out</source><translation> points loin de tous les autres laissés de côté</translation></message>
-<message><source>The cells have the given %1 degrees, along lines that were recognised in the cloud.</source><translation>Les cellules ont les %1 degrés donnés, le long de lignes reconnues dans le nuage.</translation></message>
-<message><source>The cells have the given %1 degrees.</source><translation>Les cellules ont les %1 degrés donnés.</translation></message>
-<message><source>The cells have %1 degrees, from the spacing of the points, along lines that were recognised in the cloud.</source><translation>Les cellules ont %1 degrés, d'après l'écart des points, le long de lignes reconnues dans le nuage.</translation></message>
-<message><source>The cells have %1 degrees, from the spacing of the points.</source><translation>Les cellules ont %1 degrés, d'après l'écart des points.</translation></message>
-<message><source>Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, or with its record, has the grid of the scan.</source><translation>Les arêtes d'un nuage projeté diffèrent de celles de son scan : un fichier avec les points dans l'ordre du scanner, ou avec sa fiche, a la grille du scan.</translation></message>
-<message><source> points lie farther than %1 from the sensor and were taken as no return: %2 says where it stood.</source><translation> points sont à plus de %1 du capteur et ont été pris comme sans retour : %2 indique où il se trouvait.</translation></message>
-<message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>La place du capteur a été trouvée d'après les distances que le fichier contient avec ses points.</translation></message>
-<message><source>The file puts the sensor %1 away from its points, which are all within %2 of each other (in its own numbers): no scanner measures so, and the place was not used.</source><translation>Le fichier met le capteur à %1 de ses points, qui sont tous à moins de %2 les uns des autres (dans ses propres nombres) : aucun scanner ne mesure ainsi, et cette place n'a pas été utilisée.</translation></message>
-<message><source>The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.</source><translation>L'axe des lignes du scan est à %1 (dans les nombres du fichier) de la position connue du capteur.</translation></message>
-<message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>La liste n'était pas une grille complète en ordre : %1 lignes x %2 faisceaux ont été retrouvés d'après les angles de ses points.</translation></message>
-<message><source> lines repeated the line before and were left out.</source><translation> lignes répétaient la ligne précédente et ont été laissées de côté.</translation></message>
-<message><source> points stood in the list before, as when a driver stores lines twice, and were taken once.</source><translation> points étaient déjà dans la liste, comme quand un pilote enregistre des lignes deux fois, et ont été pris une fois.</translation></message>
-<message><source> lines or beams without any point were put back empty, to keep the steps even.</source><translation> lignes ou faisceaux sans aucun point ont été remis vides, pour garder des pas égaux.</translation></message>
-<message><source> points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.</source><translation> points n'appartiennent à aucune cellule unique de la grille (sur l'axe de rotation, ou hors de la grille) et ont été laissés de côté.</translation></message>
-<message><source> points lay in a cell with a nearer one, which was taken.</source><translation> points étaient dans une cellule avec un point plus proche, qui a été pris.</translation></message>
-<message><source>The line angles are uneven: steps from %1 to %2 degrees, kept as they are.</source><translation>Les angles des lignes sont inégaux : pas de %1 à %2 degrés, gardés tels quels.</translation></message>
-<message><source>The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.</source><translation>Les lignes tournent autour de l'axe y du fichier, devenu z : x est le z du fichier, y son x, z son y.</translation></message>
-<message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Chaque ligne n'a qu'un faisceau sur %1, à tour de rôle : %2 lignes qui se suivent ont été mises côte à côte.</translation></message>
-<message><source>The columns of lines and beams hold no grid and were not used.</source><translation>Les colonnes des lignes et des faisceaux ne forment pas de grille et n'ont pas été utilisées.</translation></message>
-<message><source>Lines and beams were exchanged: only that way the lines make fans about one axis.</source><translation>Les lignes et les faisceaux ont été échangés : c'est seulement ainsi que les lignes forment des éventails autour d'un axe.</translation></message>
-<message><source>The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.</source><translation>Les rangées du fichier, telles quelles, ne forment pas d'éventails autour d'un axe : %1, et c'est seulement ainsi que les lignes forment des éventails.</translation></message>
-<message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>La grille a autant de lignes et de faisceaux que les points en nomment, %1 x %2 : une ligne ou un faisceau derrière le dernier point n'est pas dans le fichier.</translation></message>
-<message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>La liste ne contient que des retours : une ligne ou un faisceau du bord sans aucun retour n'y est pas.</translation></message>
-<message><source> of %1 cells of the grid that was found have no point and count as no return.</source><translation> cellules sur %1 de la grille trouvée n'ont pas de point et comptent comme sans retour.</translation></message>
-<message><source> of the %1 points of the file have no cell of their own.</source><translation> des %1 points du fichier n'ont pas de cellule à eux.</translation></message>
-<message><source> cells hold status codes of an LMS2xx from %1 on instead of a range and were taken as such.</source><translation> cellules contiennent des codes d'état d'un LMS2xx à partir de %1 au lieu d'une distance et ont été prises comme telles.</translation></message>
-<message><source> points were filled and not measured, as filled_sd_mm says: they were taken as no return.</source><translation> points ont été comblés et non mesurés, comme le dit filled_sd_mm : ils ont été pris comme sans retour.</translation></message>
-<message><source> point was filled and not measured, as filled_sd_mm says: it was taken as no return.</source><translation> point a été comblé et non mesuré, comme le dit filled_sd_mm : il a été pris comme sans retour.</translation></message>
-<message><source> points with infinite or absurdly large coordinates were taken as no return.</source><translation> points aux coordonnées infinies ou absurdement grandes ont été pris comme sans retour.</translation></message>
-<message><source> point with infinite or absurdly large coordinates was taken as no return.</source><translation> point aux coordonnées infinies ou absurdement grandes a été pris comme sans retour.</translation></message>
-<message><source> infinite ranges were taken as no return.</source><translation> distances infinies ont été prises comme sans retour.</translation></message>
-<message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distances inférieures à 0, toutes le même nombre, ont été prises comme sans retour.</translation></message>
-<message><source> ranges longer than any scanner reaches were taken as no return.</source><translation> distances plus longues que la portée de tout scanner ont été prises comme sans retour.</translation></message>
-<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distances sont le range_max de leurs messages, se répètent et ont été prises comme sans retour.</translation></message>
-<message><source> points are one and the same,</source><translation> points sont un seul et même point,</translation></message>
-<message><source> points are %1 (in the numbers of the file) from the sensor</source><translation> points sont à %1 (dans les nombres du fichier) du capteur</translation></message>
-<message><source> cells hold %1 in the numbers of the file</source><translation> cellules contiennent %1 dans les nombres du fichier</translation></message>
-<message><source> ranges of the topic are </source><translation> distances du topic sont </translation></message>
-<message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return (%1 takes it as measured).</source><translation>, ce qui se répète exactement et est loin du reste, comme rien de mesuré : pris comme sans retour (%1 le prend comme mesuré).</translation></message>
-<message><source> points are later returns of a pulse, as the file says: the first returns make the grid</source><translation> points sont des retours ultérieurs d'une impulsion, selon le fichier : les premiers retours font la grille</translation></message>
-<message><source> point is a later return of a pulse, as the file says: the first returns make the grid</source><translation> point est un retour ultérieur d'une impulsion, selon le fichier : les premiers retours font la grille</translation></message>
-<message><source> others were attached to their cells</source><translation> autres ont été rattachés à leurs cellules</translation></message>
-<message><source> other was attached to its cell</source><translation> autre a été rattaché à sa cellule</translation></message>
-<message><source> others have no cell of their own and were left out</source><translation> autres n'ont pas de cellule à eux et ont été laissés de côté</translation></message>
-<message><source> other has no cell of its own and was left out</source><translation> autre n'a pas de cellule à lui et a été laissé de côté</translation></message>
-<message><source> points share their row and column with a nearer one, which was taken (several returns of one beam).</source><translation> points partagent leur rangée et leur colonne avec un plus proche, qui a été pris (plusieurs retours d'un faisceau).</translation></message>
-<message><source> point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation> point partage sa rangée et sa colonne avec un plus proche, qui a été pris (plusieurs retours d'un faisceau).</translation></message>
-<message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Aucune cellule de ce scan n'a de distance mesurée : vérifiez le fichier, le topic et les limites de distance.</translation></message>
-<message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Les points sont dans un autre repère que celui du scanner. Leurs lignes tournent autour d'un axe, à %1, %2, %3 m, et le miroir est à %4 mm de l'axe</translation></message>
-<message><source>; the grid has the scale </source><translation> ; la grille a l'échelle </translation></message>
-<message><source>. The points fit lines and beams within </source><translation>. Les points concordent avec lignes et faisceaux à moins de </translation></message>
-<message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>C'est plus que ce qu'explique l'arrondi des nombres, %1 mm : des distances peuvent être fausses, et des arêtes différer de celles du scan. La fiche du fichier, ou le scan tel que mesuré, les a exactement.</translation></message>
-<message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matrice du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
-<message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La pose du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
-<message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>Le fichier %1 met le scanner à %2, %3, %4 m, ce qui n'est pas un lieu sur terre ; le scan reste donc dans le repère du scanner.</translation></message>
-<message><source>The place is the one written in the %1 file: whether that is the mine grid, who registered it knows.</source><translation>La place est celle écrite dans le fichier %1 : si c'est la grille de la mine, celui qui l'a recalé le sait.</translation></message>
-<message><source>The matrix of the %1 file was not used: its points are in another frame than the scanner's.</source><translation>La matrice du fichier %1 n'a pas été utilisée : ses points sont dans un autre repère que celui du scanner.</translation></message>
-<message><source>The record next to the file was written for another one, so the grid in it was not used.</source><translation>La fiche à côté du fichier a été écrite pour un autre ; sa grille n'a donc pas été utilisée.</translation></message>
-<message><source>The record next to the file describes no grid, so the grid in it was not used.</source><translation>La fiche à côté du fichier ne décrit pas de grille ; elle n'a donc pas été utilisée.</translation></message>
-<message><source>The record next to the file cannot be read (%1), so the grid in it was not used.</source><translation>La fiche à côté du fichier est illisible (%1) ; sa grille n'a donc pas été utilisée.</translation></message>
-<message><source>The record next to the file %1, so the grid in it was not used.</source><translation>La fiche à côté du fichier ne convient pas (%1) ; sa grille n'a donc pas été utilisée.</translation></message>
-<message><source> has no effect: the points have a grid; leave it out.</source><translation> est sans effet : les points ont une grille ; ne l'indiquez pas.</translation></message>
-<message><source> has no effect: the format %1 does not have it; leave it out.</source><translation> est sans effet : le format %1 ne l'a pas ; ne l'indiquez pas.</translation></message>
-<message><source> has no effect: %1; leave it out.</source><translation> est sans effet : %1 ; ne l'indiquez pas.</translation></message>
-<message><source> replaces %1, which the file gives.</source><translation> remplace %1, que le fichier donne.</translation></message>
-<message><source> replaces the calibration in </source><translation> remplace l'étalonnage dans </translation></message>
-<message><source>Not measured at the angles that the file gives: </source><translation>Non mesuré aux angles que le fichier donne : </translation></message>
-<message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation> ; les arêtes en travers des lignes sont dentelées : %1 met ces lignes côte à côte en une seule.</translation></message>
-<message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation> ; EdgeScan+ en tient compte, mais pas le nuage : %1 corrige les angles.</translation></message>
-<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be, %4 times its uncertainty</source><translation>les faisceaux de %1 lignes à tour de rôle sont %2 et %3 degrés en avant de leur place, %4 fois l'incertitude</translation></message>
-<message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>les faisceaux impairs sont %1 degrés en avant des pairs, %2 fois l'incertitude</translation></message>
-<message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>les faisceaux impairs sont %1 degrés en arrière des pairs, %2 fois l'incertitude</translation></message>
-<message><source>, and the stepper slipped at </source><translation>, et le moteur pas à pas a glissé à </translation></message>
-<message><source>the stepper slipped at </source><translation>le moteur pas à pas a glissé à </translation></message>
-<message><source> lines (first at line %1, by up to %2 degrees</source><translation> lignes (d'abord à la ligne %1, de %2 degrés au plus</translation></message>
-<message><source> line (first at line %1, by up to %2 degrees</source><translation> ligne (à la ligne %1, de %2 degrés au plus</translation></message>
-<message><source> times the usual unevenness of its steps</source><translation> fois l'inégalité habituelle de ses pas</translation></message>
-<message><source> At %1 of the first and last lines the stepper still swung back: folds there are left out.</source><translation> À %1 des premières et dernières lignes, le moteur pas à pas oscillait encore : les plis y sont laissés de côté.</translation></message>
-<message><source>Not straightened: the scan has no lines with angles.</source><translation>Non redressé : le scan n'a pas de lignes avec des angles.</translation></message>
-<message><source>Straightened: no interlaced beams and no slips were found; the angles stay.</source><translation>Redressé : ni faisceaux entrelacés ni glissements trouvés ; les angles restent.</translation></message>
-<message><source>, and were put side by side: %1 lines make one.</source><translation>, et ont été mis côte à côte : %1 lignes en font une.</translation></message>
-<message><source>Straightened: </source><translation>Redressé : </translation></message>
-<message><source> slips were seen in every second beam only, and are left as they are.</source><translation> glissements n'ont été vus que dans un faisceau sur deux et restent tels quels.</translation></message>
-<message><source> slip was seen in every second beam only, and is left as it is.</source><translation> glissement n'a été vu que dans un faisceau sur deux et reste tel quel.</translation></message>
-<message><source>OUT OF SPEC: the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>HORS TOLÉRANCE : les poses déplacent la base à %1 m/s entre deux lignes, plus vite que toute machine sous terre.</translation></message>
-<message><source>Both are one scan: the files are the same.</source><translation>Les deux sont un seul scan : les fichiers sont identiques.</translation></message>
-<message><source>Near and far leave no depth between them: the gray image is blank and has no edge.</source><translation>Près et loin ne laissent aucune profondeur entre eux : l'image grise est vide et sans arête.</translation></message>
-<message><source> edge cells lie on filled ranges and are not in this file; %1 writes them.</source><translation> cellules d'arête sont sur des distances comblées et ne sont pas dans ce fichier ; %1 les écrit.</translation></message>
-<message><source>The last row has no line end: the file may have been cut off there; compare it with the original.</source><translation>La dernière rangée n'a pas de fin de ligne : le fichier y a peut-être été coupé ; comparez-le à l'original.</translation></message>
-<message><source>No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and z.</source><translation>Aucun en-tête ne nomme les colonnes : les deux premières ont été prises pour rangée et colonne de la grille, la troisième à la cinquième pour x, y et z.</translation></message>
-<message><source>No heading names the columns: the second to the fourth were taken for x, y and z, as the first holds whole numbers only.</source><translation>Aucun en-tête ne nomme les colonnes : de la deuxième à la quatrième ont été prises pour x, y et z, car la première contient seulement des nombres entiers.</translation></message>
-<message><source>No heading names the columns: the third to the fifth were taken for x, y and z, as the first two hold whole numbers only.</source><translation>Aucun en-tête ne nomme les colonnes : de la troisième à la cinquième ont été prises pour x, y et z, car les deux premières contiennent seulement des nombres entiers.</translation></message>
-<message><source>No heading names the columns: the fourth to the sixth were taken for x, y and z, as the first three hold whole numbers only.</source><translation>Aucun en-tête ne nomme les colonnes : de la quatrième à la sixième ont été prises pour x, y et z, car les trois premières contiennent seulement des nombres entiers.</translation></message>
-<message><source>No heading names the columns: the fifth to the seventh were taken for x, y and z, as the first four hold whole numbers only.</source><translation>Aucun en-tête ne nomme les colonnes : de la cinquième à la septième ont été prises pour x, y et z, car les quatre premières contiennent seulement des nombres entiers.</translation></message>
-<message><source>The header names no x, y and z: the first three columns were taken for them (</source><translation>L'en-tête ne nomme pas x, y et z : les trois premières colonnes ont été prises pour eux (</translation></message>
-<message><source>The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.</source><translation>L'en-tête ne nomme pas autant de colonnes qu'il y en a (%1) : les trois premières ont été prises pour x, y et z.</translation></message>
-<message><source>Points were computed from the columns of angles and ranges, with angles taken as </source><translation>Les points ont été calculés des colonnes d'angles et de distances, angles pris en </translation></message>
-<message><source>Points were computed from the columns of angles and ranges, with angles in </source><translation>Les points ont été calculés des colonnes d'angles et de distances, angles en </translation></message>
-<message><source>degrees, azimuths </source><translation>degrés, azimuts </translation></message>
-<message><source>radians, azimuths </source><translation>radians, azimuts </translation></message>
-<message><source>counter-clockwise from x</source><translation>dans le sens antihoraire depuis x</translation></message>
-<message><source>clockwise from y</source><translation>dans le sens horaire depuis y</translation></message>
-<message><source> and heights from the zenith.</source><translation> et hauteurs depuis le zénith.</translation></message>
-<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Les angles des faisceaux ont été pris de l'en-tête : de %1 à %2 degrés.</translation></message>
-<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Les angles des lignes ont été pris de la première colonne : de %1 à %2 degrés.</translation></message>
-<message><source>The table does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>Le tableau ne dit pas ses angles : ceux d'un LMS511 ont été pris là où aucun n'a été donné (faisceaux à partir de -5 degrés par 1/6 de degré, lignes à partir de 0 par 0.18 degré, axe spin).</translation></message>
-<message><source>The picture does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>L'image ne dit pas ses angles : ceux d'un LMS511 ont été pris là où aucun n'a été donné (faisceaux à partir de -5 degrés par 1/6 de degré, lignes à partir de 0 par 0.18 degré, axe spin).</translation></message>
-<message><source>The array does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>Le tableau de numpy ne dit pas ses angles : ceux d'un LMS511 ont été pris là où aucun n'a été donné (faisceaux à partir de -5 degrés par 1/6 de degré, lignes à partir de 0 par 0.18 degré, axe spin).</translation></message>
-<message><source> columns are not ranges, by the header, and not read: </source><translation> colonnes n'ont pas de distances d'après l'en-tête et ne sont pas lues : </translation></message>
-<message><source> column is not ranges, by the header, and not read: </source><translation> colonne n'a pas de distances d'après l'en-tête et n'est pas lue : </translation></message>
-<message><source> bytes behind the points were not read.</source><translation> octets derrière les points n'ont pas été lus.</translation></message>
-<message><source> byte behind the points was not read.</source><translation> octet derrière les points n'a pas été lu.</translation></message>
-<message><source> bytes behind the picture were not read.</source><translation> octets derrière l'image n'ont pas été lus.</translation></message>
-<message><source> byte behind the picture was not read.</source><translation> octet derrière l'image n'a pas été lu.</translation></message>
-<message><source> bytes behind the array were not read.</source><translation> octets derrière le tableau n'ont pas été lus.</translation></message>
-<message><source> byte behind the array was not read.</source><translation> octet derrière le tableau n'a pas été lu.</translation></message>
-<message><source> bytes behind the last record were not read.</source><translation> octets derrière le dernier enregistrement n'ont pas été lus.</translation></message>
-<message><source> byte behind the last record was not read.</source><translation> octet derrière le dernier enregistrement n'a pas été lu.</translation></message>
-<message><source> bytes behind the end that the header gives were not read.</source><translation> octets derrière la fin que donne l'en-tête n'ont pas été lus.</translation></message>
-<message><source> byte behind the end that the header gives was not read.</source><translation> octet derrière la fin que donne l'en-tête n'a pas été lu.</translation></message>
-<message><source> bytes behind the end of the database were not read.</source><translation> octets derrière la fin de la base de données n'ont pas été lus.</translation></message>
-<message><source> byte behind the end of the database was not read.</source><translation> octet derrière la fin de la base de données n'a pas été lu.</translation></message>
-<message><source> bytes behind the end of the recording were not read</source><translation> octets derrière la fin de l'enregistrement n'ont pas été lus</translation></message>
-<message><source> behind the %1 points that the header promises were not read.</source><translation> derrière les %1 points que l'en-tête annonce n'ont pas été lus.</translation></message>
-<message><source>The first %1 scans of the file hold no points.</source><translation>Les %1 premiers scans du fichier ne contiennent pas de points.</translation></message>
-<message><source>The first scan of the file holds no points.</source><translation>Le premier scan du fichier ne contient pas de points.</translation></message>
-<message><source>The file holds %1 scans; this is number %2, %3 chooses another.</source><translation>Le fichier contient %1 scans ; celui-ci est le numéro %2, %3 en choisit un autre.</translation></message>
-<message><source>The first %1 of these scans hold no point with a return.</source><translation>Les %1 premiers de ces scans n'ont aucun point avec un retour.</translation></message>
-<message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>Les rangées et colonnes que le fichier donne à ses points ne forment pas de grille et n'ont pas été utilisées.</translation></message>
-<message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>Le fichier ne dit pas dans quel sens vont les lignes : ses colonnes ont été prises comme lignes, ses rangées comme faisceaux.</translation></message>
-<message><source> points are marked as invalid in the file and count as no return.</source><translation> points sont marqués comme non valides dans le fichier et comptent comme sans retour.</translation></message>
-<message><source> point is marked as invalid in the file and counts as no return.</source><translation> point est marqué comme non valide dans le fichier et compte comme sans retour.</translation></message>
-<message><source> points are marked as withheld in the file and count as no return.</source><translation> points sont marqués comme exclus dans le fichier et comptent comme sans retour.</translation></message>
-<message><source> point is marked as withheld in the file and counts as no return.</source><translation> point est marqué comme exclu dans le fichier et compte comme sans retour.</translation></message>
-<message><source>What else a point of this file has is not read: </source><translation>Ce qu'un point de ce fichier a d'autre n'est pas lu : </translation></message>
-<message><source>The pictures of this file (%1) are not read.</source><translation>Les images de ce fichier (%1) ne sont pas lues.</translation></message>
-<message><source>The picture is animated; the first frame was read.</source><translation>L'image est animée ; la première vue a été lue.</translation></message>
-<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>L'image ne finit pas par IEND : le fichier a été coupé après ses pixels.</translation></message>
-<message><source> pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation> pixels ne contiennent pas de distance (négatifs, pas un nombre, ou trop loin) et ont été pris comme sans retour.</translation></message>
-<message><source> pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation> pixel ne contient pas de distance (négatif, pas un nombre, ou trop loin) et a été pris comme sans retour.</translation></message>
-<message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>L'image demande à être tournée ou retournée à l'affichage (orientation %1) : ses rangées ont été prises comme lignes telles qu'elles sont stockées.</translation></message>
-<message><source>The file holds %1 pictures (pages); the first was read.</source><translation>Le fichier contient %1 images (pages) ; la première a été lue.</translation></message>
-<message><source>The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. A grid, cell states or a place in the mine that they held are lost; copy the file again.</source><translation>La fin du fichier est endommagée ou manque : %1 enregistrements sur %2 derrière les points sont illisibles. Une grille, des états de cellules ou une place dans la mine qu'ils contenaient sont perdus ; copiez à nouveau le fichier.</translation></message>
-<message><source>The waveforms of this file were not read.</source><translation>Les formes d'onde de ce fichier n'ont pas été lues.</translation></message>
-<message><source>The first three of %1 columns were taken as x, y and z; the others are not read.</source><translation>Les trois premières de %1 colonnes ont été prises comme x, y et z ; les autres ne sont pas lues.</translation></message>
-<message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>Le fichier contient plus d'un tableau (numpy.save plus d'une fois) ; le premier a été lu.</translation></message>
-<message><source> lines hold no words of OBJ and were not read, the first is line </source><translation> lignes n'ont pas de mots d'OBJ et n'ont pas été lues, la première est la ligne </translation></message>
-<message><source> line holds no words of OBJ and was not read, the first is line </source><translation> ligne n'a pas de mots d'OBJ et n'a pas été lue, la première est la ligne </translation></message>
-<message><source>The lists that each vertex of this file has were not read.</source><translation>Les listes que chaque sommet de ce fichier possède n'ont pas été lues.</translation></message>
-<message><source>Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.</source><translation>Chaque sommet a un octet que l'en-tête ne nomme pas, comme PCL l'écrit derrière les couleurs : il a été sauté.</translation></message>
-<message><source>Only the vertices were read, not what follows them: </source><translation>Seuls les sommets ont été lus, pas ce qui les suit : </translation></message>
-<message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matrice de l'en-tête a la place du scanner dans sa dernière colonne et non dans sa dernière rangée : elle a été lue par colonnes.</translation></message>
-<message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La ligne 3 de l'en-tête met le scanner à %1 m de la place que donne sa matrice : la matrice a été utilisée.</translation></message>
-<message><source>Behind the last of these scans there is text that is none.</source><translation>Derrière le dernier de ces scans il y a du texte qui n'en est pas un.</translation></message>
-<message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Le fichier de données %1 manque ; %2 a été lu à sa place.</translation></message>
-<message><source>The file does not end with END: it may have been cut off; compare it with the original.</source><translation>Le fichier ne finit pas par END : il a peut-être été coupé ; comparez-le à l'original.</translation></message>
-<message><source>Descriptions of points (D1 and further) are not read.</source><translation>Les descriptions des points (D1 et suivantes) ne sont pas lues.</translation></message>
-<message><source> lines behind END were not read.</source><translation> lignes derrière END n'ont pas été lues.</translation></message>
-<message><source> line behind END was not read.</source><translation> ligne derrière END n'a pas été lue.</translation></message>
-<message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>Le texte a deux octets par caractère (UTF-16) et a été lu ainsi.</translation></message>
-<message><source> bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> octets nuls (NUL) suivent la dernière rangée, comme après une coupure de courant : les rangées non écrites manquent.</translation></message>
-<message><source> byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> octet nul (NUL) suit la dernière rangée, comme après une coupure de courant : les rangées non écrites manquent.</translation></message>
-<message><source>The capture was cut off: everything up to the cut is here.</source><translation>La capture a été coupée : tout jusqu'à la coupure est là.</translation></message>
-<message><source>The recording was cut off: everything up to the cut is here.</source><translation>L'enregistrement a été coupé : tout jusqu'à la coupure est là.</translation></message>
-<message><source>The bag was cut off: everything up to the cut is here.</source><translation>Le bag a été coupé : tout jusqu'à la coupure est là.</translation></message>
-<message><source> packets have a time before 1970 or after 2262 and count as of 1970.</source><translation> paquets ont une heure avant 1970 ou après 2262 et comptent comme de 1970.</translation></message>
-<message><source> packet has a time before 1970 or after 2262 and count as of 1970.</source><translation> paquet a une heure avant 1970 ou après 2262 et compte comme de 1970.</translation></message>
-<message><source> bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost.</source><translation> octets envoyés par le scanner manquent dans la capture (%1) : les télégrammes y sont perdus.</translation></message>
-<message><source> byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.</source><translation> octet envoyé par le scanner manque dans la capture (%1) : les télégrammes y sont perdus.</translation></message>
-<message><source> bytes that the scanner sent belong to no whole telegram.</source><translation> octets envoyés par le scanner n'appartiennent à aucun télégramme entier.</translation></message>
-<message><source> byte that the scanner sent belongs to no whole telegram.</source><translation> octet envoyé par le scanner n'appartient à aucun télégramme entier.</translation></message>
-<message><source> bytes of the stream belong to no whole telegram.</source><translation> octets du flux n'appartiennent à aucun télégramme entier.</translation></message>
-<message><source> byte of the stream belongs to no whole telegram.</source><translation> octet du flux n'appartient à aucun télégramme entier.</translation></message>
-<message><source> packets came out of order and %1 brought bytes again; they were put in order.</source><translation> paquets sont arrivés dans le désordre et %1 ont apporté des octets à nouveau ; ils ont été remis en ordre.</translation></message>
-<message><source> packet came out of order and %1 brought bytes again; they were put in order.</source><translation> paquet est arrivé dans le désordre et %1 ont apporté des octets à nouveau ; ils ont été remis en ordre.</translation></message>
-<message><source> fragments of IP packets were not put together.</source><translation> fragments de paquets IP n'ont pas été assemblés.</translation></message>
-<message><source> fragment of IP packets were not put together.</source><translation> fragment de paquets IP n'a pas été assemblé.</translation></message>
-<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened, and </source><translation>La capture contient %1 flux ; celui de %2 avec %3 télégrammes de scan a été ouvert, et </translation></message>
-<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened.</source><translation>La capture contient %1 flux ; celui de %2 avec %3 télégrammes de scan a été ouvert.</translation></message>
-<message><source> other senders have some too.</source><translation> autres émetteurs en ont aussi.</translation></message>
-<message><source> other sender has some too.</source><translation> autre émetteur en a aussi.</translation></message>
-<message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>L'enregistrement décrit une autre grille que celle de ses télégrammes : les télégrammes comptent.</translation></message>
-<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>« %1 » de l'enregistrement est « %2 », ce qui ne peut pas être utilisé</translation></message>
-<message><source> readings of inclinometer or TALIN cannot be used.</source><translation> mesures d'inclinomètre ou de TALIN sont inutilisables.</translation></message>
-<message><source> reading of inclinometer or TALIN cannot be used.</source><translation> mesure d'inclinomètre ou de TALIN est inutilisable.</translation></message>
-<message><source>The recording holds readings of TALIN and does not say where the boom pointed (boom_azimuth_deg).</source><translation>L'enregistrement contient des mesures de TALIN et ne dit pas où pointait la flèche (boom_azimuth_deg).</translation></message>
-<message><source>The recording holds poses and not how the robot is built: %1 places the scan.</source><translation>L'enregistrement contient des poses mais pas la construction du robot : %1 place le scan.</translation></message>
-<message><source>The recording's pose cannot be used: </source><translation>La pose de l'enregistrement est inutilisable : </translation></message>
-<message><source> times in the recording are after %1 and were read as this time.</source><translation> heures de l'enregistrement sont après %1 et ont été lues comme cette heure.</translation></message>
-<message><source> scan telegrams could not be decoded: </source><translation> télégrammes de scan n'ont pas pu être décodés : </translation></message>
-<message><source> scan telegrams since the start could not be decoded, so their lines are lost: </source><translation> télégrammes de scan depuis le début n'ont pas pu être décodés, leurs lignes sont donc perdues : </translation></message>
-<message><source> bytes since the start were not a telegram and were skipped.</source><translation> octets depuis le début n'étaient pas un télégramme et ont été sautés.</translation></message>
-<message><source> messages hold bytes that are not a whole telegram: what was in them is lost.</source><translation> messages contiennent des octets qui ne sont pas un télégramme entier : leur contenu est perdu.</translation></message>
-<message><source> message holds bytes that are not a whole telegram: what was in it is lost.</source><translation> message contient des octets qui ne sont pas un télégramme entier : son contenu est perdu.</translation></message>
-<message><source> more places are damaged or were left out</source><translation> autres endroits sont endommagés ou ont été laissés de côté</translation></message>
-<message><source>bytes %1 to %2 are damaged and were left out</source><translation>les octets %1 à %2 sont endommagés et ont été laissés de côté</translation></message>
-<message><source>the chunk at byte %1 was left out: </source><translation>le bloc à l'octet %1 a été laissé de côté : </translation></message>
-<message><source>the file says that it holds %1 messages and %2 could be read</source><translation>le fichier annonce %1 messages et %2 ont pu être lus</translation></message>
-<message><source>The bag is cut off or damaged at byte %1: the last %2 bytes were not read.</source><translation>Le bag est coupé ou endommagé à l'octet %1 : les %2 derniers octets n'ont pas été lus.</translation></message>
-<message><source>The bag is cut off or damaged at byte %1: the last %2 byte was not read.</source><translation>Le bag est coupé ou endommagé à l'octet %1 : le dernier octet (%2) n'a pas été lu.</translation></message>
-<message><source> chunks are damaged and were left out (</source><translation> blocs sont endommagés et ont été laissés de côté (</translation></message>
-<message><source> chunk is damaged and was left out (</source><translation> bloc est endommagé et a été laissé de côté (</translation></message>
-<message><source> messages belong to no topic of the bag and were left out.</source><translation> messages n'appartiennent à aucun topic du bag et ont été laissés de côté.</translation></message>
-<message><source> message belongs to no topic of the bag and was left out.</source><translation> message n'appartient à aucun topic du bag et a été laissé de côté.</translation></message>
-<message><source> messages are compressed and damaged and were left out.</source><translation> messages sont compressés et endommagés et ont été laissés de côté.</translation></message>
-<message><source> message is compressed and damaged and was left out.</source><translation> message est compressé et endommagé et a été laissé de côté.</translation></message>
-<message><source>The database is cut off or damaged (%1): messages behind the first %2 were not read.</source><translation>La base de données est coupée ou endommagée (%1) : les messages après les %2 premiers n'ont pas été lus.</translation></message>
-<message><source>The log %1 of the recorder could not be read: its messages are not in the scan.</source><translation>Le journal %1 de l'enregistreur n'a pas pu être lu : ses messages ne sont pas dans le scan.</translation></message>
-<message><source>The recorder was not ended: its newest messages were read from </source><translation>L'enregistreur n'a pas été arrêté : ses derniers messages ont été lus de </translation></message>
-<message><source>The recorder was ended within a change: the database was read as it was before it, by </source><translation>L'enregistreur a été arrêté pendant une modification : la base de données a été lue comme avant elle, par </translation></message>
-<message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>Le journal %1 de l'enregistreur finit par %2 pages incomplètes : leurs messages ne sont pas dans le scan.</translation></message>
-<message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>Le journal %1 appartient à plusieurs bases de données et n'a pas été lu : la dernière modification peut être partielle.</translation></message>
-<message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La partie %1 du bag n'a pas pu être lue (%2) : ses messages ne sont pas dans le scan.</translation></message>
-<message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>La partie %1 du bag manque : ses messages ne sont pas dans le scan.</translation></message>
-<message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nomme %1, dont le nom n'est pas celui d'un fichier de messages (.mcap, .db3, .bag) : il n'a pas été lu.</translation></message>
-<message><source> messages of the topic %1 are in the bag twice: each was read once.</source><translation> messages du topic %1 sont deux fois dans le bag : chacun a été lu une fois.</translation></message>
-<message><source> messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.</source><translation> messages du topic sont deux fois dans le bag, avec la même heure et les mêmes distances : chacun a été lu une fois.</translation></message>
-<message><source> message of the topic is in the bag twice, with the same stamp and ranges: it was read once.</source><translation> message du topic est deux fois dans le bag, avec la même heure et les mêmes distances : il a été lu une fois.</translation></message>
-<message><source> messages of the topic were left out: </source><translation> messages du topic ont été laissés de côté : </translation></message>
-<message><source> message of the topic was left out: </source><translation> message du topic a été laissé de côté : </translation></message>
-<message><source>GUESS: the topic %1 was taken; %2 chooses another: </source><translation>SUPPOSITION : le topic %1 a été pris ; %2 en choisit un autre : </translation></message>
-<message><source>GUESS: the angle of each line comes from the transform of the frame %1 in </source><translation>SUPPOSITION : l'angle de chaque ligne vient de la transformation du repère %1 dans </translation></message>
-<message><source>GUESS: the angle of each line comes from the joint </source><translation>SUPPOSITION : l'angle de chaque ligne vient de l'articulation </translation></message>
-<message><source>GUESS: the angle of each line comes from </source><translation>SUPPOSITION : l'angle de chaque ligne vient de </translation></message>
-<message><source>GUESS: the poses of the topic %1 are those of the frame </source><translation>SUPPOSITION : les poses du topic %1 sont celles du repère </translation></message>
-<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPPOSITION : le repère %1 du bag est pris comme grille de la mine, x vers l'est, y vers le nord et z vers le haut.</translation></message>
-<message><source>The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.</source><translation>Le bag ne contient pas la définition de ses messages : celle de ROS 2 de 2022 a été SUPPOSÉE.</translation></message>
-<message><source> messages have a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> messages ont un time_increment impossible : les faisceaux d'une ligne comptent comme mesurés en même temps.</translation></message>
-<message><source> message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> message a un time_increment impossible : les faisceaux d'une ligne comptent comme mesurés en même temps.</translation></message>
-<message><source> lines came out of order and were put in the order of their stamps</source><translation> lignes sont arrivées dans le désordre et ont été remises dans l'ordre de leurs heures</translation></message>
-<message><source> line came out of order and was put in the order of its stamp</source><translation> ligne est arrivée dans le désordre et a été remise dans l'ordre de son heure</translation></message>
-<message><source>angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>angle_max n'est pas là où angle_min et angle_increment mettent le dernier faisceau : angle_increment a été utilisé, et les faisceaux peuvent être inversés ou tournés.</translation></message>
-<message><source> messages of joints are damaged and were left out.</source><translation> messages d'articulations sont endommagés et ont été laissés de côté.</translation></message>
-<message><source> message of joints is damaged and was left out.</source><translation> message d'articulations est endommagé et a été laissé de côté.</translation></message>
-<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (</source><translation>Une articulation ne dit pas comment le laser y est monté. SUPPOSÉ : l'axe (</translation></message>
-<message><source>sweep, by the name of the joint)</source><translation>sweep, d'après le nom de l'articulation)</translation></message>
-<message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>L'axe est à %1 degrés du plan de l'éventail : les points sont décalés d'autant.</translation></message>
-<message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>Le laser est à %1 mm de son axe : les distances sont telles que mesurées, et les points comme s'il était sur l'axe.</translation></message>
-<message><source> lines were measured before the first or after the last angle and were left out.</source><translation> lignes ont été mesurées avant le premier ou après le dernier angle et ont été laissées de côté.</translation></message>
-<message><source> line was measured before the first or after the last angle and was left out.</source><translation> ligne a été mesurée avant le premier ou après le dernier angle et a été laissée de côté.</translation></message>
-<message><source> lines were measured while the laser did not turn and were left out.</source><translation> lignes ont été mesurées pendant que le laser ne tournait pas et ont été laissées de côté.</translation></message>
-<message><source> line was measured while the laser did not turn and was left out.</source><translation> ligne a été mesurée pendant que le laser ne tournait pas et a été laissée de côté.</translation></message>
-<message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. %3 chooses another.</source><translation>Le topic contient %1 balayages ; le balayage %2, compté à partir de 0, a été ouvert. %3 en choisit un autre.</translation></message>
-<message><source>The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. %3 chooses another.</source><translation>Le topic %1 contient un nuage par message ; le message %2, compté à partir de 0, a été ouvert. %3 en choisit un autre.</translation></message>
-<message><source>The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.</source><translation>Le nuage vient d'un scanner à plusieurs faisceaux : ses anneaux sont les faisceaux, et ses tirs les lignes.</translation></message>
-<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Les transformations mettent le scanner à %1, %2, %3 m, où il n'y a rien sur terre : le scan reste dans le repère du scanner.</translation></message>
-<message><source> messages of transforms are damaged and were left out.</source><translation> messages de transformations sont endommagés et ont été laissés de côté.</translation></message>
-<message><source> transforms of the bag have no rotation, no name or no finite numbers and were left out.</source><translation> transformations du bag n'ont pas de rotation, pas de nom ou pas de nombres finis et ont été laissées de côté.</translation></message>
-<message><source> transforms name another parent for their frame than the first one and were left out.</source><translation> transformations nomment un autre parent de leur repère que la première et ont été laissées de côté.</translation></message>
-<message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformations du bag concernent plus de repères qu'aucun robot n'en a et ont été laissées de côté.</translation></message>
-<message><source>The transforms of the bag form a loop at the frame </source><translation>Les transformations du bag forment une boucle au repère </translation></message>
-<message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>Les transformations du bag forment une chaîne de plus de %1 repères : ceux du dessus ne sont pas utilisés.</translation></message>
-<message><source>The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. %3 chooses another.</source><translation>La capture contient %1 tours du scanner ; le tour %2, compté à partir de 0, a été ouvert. %3 en choisit un autre.</translation></message>
-<message><source> packets came out of order and were put in the order of the scanner's clock.</source><translation> paquets sont arrivés dans le désordre et ont été remis dans l'ordre de l'horloge du scanner.</translation></message>
-<message><source> packet came out of order and was put in the order of the scanner's clock.</source><translation> paquet est arrivé dans le désordre et a été remis dans l'ordre de l'horloge du scanner.</translation></message>
-<message><source> packets are missing in part in the capture: their lines are lost.</source><translation> paquets manquent en partie dans la capture : leurs lignes sont perdues.</translation></message>
-<message><source> packet is missing in part in the capture: its lines are lost.</source><translation> paquet manque en partie dans la capture : ses lignes sont perdues.</translation></message>
-<message><source> packets are in the capture twice: each was read once.</source><translation> paquets sont deux fois dans la capture : chacun a été lu une fois.</translation></message>
-<message><source> packet is in the capture twice: it was read once.</source><translation> paquet est deux fois dans la capture : il a été lu une fois.</translation></message>
-<message><source>The capture holds packets of %1 scanners; the one with most of them was opened.</source><translation>La capture contient des paquets de %1 scanners ; celui qui en a le plus a été ouvert.</translation></message>
-<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 others of the capture were left out.</source><translation>Le scanner a envoyé deux retours par faisceau : les plus forts sont là, et %1 autres de la capture ont été laissés de côté.</translation></message>
-<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 other of the capture was left out.</source><translation>Le scanner a envoyé deux retours par faisceau : les plus forts sont là, et %1 autre de la capture a été laissé de côté.</translation></message>
-<message><source>The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.</source><translation>Les faisceaux d'un VLP-16 commencent jusqu'à 11 mm au-dessus et au-dessous de son milieu : les points sont décalés d'autant.</translation></message>
-<message><source>The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.</source><translation>Les faisceaux d'un Ouster commencent à quelques centimètres de son axe, et les distances sont telles que mesurées : les points sont décalés d'autant.</translation></message>
-<message><source> lines of the turn are missing in the capture and are shown as lost.</source><translation> lignes du tour manquent dans la capture et sont montrées comme perdues.</translation></message>
-<message><source> line of the turn is missing in the capture and is shown as lost.</source><translation> ligne du tour manque dans la capture et est montrée comme perdue.</translation></message>
-<message><source> telegrams came late and were put into their lines</source><translation> télégrammes sont arrivés en retard et ont été mis dans leurs lignes</translation></message>
-<message><source>A telegram came late and was put into its line</source><translation>Un télégramme est arrivé en retard et a été mis dans sa ligne</translation></message>
-<message><source> telegrams came after their sweep had ended</source><translation> télégrammes sont arrivés après la fin de leur balayage</translation></message>
-<message><source>A telegram came after its sweep had ended</source><translation>Un télégramme est arrivé après la fin de son balayage</translation></message>
-<message><source> telegrams had other beams than the sweep, or were of another layer of the scanner</source><translation> télégrammes avaient d'autres faisceaux que le balayage, ou étaient d'une autre couche du scanner</translation></message>
-<message><source>A telegram had other beams than the sweep, or was of another layer of the scanner</source><translation>Un télégramme avait d'autres faisceaux que le balayage, ou était d'une autre couche du scanner</translation></message>
-<message><source> telegrams held no ranges</source><translation> télégrammes ne contenaient pas de distances</translation></message>
-<message><source>A telegram held no ranges</source><translation>Un télégramme ne contenait pas de distances</translation></message>
-<message><source> times the scanner's counters jumped ahead</source><translation> fois les compteurs du scanner ont sauté en avant</translation></message>
-<message><source>The scanner's counters jumped ahead once</source><translation>Les compteurs du scanner ont sauté en avant une fois</translation></message>
-<message><source> times one of the scanner's counters was set back</source><translation> fois un des compteurs du scanner a été remis en arrière</translation></message>
-<message><source>One of the scanner's counters was set back</source><translation>Un des compteurs du scanner a été remis en arrière</translation></message>
-<message><source> times the scanner's counters stood still from line to line</source><translation> fois les compteurs du scanner se sont arrêtés d'une ligne à l'autre</translation></message>
-<message><source>The scanner's counters stood still for a line</source><translation>Les compteurs du scanner se sont arrêtés pendant une ligne</translation></message>
-<message><source> times the scanner's clock was set while its counters ran on</source><translation> fois l'horloge du scanner a été réglée pendant que ses compteurs continuaient</translation></message>
-<message><source>The scanner's clock was set while its counters ran on</source><translation>L'horloge du scanner a été réglée pendant que ses compteurs continuaient</translation></message>
-<message><source> times the scanner's clock stood still from line to line</source><translation> fois l'horloge du scanner s'est arrêtée d'une ligne à l'autre</translation></message>
-<message><source>The scanner's clock stood still for a line</source><translation>L'horloge du scanner s'est arrêtée pendant une ligne</translation></message>
-<message><source> times the scanner paused for more than a second</source><translation> fois le scanner s'est arrêté plus d'une seconde</translation></message>
-<message><source>The scanner paused for more than a second</source><translation>Le scanner s'est arrêté plus d'une seconde</translation></message>
-<message><source> times the scanner restarted</source><translation> fois le scanner a redémarré</translation></message>
-<message><source>The scanner restarted</source><translation>Le scanner a redémarré</translation></message>
-<message><source> telegrams brought other echoes than the first one</source><translation> télégrammes ont apporté d'autres échos que le premier</translation></message>
-<message><source>A telegram brought other echoes than the first one</source><translation>Un télégramme a apporté d'autres échos que le premier</translation></message>
-<message><source> times the telegrams came from another scanner</source><translation> fois les télégrammes sont venus d'un autre scanner</translation></message>
-<message><source>The telegrams come from another scanner</source><translation>Les télégrammes viennent d'un autre scanner</translation></message>
-<message><source> lines were lost between two sweeps</source><translation> lignes ont été perdues entre deux balayages</translation></message>
-<message><source>A line was lost between two sweeps</source><translation>Une ligne a été perdue entre deux balayages</translation></message>
-<message><source> (first at line </source><translation> (d'abord à la ligne </translation></message>
-<message><source> (line </source><translation> (ligne </translation></message>
-<message><source>: no lines of this sweep.</source><translation> : pas de lignes de ce balayage.</translation></message>
-<message><source>: their lines are lost.</source><translation> : leurs lignes sont perdues.</translation></message>
-<message><source>, by more lines than its clock allows: whether lines were lost there is not known (%1 by the counters).</source><translation>, de plus de lignes que son horloge ne le permet : si des lignes y ont été perdues n'est pas connu (%1 d'après les compteurs).</translation></message>
-<message><source>: lost lines there are counted by the other one and the clock.</source><translation> : les lignes perdues y sont comptées par l'autre et l'horloge.</translation></message>
-<message><source>: lost lines cannot be counted there.</source><translation> : les lignes perdues ne peuvent pas y être comptées.</translation></message>
-<message><source>: the times of lines there are reckoned.</source><translation> : les heures des lignes y sont calculées.</translation></message>
-<message><source>, and its counters know of no lost line.</source><translation>, et ses compteurs ne connaissent aucune ligne perdue.</translation></message>
-<message><source>: lines lost meanwhile are counted by this computer's clock.</source><translation> : les lignes perdues entre-temps sont comptées par l'horloge de cet ordinateur.</translation></message>
-<message><source>: their ranges may be of another echo.</source><translation> : leurs distances peuvent être d'un autre écho.</translation></message>
-<message><source>: the sweep is not of one device.</source><translation> : le balayage n'est pas d'un seul appareil.</translation></message>
-<message><source>this is a GIF picture, not a scan</source><translation>c'est une image GIF, pas un scan</translation></message>
-<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>c'est une image, un son ou un film (RIFF), pas un scan</translation></message>
-<message><source>this is a Photoshop picture, not a scan</source><translation>c'est une image Photoshop, pas un scan</translation></message>
-<message><source>this is a gzip archive in another one, not a scan</source><translation>c'est une archive gzip dans une autre, pas un scan</translation></message>
-<message><source>this is an xz archive, not a scan</source><translation>c'est une archive xz, pas un scan</translation></message>
-<message><source>this is a bzip2 archive, not a scan</source><translation>c'est une archive bzip2, pas un scan</translation></message>
-<message><source>this is a zstd archive, not a scan</source><translation>c'est une archive zstd, pas un scan</translation></message>
-<message><source>this is a 7-Zip archive, not a scan</source><translation>c'est une archive 7-Zip, pas un scan</translation></message>
-<message><source>this is a RAR archive, not a scan</source><translation>c'est une archive RAR, pas un scan</translation></message>
-<message><source>this is an old Office document, not a scan</source><translation>c'est un ancien document Office, pas un scan</translation></message>
-<message><source>this is a STEP model, not a scan</source><translation>c'est un modèle STEP, pas un scan</translation></message>
-<message><source>this is an SVG picture, not a scan</source><translation>c'est une image SVG, pas un scan</translation></message>
-<message><source>this is an XML document, not a scan</source><translation>c'est un document XML, pas un scan</translation></message>
-<message><source>this is a text document (RTF), not a scan</source><translation>c'est un document texte (RTF), pas un scan</translation></message>
-<message><source>this is a PostScript document, not a scan</source><translation>c'est un document PostScript, pas un scan</translation></message>
-<message><source>this is a table of rocks, not a scan</source><translation>c'est un tableau de roches, pas un scan</translation></message>
-<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>c'est un raster de hauteurs (grille ASCII Esri), pas un scan</translation></message>
-<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>c'est un raster de hauteurs (grille Surfer), pas un scan</translation></message>
-<message><source>this is a BMP picture, not a scan</source><translation>c'est une image BMP, pas un scan</translation></message>
-<message><source>this is an HDF5 file, which is not read</source><translation>c'est un fichier HDF5, qui n'est pas lu</translation></message>
-<message><source>this is a MATLAB file, which is not read</source><translation>c'est un fichier MATLAB, qui n'est pas lu</translation></message>
-<message><source>this is a Parquet table, which is not read</source><translation>c'est un tableau Parquet, qui n'est pas lu</translation></message>
-<message><source>this is an Arrow table, which is not read</source><translation>c'est un tableau Arrow, qui n'est pas lu</translation></message>
-<message><source>this is a glTF model, which is not read</source><translation>c'est un modèle glTF, qui n'est pas lu</translation></message>
-<message><source>this is an FBX model, which is not read</source><translation>c'est un modèle FBX, qui n'est pas lu</translation></message>
-<message><source>this is a file of VTK, which is not read</source><translation>c'est un fichier de VTK, qui n'est pas lu</translation></message>
-<message><source>this is an OFF mesh, which is not read</source><translation>c'est un maillage OFF, qui n'est pas lu</translation></message>
-<message><source>this is a drawing (DXF), which is not read</source><translation>c'est un dessin (DXF), qui n'est pas lu</translation></message>
-<message><source>this is a FARO scan (FLS), which is not read</source><translation>c'est un scan FARO (FLS), qui n'est pas lu</translation></message>
-<message><source>this is a FARO workspace, which is not read</source><translation>c'est un espace de travail FARO, qui n'est pas lu</translation></message>
-<message><source>this is a FARO project, which is not read</source><translation>c'est un projet FARO, qui n'est pas lu</translation></message>
-<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>c'est un flux RIEGL (RXP), qui n'est pas lu</translation></message>
-<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>c'est un scan RIEGL (3DD), qui n'est pas lu</translation></message>
-<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>c'est un scan Z+F (ZFS), qui n'est pas lu</translation></message>
-<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>c'est un projet Z+F (ZFPRJ), qui n'est pas lu</translation></message>
-<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>c'est un scan Z+F (ZFC), qui n'est pas lu</translation></message>
-<message><source>this is a Leica LGS project, which is not read</source><translation>c'est un projet Leica LGS, qui n'est pas lu</translation></message>
-<message><source>this is a Leica LGSx project, which is not read</source><translation>c'est un projet Leica LGSx, qui n'est pas lu</translation></message>
-<message><source>this is an Autodesk ReCap project, which is not read</source><translation>c'est un projet Autodesk ReCap, qui n'est pas lu</translation></message>
-<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>c'est un scan Autodesk ReCap, qui n'est pas lu</translation></message>
-<message><source>this is a Trimble scan (TZF), which is not read</source><translation>c'est un scan Trimble (TZF), qui n'est pas lu</translation></message>
-<message><source>this is a Topcon scan (CL3), which is not read</source><translation>c'est un scan Topcon (CL3), qui n'est pas lu</translation></message>
-<message><source>this is a Topcon scan (CLR), which is not read</source><translation>c'est un scan Topcon (CLR), qui n'est pas lu</translation></message>
-<message><source>this is a Pointools cloud (POD), which is not read</source><translation>c'est un nuage Pointools (POD), qui n'est pas lu</translation></message>
-<message><source>this is a VRML scene, which is not read</source><translation>c'est une scène VRML, qui n'est pas lue</translation></message>
-<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>c'est une base de données RIEGL (RDBX), qui n'est pas lue</translation></message>
-<message><source>this is a RIEGL database, which is not read</source><translation>c'est une base de données RIEGL, qui n'est pas lue</translation></message>
-<message><source>this is a Leica Cyclone database, which is not read</source><translation>c'est une base de données Leica Cyclone, qui n'est pas lue</translation></message>
-<message><source>this is a numpy archive, which is not read</source><translation>c'est une archive numpy, qui n'est pas lue</translation></message>
-<message><source>this is an Excel workbook, not a table of text</source><translation>c'est un classeur Excel, pas un tableau de texte</translation></message>
-<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>c'est une feuille de calcul OpenDocument, pas un tableau de texte</translation></message>
-<message><source>this is a Python pickle, which only Python can open</source><translation>c'est un pickle Python, que seul Python peut ouvrir</translation></message>
-<message><source>this is a ROS bag that does not begin like one</source><translation>c'est un bag ROS qui n'en a pas le début</translation></message>
-<message><source>this is a ROS 2 bag that does not begin like one</source><translation>c'est un bag ROS 2 qui n'en a pas le début</translation></message>
-<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>c'est un fichier binaire sans télégramme d'un scanner SICK</translation></message>
-<message><source>this is a ROS bag, and </source><translation>c'est un bag ROS, et </translation></message>
-<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>cette version est sans robots : elle ne lit ni bags ROS, ni VLP-16, ni Ouster, ni pont Foxglove</translation></message>
-<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>utilisez une version avec robots (EDGESCAN_ROBOTS)</translation></message>
-<message><source>unpack it (%1) and open the scan in it</source><translation>décompressez-la (%1) et ouvrez le scan qu'elle contient</translation></message>
-<message><source>save its points as PLY in MeshLab</source><translation>enregistrez ses points en PLY dans MeshLab</translation></message>
-<message><source>choose the scan that it was made from</source><translation>choisissez le scan dont il vient</translation></message>
-<message><source>save the ranges as .npy or .csv</source><translation>enregistrez les distances en .npy ou .csv</translation></message>
-<message><source>save the ranges with writematrix(</source><translation>enregistrez les distances avec writematrix(</translation></message>
-<message><source>save the table as .csv</source><translation>enregistrez le tableau en .csv</translation></message>
-<message><source>save the sheet as .csv</source><translation>enregistrez la feuille en .csv</translation></message>
-<message><source>save it as PLY in Blender or MeshLab</source><translation>enregistrez-le en PLY dans Blender ou MeshLab</translation></message>
-<message><source>save it as PLY in Blender</source><translation>enregistrez-le en PLY dans Blender</translation></message>
-<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>enregistrez ses points en PLY, ou en CSV depuis le tableau de ParaView</translation></message>
-<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>exportez-le en E57 ou LAS avec RiSCAN PRO, ou avec rdbconvert de RIEGL</translation></message>
-<message><source>export it as E57 or PTX with </source><translation>exportez-le en E57 ou PTX avec </translation></message>
-<message><source>export it as E57 with </source><translation>exportez-le en E57 avec </translation></message>
-<message><source>export it as LAS with Bentley's program</source><translation>exportez-le en LAS avec le programme de Bentley</translation></message>
-<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>enregistrez les points en PCD ou PLY ; une capture de télégrammes contient les octets tels que reçus du scanner</translation></message>
-<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>choisissez le scan, ou enregistrez les points du dessin en CSV, LAS ou PLY</translation></message>
-<message><source>save the array of ranges or points as .npy</source><translation>enregistrez le tableau de distances ou de points en .npy</translation></message>
-<message><source>the file is empty</source><translation>le fichier est vide</translation></message>
-<message><source>copy it again or choose another</source><translation>copiez-le à nouveau ou choisissez-en un autre</translation></message>
-<message><source>the file holds no points</source><translation>le fichier ne contient pas de points</translation></message>
-<message><source>the file holds 0 points with a return, out of </source><translation>le fichier contient 0 point avec un retour, sur </translation></message>
-<message><source>choose another file, or copy it again</source><translation>choisissez un autre fichier, ou copiez-le à nouveau</translation></message>
-<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la dernière ligne du scan est incomplète et la dernière rangée n'a pas de fin de ligne : le fichier a été coupé</translation></message>
-<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>l'en-tête annonce %1 points de %2 octets et le fichier en contient %3 octets, ce qui est plus</translation></message>
-<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them</source><translation>l'en-tête annonce %1 points de %2 octets et le fichier en contient %3 octets</translation></message>
-<message><source>the header promises %1 vertices and the file holds %2 bytes of them</source><translation>l'en-tête annonce %1 sommets et le fichier en contient %2 octets</translation></message>
-<message><source>the header promises %1 vertices and the file ends after </source><translation>l'en-tête annonce %1 sommets et le fichier finit après </translation></message>
-<message><source>the header promises %1 points and the file ends after </source><translation>l'en-tête annonce %1 points et le fichier finit après </translation></message>
-<message><source>the header promises %1 points and the file holds </source><translation>l'en-tête annonce %1 points et le fichier en contient </translation></message>
-<message><source>the header promises %1 points, more than a file of %2 holds of a scan</source><translation>l'en-tête annonce %1 points, plus qu'un fichier de %2 n'en contient d'un scan</translation></message>
-<message><source>the header promises more points than any file holds</source><translation>l'en-tête annonce plus de points qu'aucun fichier n'en contient</translation></message>
-<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>l'image annonce plus de pixels qu'un fichier de %1 n'en contient d'un scan</translation></message>
-<message><source>the file ends within its LAS header</source><translation>le fichier finit dans son en-tête LAS</translation></message>
-<message><source>the file ends within its numpy header</source><translation>le fichier finit dans son en-tête numpy</translation></message>
-<message><source>the file ends before its vertices</source><translation>le fichier finit avant ses sommets</translation></message>
-<message><source>the file ends before its compressed points</source><translation>le fichier finit avant ses points compressés</translation></message>
-<message><source>the file is cut off in its last vertex</source><translation>le fichier est coupé dans son dernier sommet</translation></message>
-<message><source>the compressed points are damaged</source><translation>les points compressés sont endommagés</translation></message>
-<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>ce fichier LAZ ne peut pas être décompressé : il finit trop tôt</translation></message>
-<message><source>this LAZ file cannot be unpacked: </source><translation>ce fichier LAZ ne peut pas être décompressé : </translation></message>
-<message><source>this LAZ file is damaged or cut off</source><translation>ce fichier LAZ est endommagé ou coupé</translation></message>
-<message><source>copy it again, or save it as .las</source><translation>copiez-le à nouveau, ou enregistrez-le en .las</translation></message>
-<message><source>save it as LAS 1.2 or 1.4</source><translation>enregistrez-le en LAS 1.2 ou 1.4</translation></message>
-<message><source>this is LAS version %1, and versions up to 1.4 are known</source><translation>c'est la version LAS %1, et les versions jusqu'à 1.4 sont connues</translation></message>
-<message><source>needs %1 of memory, %2 are free</source><translation>demande %1 de mémoire, %2 sont libres</translation></message>
-<message><source>holds more points than can be put on a grid</source><translation>contient plus de points qu'une grille ne peut en recevoir</translation></message>
-<message><source>split the file</source><translation>divisez le fichier</translation></message>
-<message><source>the scan of this PTX file holds 0 points</source><translation>le scan de ce fichier PTX contient 0 point</translation></message>
-<message><source>scan %1 of this PTX file promises %2 columns of %3 points, and the file ends before them</source><translation>le scan %1 de ce fichier PTX annonce %2 colonnes de %3 points, et le fichier finit avant</translation></message>
-<message><source>holds %1 bytes where %2 need </source><translation>contient %1 octets là où %2 en demandent </translation></message>
-<message><source>check lines and beams in the .json file</source><translation>vérifiez les lignes et faisceaux dans le fichier .json</translation></message>
-<message><source>check that the file is complete</source><translation>vérifiez que le fichier est complet</translation></message>
-<message><source>the PLY header has no end_header line</source><translation>l'en-tête PLY n'a pas de ligne end_header</translation></message>
-<message><source>the PCD header has no DATA line</source><translation>l'en-tête PCD n'a pas de ligne DATA</translation></message>
-<message><source>the PLY file has no vertices</source><translation>le fichier PLY n'a pas de sommets</translation></message>
-<message><source>this OBJ file has no vertices</source><translation>ce fichier OBJ n'a pas de sommets</translation></message>
-<message><source>this Surpac file has no points</source><translation>ce fichier Surpac n'a pas de points</translation></message>
-<message><source>the vertices have no x, y and z</source><translation>les sommets n'ont pas x, y et z</translation></message>
-<message><source>the PCD file has no fields x, y and z</source><translation>le fichier PCD n'a pas de champs x, y et z</translation></message>
-<message><source>export the file with coordinates</source><translation>exportez le fichier avec des coordonnées</translation></message>
-<message><source>this is text without a row of numbers, so no scan</source><translation>c'est du texte sans rangée de nombres, donc pas un scan</translation></message>
-<message><source>choose a scan: %1, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>choisissez un scan : %1, une grille brute (.json), une image de distances (.png, .tif), un enregistrement (.mcap), un bag ROS ou une capture réseau (.pcap)</translation></message>
-<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x et y de ce fichier sont des degrés de longitude et de latitude, selon son système de coordonnées, et il faut des mètres</translation></message>
-<message><source>export it in a projected coordinate system such as UTM</source><translation>exportez-le dans un système de coordonnées projeté comme UTM</translation></message>
-<message><source>its heading names %1, and points need x, y and z in metres</source><translation>son en-tête nomme %1, et les points demandent x, y et z en mètres</translation></message>
-<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>écrivez x, y et z, ou les distances en tableau avec une rangée par ligne ; ou </translation></message>
-<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>son en-tête nomme des axes (%1), et x, y et z ne sont pas tous compris</translation></message>
-<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: </source><translation>dites quelles colonnes sont est (x), nord (y) et altitude (z), par numéro ou par nom : </translation></message>
-<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>il y a des mots parmi les nombres de ses rangées, et aucun en-tête ne nomme x, y et z</translation></message>
-<message><source>write a first row with the names of the columns, such as </source><translation>écrivez une première rangée avec les noms des colonnes, comme </translation></message>
-<message><source> has a decimal comma</source><translation> a une virgule décimale</translation></message>
-<message><source>save the file with decimal points</source><translation>enregistrez le fichier avec des points décimaux</translation></message>
-<message><source>" is not a number</source><translation>" n'est pas un nombre</translation></message>
-<message><source>correct the line or export the file again</source><translation>corrigez la ligne ou exportez à nouveau le fichier</translation></message>
-<message><source> is below x, y or z and is not a number</source><translation> est sous x, y ou z et n'est pas un nombre</translation></message>
-<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>enregistrez le fichier avec de simples nombres dans ces colonnes, sans unités ni signes</translation></message>
-<message><source>, a number whose thousands are set apart</source><translation>, un nombre dont les milliers sont séparés</translation></message>
-<message><source>save the file with plain numbers, without separators of thousands</source><translation>enregistrez le fichier avec de simples nombres, sans séparateurs de milliers</translation></message>
-<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contient des octets nuls, comme un fichier qui n'a pas été écrit jusqu'au bout</translation></message>
-<message><source>copy the file or export it again</source><translation>copiez ou exportez à nouveau le fichier</translation></message>
-<message><source>its numbers are separated by "%1", which separates none here</source><translation>ses nombres sont séparés par « %1 », qui n'en sépare aucun ici</translation></message>
-<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>enregistrez le fichier avec des virgules, points-virgules, tabulations ou espaces entre ses nombres</translation></message>
-<message><source>a table of %1 ranges per line does not say its angles</source><translation>un tableau de %1 distances par ligne ne dit pas ses angles</translation></message>
-<message><source>a picture of %1 ranges per line does not say its angles</source><translation>une image de %1 distances par ligne ne dit pas ses angles</translation></message>
-<message><source>a array of %1 ranges per line does not say its angles</source><translation>un tableau numpy de %1 distances par ligne ne dit pas ses angles</translation></message>
-<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation> ; ou enregistrez-le avec une rangée par ligne : il a autant de rangées qu'un LMS511 a de faisceaux</translation></message>
-<message><source> holds %1, which is not a range</source><translation> contient %1, qui n'est pas une distance</translation></message>
-<message><source>check that these are ranges; points need columns x, y and z</source><translation>vérifiez que ce sont des distances ; des points demandent des colonnes x, y et z</translation></message>
-<message><source> holds %1, so this is not a table of ranges</source><translation> contient %1, ce n'est donc pas un tableau de distances</translation></message>
-<message><source> numbers per line without names are a table of ranges only with its angles; as points, </source><translation> nombres par ligne sans noms ne sont un tableau de distances qu'avec ses angles ; comme points, </translation></message>
-<message><source>, or name the columns x, y and z</source><translation>, ou nommez les colonnes x, y et z</translation></message>
-<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits gris, et les distances demandent 16 bits gris</translation></message>
-<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits en couleurs, et les distances demandent 16 bits gris</translation></message>
-<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>choisissez un scan, ou une image de distances de 16 bits par pixel</translation></message>
-<message><source>this is a PNG picture that cannot be read: </source><translation>c'est une image PNG illisible : </translation></message>
-<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>l'image TIFF est endommagée ou d'un type illisible</translation></message>
-<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>un tableau numpy de forme %1 n'est ni des distances (lignes, faisceaux) ni des points (n, 3) ou (lignes, faisceaux, 3)</translation></message>
-<message><source>save it in one of these shapes</source><translation>enregistrez-le dans une de ces formes</translation></message>
-<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>ces valeurs demandent leur description %1 à côté d'elles, et elle est illisible</translation></message>
-<message><source>copy it into the same folder</source><translation>copiez-la dans le même dossier</translation></message>
-<message><source> points with a return, too few to find a scanner's grid</source><translation> points avec un retour, trop peu pour trouver la grille d'un scanner</translation></message>
-<message><source>points have a return, too few to make a grid of them</source><translation>points ont un retour, trop peu pour en faire une grille</translation></message>
-<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>les %1 points ne sont pas sur des angles faisceau x ligne autour de l'origine :</translation></message>
-<message><source> about z </source><translation> autour de z </translation></message>
-<message><source> about y </source><translation> autour de y </translation></message>
-<message><source> about x </source><translation> autour de x </translation></message>
-<message><source>no scan lines can be recognised</source><translation>aucune ligne reconnaissable</translation></message>
-<message><source> % lie on the best </source><translation> % sur les meilleurs </translation></message>
-<message><source> line angles</source><translation> angles de ligne</translation></message>
-<message><source> beam angles</source><translation> angles de faisceau</translation></message>
-<message><source> (99 % are needed)</source><translation> (il en faut 99 %)</translation></message>
-<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>ouvrez le scan tel que le scanner l'a enregistré, avec l'origine au scanner</translation></message>
-<message><source>open the scan as the scanner stored it, or with its record</source><translation>ouvrez le scan tel que le scanner l'a enregistré, ou avec sa fiche</translation></message>
-<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>tous les points sont à moins de %1 m les uns des autres et à %2 m au moins du scanner, ce qu'aucun scanner ne mesure</translation></message>
-<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>les %1 points de sa grille sont dans une seule direction depuis l'origine, dans %2 degrés et jusqu'à %3 : le scanner était ailleurs</translation></message>
-<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>les %1 points sont tous dans une seule direction depuis là, dans %2 et à %3 à %4</translation></message>
-<message><source>seen from there the points make no picture: </source><translation>vus de là, les points ne font pas d'image : </translation></message>
-<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>ils ne se suivent pas en lignes qui tournent autour d'un axe ailleurs</translation></message>
-<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>ses nombres ont été arrondis à %1 chiffres, si bien que ceux proches de %2 avancent par pas de %3 : les chiffres qui placent les points sont perdus</translation></message>
-<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>réécrivez les coordonnées avec toutes leurs décimales, en nombres et non sous la forme 1.23E+06</translation></message>
-<message><source>this capture holds no scan telegram of a SICK scanner, and </source><translation>cette capture ne contient aucun télégramme de scan d'un scanner SICK, et </translation></message>
-<message><source>this capture holds %1 packets, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>cette capture contient %1 paquets, dont %2 TCP, mais aucun télégramme de scan d'un scanner SICK ni paquet d'un VLP-16 ou d'un Ouster</translation></message>
-<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capturez la connexion au port du scanner (2111 ou 2112) pendant qu'il scanne</translation></message>
-<message><source>this is not a capture of network packets</source><translation>ce n'est pas une capture de paquets réseau</translation></message>
-<message><source>choose a PCAP or PCAPNG file</source><translation>choisissez un fichier PCAP ou PCAPNG</translation></message>
-<message><source>the capture ends within its header</source><translation>la capture finit dans son en-tête</translation></message>
-<message><source>copy the capture again</source><translation>copiez à nouveau la capture</translation></message>
-<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>ce fichier MCAP ne contient rien qu'un scanner laser ait envoyé</translation></message>
-<message><source>nothing that a laser scanner sent can be read in this MCAP file</source><translation>rien de ce qu'un scanner laser a envoyé n'est lisible dans ce fichier MCAP</translation></message>
-<message><source>choose a recording of a sweep</source><translation>choisissez l'enregistrement d'un balayage</translation></message>
-<message><source>choose another recording</source><translation>choisissez un autre enregistrement</translation></message>
-<message><source>this recording holds no scan telegram</source><translation>cet enregistrement ne contient aucun télégramme de scan</translation></message>
-<message><source>no scan telegram in this recording can be decoded</source><translation>aucun télégramme de scan de cet enregistrement ne peut être décodé</translation></message>
-<message><source>the recording holds one sweep</source><translation>l'enregistrement contient un balayage</translation></message>
-<message><source>the recording holds %1 sweeps</source><translation>l'enregistrement contient %1 balayages</translation></message>
-<message><source>a calibration alone gives no place</source><translation>un étalonnage seul ne donne pas de place</translation></message>
-<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>une pose demande l'étalonnage du robot, et l'enregistrement n'en contient pas</translation></message>
-<message><source>a pose needs the robot's calibration</source><translation>une pose demande l'étalonnage du robot</translation></message>
-<message><source>give %1 the place in metres that the scan was taken from</source><translation>indiquez %1, la place en mètres d'où le scan a été pris</translation></message>
-<message><source>give «</source><translation>indiquez «</translation></message>
 <message><source>CONNECTING</source><translation>CONNEXION</translation></message>
 <message><source>LIVE</source><translation>EN DIRECT</translation></message>
 <message><source>STALE</source><translation>PÉRIMÉ</translation></message>
@@ -545,9 +15,6 @@
 <message><source>INCOMPLETE %1 lines</source><translation>INCOMPLET %1 lignes</translation></message>
 <message><source>%1 lost: %2</source><translation>%1 perdues : %2</translation></message>
 <message><source>%1 lines</source><translation>%1 lignes</translation></message>
-<message><source>line %1</source><translation>ligne %1</translation></message>
-<message><source>lines %1 and others</source><translation>lignes %1 et d'autres</translation></message>
-<message><source>lines %1</source><translation>lignes %1</translation></message>
 <message><source>no return %1 %</source><translation>sans retour %1 %</translation></message>
 <message><source>COUNTERS IN DOUBT</source><translation>COMPTEURS DOUTEUX</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGE SUPPOSÉ</translation></message>
@@ -560,18 +27,12 @@
 <message><source>%1 earlier in this sweep</source><translation>%1 plus tôt dans ce balayage</translation></message>
 <message><source>WINDOW TOO DIRTY</source><translation>FENÊTRE TROP SALE</translation></message>
 <message><source>WINDOW DIRTY</source><translation>FENÊTRE SALE</translation></message>
-<message><source>window clean</source><translation>fenêtre propre</translation></message>
-<message><source>device ok</source><translation>appareil en ordre</translation></message>
 <message><source>DEVICE ERROR</source><translation>ERREUR DE L'APPAREIL</translation></message>
-<message><source>pose of unknown age</source><translation>pose d'âge inconnu</translation></message>
 <message><source>pose %1 old</source><translation>pose vieille de %1</translation></message>
-<message><source>sweep complete</source><translation>balayage complet</translation></message>
-<message><source>sweep ended</source><translation>balayage terminé</translation></message>
 <message><source>%1 left</source><translation>encore %1</translation></message>
 <message><source>%1, %2 ago</source><translation>%1, il y a %2</translation></message>
 <message><source>recording %1 MB, %2</source><translation>enregistrement %1 Mo, %2</translation></message>
 <message><source>recording %1 MB</source><translation>enregistrement %1 Mo</translation></message>
-<message><source>the disk is %1 s behind (%2 MB)</source><translation>le disque a %1 s de retard (%2 Mo)</translation></message>
 <message><source>RECORDING ENDED: %1</source><translation>ENREGISTREMENT TERMINÉ : %1</translation></message>
 <message><source>RECORDING HAS GAPS: %1</source><translation>L'ENREGISTREMENT A DES TROUS : %1</translation></message>
 <message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; autres cellules : points déplacés sur la grille du scan le plus récent</translation></message>
@@ -583,43 +44,6 @@
 <message><source>sweep %1</source><translation>balayage %1</translation></message>
 <message><source>demo draw-bell after the blast</source><translation>cloche de démonstration après le tir</translation></message>
 <message><source>demo draw-bell</source><translation>cloche de démonstration</translation></message>
-<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLET : %1 lignes sont là, on ne sait pas combien il y en avait.</translation></message>
-<message><source>Telegrams were lost: lines </source><translation>Des télégrammes ont été perdus : lignes </translation></message>
-<message><source>Telegrams were lost: line </source><translation>Un télégramme a été perdu : ligne </translation></message>
-<message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Des télégrammes avaient moins de faisceaux que le balayage, les autres sont perdus : </translation></message>
-<message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
-<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Les télégrammes portent des impulsions d'encodeur, mais le nombre d'impulsions par degré n'a pas été donné : les angles ne les suivent pas.</translation></message>
-<message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>Le scanner a perdu le compte de l'encodeur au redémarrage : les angles des lignes suivantes sont calculés.</translation></message>
-<message><source> (from line %1 on).</source><translation> (à partir de la ligne %1).</translation></message>
-<message><source>How a motor turned the scanner was not said in full. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été entièrement indiquée. SUPPOSÉ : </translation></message>
-<message><source>the axis (spin)</source><translation>l'axe (spin)</translation></message>
-<message><source>the axis (sweep)</source><translation>l'axe (sweep)</translation></message>
-<message><source>the axis (spin, seen in the ranges)</source><translation>l'axe (spin, vu dans les distances)</translation></message>
-<message><source>the axis (sweep, seen in the ranges)</source><translation>l'axe (sweep, vu dans les distances)</translation></message>
-<message><source>the step from line to line (%1 degrees</source><translation>le pas de ligne à ligne (%1 degrés</translation></message>
-<message><source>the motor turning on while a line is measured)</source><translation>le moteur continuant à tourner pendant la mesure d'une ligne)</translation></message>
-<message><source>the angle of the first line (%1 degrees)</source><translation>l'angle de la première ligne (%1 degrés)</translation></message>
-<message><source>Give %1 where that is wrong.</source><translation>Indiquez %1 si c'est faux.</translation></message>
-<message><source>The first line received is taken as line 0 of the sweep.</source><translation>La première ligne reçue est prise comme ligne 0 du balayage.</translation></message>
-<message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>Le compte de l'encodeur à la première ligne reçue est pris comme premier angle du balayage.</translation></message>
-<message><source>The scanner reported an error or was not ready</source><translation>Le scanner a signalé une erreur ou n'était pas prêt</translation></message>
-<message><source>The scanner reported a window too dirty to measure through</source><translation>Le scanner a signalé une fenêtre trop sale pour mesurer</translation></message>
-<message><source>The scanner reported a dirty window</source><translation>Le scanner a signalé une fenêtre sale</translation></message>
-<message><source> in all)</source><translation> en tout)</translation></message>
-<message><source>Trying again in %1 s.</source><translation>Nouvel essai dans %1 s.</translation></message>
-<message><source>Connecting to %1.</source><translation>Connexion à %1.</translation></message>
-<message><source> accepts the connection; asking what it is.</source><translation> accepte la connexion ; on lui demande ce qu'il est.</translation></message>
-<message><source> is sending again.</source><translation> envoie de nouveau.</translation></message>
-<message><source> is sending.</source><translation> envoie.</translation></message>
-<message><source>: no scan for %1 s.</source><translation> : pas de scan depuis %1 s.</translation></message>
-<message><source>: disconnected.</source><translation> : déconnecté.</translation></message>
-<message><source>The sweep has ended; no line has come since.</source><translation>Le balayage est terminé ; aucune ligne n'est arrivée depuis.</translation></message>
-<message><source>there is no such file</source><translation>ce fichier n'existe pas</translation></message>
-<message><source>check the spelling and the folder</source><translation>vérifiez le nom et le dossier</translation></message>
-<message><source>reading this file is not allowed</source><translation>la lecture de ce fichier n'est pas autorisée</translation></message>
-<message><source>ask its owner for the right to read it</source><translation>demandez à son propriétaire le droit de le lire</translation></message>
-<message><source>this is a folder, not a file</source><translation>c'est un dossier, pas un fichier</translation></message>
-<message><source>choose a file inside it</source><translation>choisissez un fichier à l'intérieur</translation></message>
 <message><source>there is not enough memory for this scan</source><translation>il n'y a pas assez de mémoire pour ce scan</translation></message>
 <message><source>close other programs or open a smaller scan</source><translation>fermez d'autres programmes ou ouvrez un scan plus petit</translation></message>
 <message><source>there is not enough memory to show the scan in its place</source><translation>il n'y a pas assez de mémoire pour montrer le scan à sa place</translation></message>
@@ -627,7 +51,6 @@
 <message><source>there is not enough memory for a second picture</source><translation>il n'y a pas assez de mémoire pour une deuxième image</translation></message>
 <message><source>there is not enough memory for a second scan</source><translation>il n'y a pas assez de mémoire pour un deuxième scan</translation></message>
 <message><source>there is not enough memory for these scans</source><translation>il n'y a pas assez de mémoire pour ces scans</translation></message>
-<message><source>there is not enough memory for this cloud</source><translation>il n'y a pas assez de mémoire pour ce nuage</translation></message>
 <message><source>there is not enough memory to play this recording</source><translation>il n'y a pas assez de mémoire pour lire cet enregistrement</translation></message>
 <message><source>hide or remove other layers, or choose a smaller scan</source><translation>masquez ou retirez d'autres couches, ou choisissez un scan plus petit</translation></message>
 <message><source>close other programs or choose a smaller scan</source><translation>fermez d'autres programmes ou choisissez un scan plus petit</translation></message>
@@ -636,148 +59,18 @@
 <message><source>close other programs or use a smaller scan</source><translation>fermez d'autres programmes ou utilisez un scan plus petit</translation></message>
 <message><source>another program has changed this file, so it was not removed</source><translation>un autre programme a modifié ce fichier, il n'a donc pas été supprimé</translation></message>
 <message><source>open the scan again to see its edits</source><translation>ouvrez le scan de nouveau pour voir ses modifications</translation></message>
-<message><source>the file cannot be removed (%1)</source><translation>le fichier ne peut pas être supprimé (%1)</translation></message>
-<message><source>check the rights of its folder</source><translation>vérifiez les droits de son dossier</translation></message>
 <message><source>it could not be opened (%1)</source><translation>il n'a pas pu être ouvert (%1)</translation></message>
 <message><source>auto is not a number</source><translation>auto n'est pas un nombre</translation></message>
 <message><source>tick auto next to the box</source><translation>cochez auto à côté du champ</translation></message>
 <message><source>the layer has another content than when it was placed</source><translation>la couche a un autre contenu que lorsqu'elle a été placée</translation></message>
 <message><source>remove it and add it again</source><translation>retirez-la et ajoutez-la de nouveau</translation></message>
-<message><source>it was cancelled, so nothing was written</source><translation>c'était annulé, donc rien n'a été écrit</translation></message>
-<message><source>save it again</source><translation>enregistrez-le de nouveau</translation></message>
-<message><source>the file cannot be read: </source><translation>le fichier ne peut pas être lu : </translation></message>
-<message><source>check the disk and the path</source><translation>vérifiez le disque et le chemin</translation></message>
-<message><source>there is not enough memory for this file</source><translation>la mémoire ne suffit pas pour ce fichier</translation></message>
-<message><source>close other programs or open a smaller file</source><translation>fermez d'autres programmes ou ouvrez un fichier plus petit</translation></message>
-<message><source>close other programs</source><translation>fermez d'autres programmes</translation></message>
-<message><source>this is a web page (HTML), not a scan</source><translation>c'est une page web (HTML), pas un scan</translation></message>
-<message><source>this is a JPEG picture, not a scan</source><translation>c'est une image JPEG, pas un scan</translation></message>
-<message><source>this is a picture or film, not a scan</source><translation>c'est une image ou un film, pas un scan</translation></message>
-<message><source>this is a PDF document, not a scan</source><translation>c'est un document PDF, pas un scan</translation></message>
-<message><source>this is a ZIP archive, not a scan</source><translation>c'est une archive ZIP, pas un scan</translation></message>
-<message><source>this is a program, not a scan</source><translation>c'est un programme, pas un scan</translation></message>
-<message><source>it may be what a site sent instead of the file: download the file again, or choose a scan file</source><translation>un site l'a peut-être envoyée à la place du fichier : téléchargez à nouveau le fichier, ou choisissez un fichier de scan</translation></message>
-<message><source>choose a scan file</source><translation>choisissez un fichier de scan</translation></message>
-<message><source>unpack it and open the scan in it</source><translation>décompressez-la et ouvrez le scan qu'elle contient</translation></message>
-<message><source>copy the file again, it may be cut off</source><translation>copiez à nouveau le fichier, il est peut-être coupé</translation></message>
-<message><source>copy the file again</source><translation>copiez à nouveau le fichier</translation></message>
-<message><source>export the file again</source><translation>exportez à nouveau le fichier</translation></message>
-<message><source>the folder to write into does not exist</source><translation>le dossier de destination n'existe pas</translation></message>
-<message><source>make the folder or choose another</source><translation>créez le dossier ou choisissez-en un autre</translation></message>
-<message><source>the folder to write into is not a folder</source><translation>le dossier de destination n'est pas un dossier</translation></message>
-<message><source>writing here is not allowed</source><translation>il n'est pas permis d'écrire ici</translation></message>
-<message><source>choose another folder or ask for the right to write</source><translation>choisissez un autre dossier ou demandez le droit d'écrire</translation></message>
-<message><source>the disk can only be read</source><translation>le disque est en lecture seule</translation></message>
-<message><source>the disk is full, so this file was not written</source><translation>le disque est plein, ce fichier n'a donc pas été écrit</translation></message>
-<message><source>free some space or choose another disk</source><translation>libérez de la place ou choisissez un autre disque</translation></message>
-<message><source>the file cannot be written: </source><translation>le fichier ne peut pas être écrit : </translation></message>
-<message><source>choose another folder or disk</source><translation>choisissez un autre dossier ou disque</translation></message>
-<message><source>choose another folder</source><translation>choisissez un autre dossier</translation></message>
-<message><source>the file name is too long</source><translation>le nom du fichier est trop long</translation></message>
-<message><source>choose a shorter name</source><translation>choisissez un nom plus court</translation></message>
-<message><source>give a file name</source><translation>donnez un nom de fichier</translation></message>
-<message><source>this file is read-only, so it was not replaced</source><translation>ce fichier est en lecture seule, il n'a donc pas été remplacé</translation></message>
-<message><source>allow writing with chmod u+w, or choose another name</source><translation>permettez l'écriture avec chmod u+w, ou choisissez un autre nom</translation></message>
-<message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>ce fichier appartient à un autre utilisateur, qui ne permet pas d'y écrire ; il n'a donc pas été remplacé</translation></message>
-<message><source>choose another name, or ask its owner</source><translation>choisissez un autre nom, ou demandez à son propriétaire</translation></message>
 <message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>ce n'est pas un fichier ordinaire : les réglages ne sont pas lus et rien de cette fenêtre n'est enregistré</translation></message>
 <message><source>remove it and start again</source><translation>supprimez-le et redémarrez</translation></message>
-<message><source>this file was read as an input</source><translation>ce fichier a été lu comme entrée</translation></message>
-<message><source>this is the file that was read as an input under the name </source><translation>c'est le fichier lu comme entrée sous le nom </translation></message>
-<message><source>choose another name</source><translation>choisissez un autre nom</translation></message>
-<message><source>nothing answers there</source><translation>rien ne répond à cette adresse</translation></message>
-<message><source>check power, cable and the address, and that this computer is in the scanner's network</source><translation>vérifiez l'alimentation, le câble et l'adresse, et que cet ordinateur est dans le réseau du scanner</translation></message>
-<message><source>the connection is refused</source><translation>la connexion est refusée</translation></message>
-<message><source>check the port (2111 or 2112) and that no other program holds the scanner</source><translation>vérifiez le port (2111 ou 2112) et qu'aucun autre programme n'occupe le scanner</translation></message>
-<message><source>there is no way to this address</source><translation>aucun chemin ne mène à cette adresse</translation></message>
-<message><source>check the cable and the network settings of this computer</source><translation>vérifiez le câble et les réglages réseau de cet ordinateur</translation></message>
-<message><source>check the address and the network settings of this computer</source><translation>vérifiez l'adresse et les réglages réseau de cet ordinateur</translation></message>
-<message><source>cannot connect (%1)</source><translation>connexion impossible (%1)</translation></message>
-<message><source>no scanner is given</source><translation>aucun scanner n'est indiqué</translation></message>
-<message><source>give its IP address or host name</source><translation>donnez son adresse IP ou son nom d'hôte</translation></message>
-<message><source>the host name is not known</source><translation>le nom d'hôte est inconnu</translation></message>
-<message><source>check its spelling or use the scanner's IP address</source><translation>vérifiez son orthographe ou utilisez l'adresse IP du scanner</translation></message>
-<message><source>the name server does not answer</source><translation>le serveur de noms ne répond pas</translation></message>
-<message><source>use the scanner's IP address</source><translation>utilisez l'adresse IP du scanner</translation></message>
-<message><source>the scanner closed the connection</source><translation>le scanner a fermé la connexion</translation></message>
-<message><source>the connection broke (%1)</source><translation>la connexion s'est interrompue (%1)</translation></message>
-<message><source>no line was received</source><translation>aucune ligne n'a été reçue</translation></message>
-<message><source>check cable, address and port</source><translation>vérifiez le câble, l'adresse et le port</translation></message>
-<message><source>check the cable and whether the scanner's mirror turns</source><translation>vérifiez le câble et que le miroir du scanner tourne</translation></message>
-<message><source>the scanner refuses to send scans: </source><translation>le scanner refuse d'envoyer des scans : </translation></message>
-<message><source>check what else uses it</source><translation>vérifiez ce qui l'utilise aussi</translation></message>
-<message><source>a recording is being written already</source><translation>un enregistrement est déjà en cours</translation></message>
-<message><source>stop it first</source><translation>arrêtez-le d'abord</translation></message>
-<message><source>the file ends within its E57 header</source><translation>le fichier finit dans son en-tête E57</translation></message>
-<message><source>this is E57 version %1, and version 1 is known</source><translation>c'est la version %1 d'E57, et la version 1 est connue</translation></message>
-<message><source>export it as E57 version 1.0</source><translation>exportez-le en E57 version 1.0</translation></message>
-<message><source>the E57 header says that pages have %1 bytes</source><translation>l'en-tête E57 donne des pages de %1 octets</translation></message>
-<message><source>the E57 header promises %1 bytes and the file holds </source><translation>l'en-tête E57 annonce %1 octets et le fichier en contient </translation></message>
-<message><source>the columns of points in this E57 file are nested too deep</source><translation>les colonnes de points de ce fichier E57 sont trop imbriquées</translation></message>
-<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>les limites de la colonne %1 de ce fichier E57 sont impossibles</translation></message>
-<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>le scan %1 de ce fichier E57 n'indique ni où sont ses points ni combien il y en a</translation></message>
-<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>selon l'en-tête E57, la partie XML est à l'octet %1 et a </translation></message>
-<message><source>the XML part of this E57 file cannot be read: </source><translation>la partie XML de ce fichier E57 est illisible : </translation></message>
-<message><source>the XML part of this E57 file has no e57Root</source><translation>la partie XML de ce fichier E57 n'a pas d'e57Root</translation></message>
-<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la page %1 sur %2 de ce fichier E57 est endommagée : sa somme de contrôle est fausse</translation></message>
-<message><source>this E57 file ends before something that it names</source><translation>ce fichier E57 finit avant ce qu'il annonce</translation></message>
-<message><source>this E57 file holds no scan</source><translation>ce fichier E57 ne contient aucun scan</translation></message>
-<message><source>the file holds one scan</source><translation>le fichier contient un scan</translation></message>
-<message><source>the file holds %1 scans</source><translation>le fichier contient %1 scans</translation></message>
-<message><source>scan %1 of this E57 file holds no points</source><translation>le scan %1 de ce fichier E57 ne contient aucun point</translation></message>
-<message><source>choose another scan or file</source><translation>choisissez un autre scan ou fichier</translation></message>
 <message><source>choose another scan</source><translation>choisissez un autre scan</translation></message>
-<message><source>choose another file</source><translation>choisissez un autre fichier</translation></message>
-<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>les points commenceraient à l'octet %1, qui n'est pas dans le fichier</translation></message>
-<message><source>no list of points begins where the E57 file says</source><translation>aucune liste de points ne commence là où le fichier E57 l'indique</translation></message>
-<message><source>the header of the points does not fit the file</source><translation>l'en-tête des points ne correspond pas au fichier</translation></message>
-<message><source>a packet of points </source><translation>un paquet de points </translation></message>
-<message><source>the file promises %1 points and </source><translation>le fichier annonce %1 points et </translation></message>
-<message><source>this ZIP archive has no directory at its end</source><translation>cette archive ZIP n'a pas de répertoire à sa fin</translation></message>
-<message><source>the directory of this ZIP archive is damaged</source><translation>le répertoire de cette archive ZIP est endommagé</translation></message>
-<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>cette archive ZIP ne commence pas là où son répertoire l'indique : d'autres octets la précèdent ou s'y trouvent</translation></message>
-<message><source>this part of the archive is encrypted</source><translation>cette partie de l'archive est chiffrée</translation></message>
-<message><source>save it without a password</source><translation>enregistrez-la sans mot de passe</translation></message>
-<message><source>this part of the archive is packed by method %1</source><translation>cette partie de l'archive est compressée par la méthode %1</translation></message>
-<message><source>pack it with DEFLATE, as usual</source><translation>compressez-la avec DEFLATE, comme d'habitude</translation></message>
-<message><source>this part of the archive is not where its directory says</source><translation>cette partie de l'archive n'est pas là où son répertoire l'indique</translation></message>
-<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>décompressé, cela fait %1, bien plus qu'un scan de cette taille</translation></message>
-<message><source>unpack it by hand and look at it</source><translation>décompressez-la à la main et regardez-la</translation></message>
-<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>cette partie de l'archive est endommagée : sa longueur ou sa somme de contrôle est fausse</translation></message>
-<message><source>it is a ROS bag of another version than 2.0</source><translation>c'est un bag ROS d'une autre version que 2.0</translation></message>
-<message><source>convert it with "rosbag migrate"</source><translation>convertissez-le avec « rosbag migrate »</translation></message>
-<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>cette base SQLite est tronquée ou endommagée : ses tables sont illisibles</translation></message>
-<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>cette base SQLite n'est pas un bag ROS : elle n'a pas de table de topics</translation></message>
-<message><source>this SQLite database cannot be opened</source><translation>cette base SQLite ne peut pas être ouverte</translation></message>
-<message><source>copy it again</source><translation>copiez-la à nouveau</translation></message>
-<message><source>this is not an MCAP recording of a known version</source><translation>ce n'est pas un enregistrement MCAP d'une version connue</translation></message>
-<message><source>choose a recording</source><translation>choisissez un enregistrement</translation></message>
-<message><source>this folder holds %1 files of a bag</source><translation>ce dossier contient %1 fichiers d'un bag</translation></message>
-<message><source>open one of them, as </source><translation>ouvrez-en un, par exemple </translation></message>
-<message><source>no topic of this %1 is a laser's</source><translation>aucun topic de ce %1 n'est d'un laser</translation></message>
-<message><source>choose another bag</source><translation>choisissez un autre bag</translation></message>
-<message><source>the bag has no topic </source><translation>le bag n'a pas de topic </translation></message>
-<message><source>the topic %1 holds no scan</source><translation>le topic %1 ne contient aucun scan</translation></message>
-<message><source>choose one of them with </source><translation>choisissez-en un avec </translation></message>
-<message><source>choose one of </source><translation>choisissez parmi </translation></message>
-<message><source>the laser did not turn while it measured</source><translation>le laser n'a pas tourné pendant la mesure</translation></message>
-<message><source>choose another topic, or give the joint that turns it</source><translation>choisissez un autre topic, ou donnez l'articulation qui le tourne</translation></message>
-<message><source>no line of the topic %1 could be placed</source><translation>aucune ligne du topic %1 n'a pu être placée</translation></message>
-<message><source>no message of the topic %1 is a line of ranges</source><translation>aucun message du topic %1 n'est une ligne de distances</translation></message>
-<message><source>The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.</source><translation>L'enregistrement contient %1 balayages ; le balayage %2 a été ouvert ; aucun autre n'a plus de lignes.</translation></message>
-<message><source>no transform turns the laser's frame %1 while it measures</source><translation>aucune transformation ne tourne le repère %1 du laser pendant la mesure</translation></message>
-<message><source>no joint turned while the laser measured</source><translation>aucune articulation n'a tourné pendant la mesure du laser</translation></message>
-<message><source>there is no joint called </source><translation>il n'y a pas d'articulation nommée </translation></message>
-<message><source>choose another topic</source><translation>choisissez un autre topic</translation></message>
-<message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>le scan n'a pas de pose, sa place dans la grille de la mine n'est donc pas connue</translation></message>
-<message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>donnez une pose et l'étalonnage du robot, ou enregistrez dans le repère du scanner</translation></message>
-<message><source>The pose carries no time, so its age is not known.</source><translation>La pose n'a pas d'heure, son âge n'est donc pas connu.</translation></message>
-<message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>Le début du scan n'est pas connu, l'âge de la pose non plus.</translation></message>
-<message><source>OUT OF SPEC: the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>HORS TOLÉRANCE : les angles du moteur pas à pas sont supposés, donc E, N et RL peuvent être faux : indiquez montage, pas et angle de la première ligne.</translation></message>
-<message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>L'étalonnage ne donne pas %1 ; 0 est utilisé : ajoutez ce qui manque (Scan &gt; Pose et montage, page Montage).</translation></message>
-<message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>HORS TOLÉRANCE : la pose a %1 s de plus que le début du scan.</translation></message>
-<message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>HORS TOLÉRANCE : l'inclinaison de la tête a changé de %1 degrés pendant le scan, plus que </translation></message>
-<message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>HORS TOLÉRANCE : %1 lignes sur %2 ont été mesurées avant la première ou après la dernière pose et ont reçu la plus proche.</translation></message>
+<message><source> (line </source><translation> (ligne </translation></message>
+<message><source>Both are one scan: the files are the same.</source><translation>Les deux sont un seul scan : les fichiers sont identiques.</translation></message>
+<message><source>Near and far leave no depth between them: the gray image is blank and has no edge.</source><translation>Près et loin ne laissent aucune profondeur entre eux : l'image grise est vide et sans arête.</translation></message>
+<message><source> edge cells lie on filled ranges and are not in this file; %1 writes them.</source><translation> cellules d'arête sont sur des distances comblées et ne sont pas dans ce fichier ; %1 les écrit.</translation></message>
 <message><source>OUT OF SPEC: whether the surfaces of "%1" fit cannot be seen.</source><translation>HORS TOLÉRANCE : on ne peut pas voir si les surfaces de « %1 » concordent.</translation></message>
 <message><source>OUT OF SPEC: the surfaces of "%1" are %2 mm from those of the first scan at best.</source><translation>HORS TOLÉRANCE : les surfaces de « %1 » sont au mieux à %2 mm de celles du premier scan.</translation></message>
 <message><source>OUT OF SPEC: the base moved while "%1" was taken: one place fits it badly.</source><translation>HORS TOLÉRANCE : la base a bougé pendant la prise de « %1 » : une seule place lui convient mal.</translation></message>
@@ -786,9 +79,6 @@
 <message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place. No areas of change are given.</source><translation>HORS TOLÉRANCE : les surfaces des deux scans sont au mieux à %1 l'une de l'autre : presque tout a changé, ou ce ne sont pas des scans d'un même lieu. Aucune surface de changement n'est donnée.</translation></message>
 <message><source>OUT OF SPEC: whether the poses fit cannot be seen, </source><translation>HORS TOLÉRANCE : on ne peut pas voir si les poses concordent, </translation></message>
 <message><source>OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by </source><translation>HORS TOLÉRANCE : les poses ne concordent pas avec les surfaces ; le scan antérieur a donc été déplacé d'après ses surfaces, de </translation></message>
-<message><source>The file lists only points: %1 lines, %2 beams and mounting </source><translation>Le fichier ne contient que des points : %1 lignes, %2 faisceaux et le montage </translation></message>
-<message><source>were found from them.</source><translation>en ont été déduits.</translation></message>
-<message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Ce fichier est un export de points d'arête, pas un scan : toutes les autres cellules comptent comme sans retour. Ouvrez le scan pour chercher les arêtes.</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Scan &gt; Redresser les faisceaux</translation></message>
 <message><source>Scan &gt; Keep Repeated Values</source><translation>Scan &gt; Garder les valeurs répétées</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>les coordonnées dans le dialogue d'exportation</translation></message>
@@ -938,7 +228,6 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>gained, lost and kept</source><translation>gagnées, perdues et gardées</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
-<message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
 <message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
 <message><source>could not be computed:
 %1</source><translation>n'a pas pu être calculée :
@@ -964,7 +253,6 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>La raison n'a pas pu être établie (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>Finding the reason …</source><translation>Recherche de la raison …</translation></message>
-<message><source>line %1, beam %2</source><translation>ligne %1, faisceau %2</translation></message>
 <message><source>under the pointer</source><translation>sous le pointeur</translation></message>
 <message><source>the pinned target, under the pointer</source><translation>la cible épinglée, sous le pointeur</translation></message>
 <message><source>under the pointer, not the pinned target</source><translation>sous le pointeur, pas la cible épinglée</translation></message>
@@ -1054,7 +342,6 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>File</source><translation>Fichier</translation></message>
 <message><source>Format</source><translation>Format</translation></message>
 <message><source>Grid</source><translation>Grille</translation></message>
-<message><source>%1 lines x %2 beams</source><translation>%1 lignes x %2 faisceaux</translation></message>
 <message><source>Distances</source><translation>Distances</translation></message>
 <message><source>%1 to %2 measured; gray levels from %3 to %4</source><translation>mesurées de %1 à %2 ; niveaux de gris de %3 à %4</translation></message>
 <message><source>none was measured</source><translation>aucune mesurée</translation></message>
@@ -1063,7 +350,6 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>%1 (as the pose says)</source><translation>%1 (selon la pose)</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>serial %1</source><translation>numéro de série %1</translation></message>
-<message><source>firmware %1</source><translation>micrologiciel %1</translation></message>
 <message><source>Uncertainty</source><translation>Incertitude</translation></message>
 <message><source>ranges ± %1 m at %2 m, ± %3 m at %4 m (two standard deviations)</source><translation>distances ± %1 m à %2 m, ± %3 m à %4 m (deux écarts-types)</translation></message>
 <message><source>%1; the pose does not say its own</source><translation>%1 ; la pose n'indique pas la sienne</translation></message>
@@ -1134,7 +420,6 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Parameter</source><translation>Paramètre</translation></message>
 <message><source>Value</source><translation>Valeur</translation></message>
 <message><source>auto: %1</source><translation>auto : %1</translation></message>
-<message><source>%1 degrees</source><translation>%1 degrés</translation></message>
 <message><source>%1 cells</source><translation>%1 cellules</translation></message>
 <message><source>%1 steps</source><translation>%1 pas</translation></message>
 <message><source>%1 % of range</source><translation>%1 % de la distance</translation></message>
@@ -1530,16 +815,8 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>being cancelled</source><translation>annulation en cours</translation></message>
 <message><source>opened</source><translation>ouvert</translation></message>
 <message><source>reading</source><translation>lecture</translation></message>
-<message><source>reading points</source><translation>lecture des points</translation></message>
-<message><source>reading ranges</source><translation>lecture des distances</translation></message>
-<message><source>reading the picture</source><translation>lecture de l'image</translation></message>
 <message><source>unpacking</source><translation>décompression</translation></message>
-<message><source>finding telegrams</source><translation>recherche des télégrammes</translation></message>
-<message><source>putting packets together</source><translation>assemblage des paquets</translation></message>
 <message><source>grid</source><translation>grille</translation></message>
-<message><source>finding the grid</source><translation>recherche de la grille</translation></message>
-<message><source>finding the axis</source><translation>recherche de l'axe</translation></message>
-<message><source>projecting the points</source><translation>projection des points</translation></message>
 <message><source>placing the points</source><translation>placement des points</translation></message>
 <message><source>finding edges</source><translation>recherche des arêtes</translation></message>
 <message><source>drawing</source><translation>dessin</translation></message>
@@ -1735,7 +1012,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>without a cell</source><translation>sans cellule</translation></message>
 <message><source>Scanner at [m]</source><translation>Scanner à [m]</translation></message>
 <message><source>Origin E, N, RL [m]</source><translation>Origine E, N, RL [m]</translation></message>
-<message><source>Scale of the grid</source><translation>Échelle de la grille</translation></message>
 <message><source>Source</source><translation>Source</translation></message>
 <message><source>Begin of the scan</source><translation>Début du scan</translation></message>
 <message><source>End of the scan</source><translation>Fin du scan</translation></message>
@@ -1746,7 +1022,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Boom</source><translation>Flèche</translation></message>
 <message><source>Pivot [m]</source><translation>Pivot [m]</translation></message>
 <message><source>Head [m]</source><translation>Tête [m]</translation></message>
-<message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
 <message><source>scanner</source><translation>scanner</translation></message>
 <message><source>beam x line angles</source><translation>angles des faisceaux x lignes</translation></message>
 <message><source>organised points</source><translation>points organisés</translation></message>
@@ -2424,8 +1699,6 @@ Double-clic : retour au préréglage</translation></message>
 </translation></message>
 <message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>La visite est terminée ; Aide &gt; Visite la recommence.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La fenêtre n'a pas de place pour les images à côté de ce panneau : elles reviennent quand vous le repliez.</translation></message>
-<message><source>Network capture</source><translation>Capture réseau</translation></message>
-<message><source>CoLa stream</source><translation>Flux CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dessin avec les lignes des arêtes</translation></message>
 <message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Image de distances</translation></message>
@@ -2441,7 +1714,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Range or point table</source><translation>Tableau de distances ou de points</translation></message>
 <message><source>Raw grid</source><translation>Grille brute</translation></message>
 <message><source>Recording</source><translation>Enregistrement</translation></message>
-<message><source>Surpac strings</source><translation>Polylignes Surpac</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Comment les arêtes sont trouvées : sauts et plis de la surface, parties de ceux-ci, ou Canny sur niveaux de gris comme dans la thèse, ou un des autres détecteurs que la thèse compare.</translation></message>
 <message><source>Edges shown</source><translation>Arêtes affichées</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Seules les arêtes qui sont probablement le contour d'une roche sont affichées et exportées ; les plis dans une roche sont omis.</translation></message>
@@ -2455,7 +1727,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>% of range</source><translation>% dist.</translation></message>
 <message><source>What the smallest step grows by with the distance.</source><translation>De combien la plus petite marche croît avec la distance.</translation></message>
 <message><source>Crease angle</source><translation>Angle de pli</translation></message>
-<message><source>degrees</source><translation>degrés</translation></message>
 <message><source>Smallest fold of the surface that is an edge.</source><translation>Plus petit pli de la surface qui est une arête.</translation></message>
 <message><source>Minimum length</source><translation>Longueur minimale</translation></message>
 <message><source>Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.</source><translation>Les chaînes plus courtes de cellules d'arête sont écartées. Au bord d'un vide, chaque classe forme ses propres chaînes : un bord en deux classes est deux chaînes.</translation></message>
@@ -2558,58 +1829,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Les morceaux plus longs demandent de meilleurs signes d'être un bloc et non une paroi. La longueur est à peu près la longueur visible a.</translation></message>
 <message><source>Oversize</source><translation>Hors gabarit</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>La part des blocs dont la largeur visible est plus grande est indiquée ; 0 n'en indique aucune.</translation></message>
-<message><source>Angle of the first beam [degrees]</source><translation>Angle du premier faisceau [degrés]</translation></message>
-<message><source>Angle from beam to beam [degrees]</source><translation>Angle d'un faisceau à l'autre [degrés]</translation></message>
-<message><source>Angle of the first line [degrees]</source><translation>Angle de la première ligne [degrés]</translation></message>
-<message><source>Angle from line to line [degrees]</source><translation>Angle d'une ligne à l'autre [degrés]</translation></message>
-<message><source>Unit of the numbers in the file; replaces the one that the file gives</source><translation>Unité des nombres du fichier ; remplace celle que donne le fichier</translation></message>
-<message><source>Millimetres per number in the file</source><translation>Millimètres par nombre du fichier</translation></message>
-<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Cellules d'un nuage qui est projeté [degrés] ; sinon d'après l'espacement de ses points</translation></message>
-<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Ce autour de quoi le moteur pas à pas tourne : spin (direction de visée) ou sweep (ligne 0/180 degrés)</translation></message>
-<message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Place du scanner pour un nuage sans grille, comme X,Y,Z [m]</translation></message>
-<message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Points qui ne sont sur aucune grille de scanner : les projeter autour du capteur (auto), le faire sans chercher de grille (always), ou les refuser (never)</translation></message>
-<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corriger les angles des faisceaux entrelacés de deux passages, et des lignes où le moteur pas à pas a glissé</translation></message>
-<message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
-<message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon un laser qui tourne</translation></message>
-<message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>
-<message><source>Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3</source><translation>Colonnes de x, y et z dans une liste de points, par numéro à partir de 1 ou par nom : 2,1,3</translation></message>
-<message><source>Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return</source><translation>Prendre une valeur ou un point qui se répète exactement, loin du reste, comme mesuré et non comme sans retour</translation></message>
-<message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
-<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier d'étalonnage du robot ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Easting E [m]</source><translation>Est E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Nord N [m]</translation></message>
-<message><source>RL, positive up [m]</source><translation>RL, positif vers le haut [m]</translation></message>
-<message><source>Heading, clockwise from north [degrees]</source><translation>Cap, du nord dans le sens horaire [degrés]</translation></message>
-<message><source>North of the heading</source><translation>Nord du cap</translation></message>
-<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinaison : tangage, nez vers le haut [degrés]</translation></message>
-<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinaison : roulis, côté droit vers le bas [degrés]</translation></message>
-<message><source>Zone or EPSG code</source><translation>Zone ou code EPSG</translation></message>
 <message><source>Datum</source><translation>Datum</translation></message>
-<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Azimut de la flèche, positif vers la gauche [degrés]</translation></message>
-<message><source>Robot's pitch, nose up [degrees]</source><translation>Tangage du robot, nez vers le haut [degrés]</translation></message>
-<message><source>Robot's roll, right side down [degrees]</source><translation>Roulis du robot, côté droit vers le bas [degrés]</translation></message>
-<message><source>Name of robot or scanner</source><translation>Nom du robot ou du scanner</translation></message>
-<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Visée : roulis, tangage, lacet [degrés]</translation></message>
-<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Bras de levier du TALIN dans le robot : avant, gauche, haut [m]</translation></message>
-<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Bras de levier de la tête dans le robot : avant, gauche, haut [m]</translation></message>
-<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivot d'une flèche dans le robot, à la place de la tête [m]</translation></message>
-<message><source>From pivot to head [m]</source><translation>Du pivot à la tête [m]</translation></message>
-<message><source>The boom's azimuth turns about</source><translation>L'azimut de la flèche tourne autour de</translation></message>
-<message><source>The scanner looks</source><translation>Le scanner regarde</translation></message>
-<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Direction du regard : roulis, tangage, lacet [degrés]</translation></message>
-<message><source>Looking direction: nine numbers by rows</source><translation>Direction du regard : neuf nombres par lignes</translation></message>
-<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Axe du moteur pas à pas depuis l'inclinomètre [m]</translation></message>
-<message><source>Tilt is given as</source><translation>L'inclinaison est donnée par</translation></message>
-<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Scanner sur le moteur : roulis, tangage, lacet [degrés]</translation></message>
-<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Scanner sur le moteur : x, y, z [m]</translation></message>
-<message><source>Axis of the stepper</source><translation>Axe du moteur</translation></message>
-<message><source>Zero of the stepper [degrees]</source><translation>Zéro du moteur [degrés]</translation></message>
-<message><source>Direction of the stepper, 1 or -1</source><translation>Sens du moteur, 1 ou -1</translation></message>
-<message><source>Step from line to line [degrees]</source><translation>Pas de ligne en ligne [degrés]</translation></message>
-<message><source>Beam at the time stamp of a line [degrees]</source><translation>Faisceau à l'heure d'une ligne [degrés]</translation></message>
-<message><source>Grid convergence [degrees]</source><translation>Convergence de la grille [degrés]</translation></message>
-<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Plus grand changement d'inclinaison pendant un balayage [degrés]</translation></message>
-<message><source>Largest age of a pose [s]</source><translation>Plus grand âge d'une pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them</source><translation>XYZ et CSV avec toutes les colonnes, et la grille et le compte rendu en lignes de commentaire : SIG et tableurs peuvent les refuser</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordonnées de la mine avec des nombres de 8 octets, que PCL et Open3D ne lisent pas ; sinon en mètres depuis une origine dans un commentaire</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de version 2000 au lieu de version 12</translation></message>
@@ -2807,5 +2029,1507 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Along the Surface</source><translation>Le long de la surface</translation></message>
 <message><source>Throat Width</source><translation>Largeur du goulot</translation></message>
 <message><source>Length in a Section</source><translation>Longueur dans une coupe</translation></message>
+</context>
+<context>
+<name>core</name>
+<message><source>the JSON holds too many keys</source><translation>le JSON contient trop de clés</translation></message>
+<message><source>the key "%1" appears twice in the same object of the JSON</source><translation>la clé « %1 » apparaît deux fois dans le même objet du JSON</translation></message>
+<message><source>the JSON holds a number that no computer can store</source><translation>le JSON contient un nombre qu'aucun ordinateur ne peut stocker</translation></message>
+<message><source>the JSON is damaged or cut off here</source><translation>le JSON est endommagé ou coupé ici</translation></message>
+<message><source>correct the file or choose another</source><translation>corrigez le fichier ou choisissez-en un autre</translation></message>
+<message><source>%1: byte %2</source><translation>%1 : octet %2</translation></message>
+<message><source>check it around this place</source><translation>vérifiez-le autour de cet endroit</translation></message>
+<message><source>this JSON is nested too deep</source><translation>ce JSON est imbriqué trop profondément</translation></message>
+<message><source>this JSON is too large: %1, and %2 are read</source><translation>ce JSON est trop grand : %1, et %2 sont lus</translation></message>
+<message><source>choose another file</source><translation>choisissez un autre fichier</translation></message>
+<message><source>the file is empty</source><translation>le fichier est vide</translation></message>
+<message><source>copy it again or choose another</source><translation>copiez-le à nouveau ou choisissez-en un autre</translation></message>
+<message><source>%n byte behind %1 was not read.</source><translation>%n octet derrière %1 n'a pas été lu.</translation></message>
+<message><source>%n bytes behind %1 were not read.</source><translation>%n octets derrière %1 n'ont pas été lus.</translation></message>
+<message><source>this is the address of a file on another computer, %1</source><translation>c'est l'adresse d'un fichier sur un autre ordinateur, %1</translation></message>
+<message><source>copy the file to this one, or give its path in a folder that is shared</source><translation>copiez le fichier sur celui-ci, ou donnez son chemin dans un dossier partagé</translation></message>
+<message><source>this address has a % without the two digits of a byte</source><translation>cette adresse a un % sans les deux chiffres d'un octet</translation></message>
+<message><source>write % as %25, or give the path</source><translation>écrivez % sous la forme %25, ou donnez le chemin</translation></message>
+<message><source>this address names no file</source><translation>cette adresse ne nomme aucun fichier</translation></message>
+<message><source>give its path</source><translation>donnez son chemin</translation></message>
+<message><source>this file was read as an input</source><translation>ce fichier a été lu comme entrée</translation></message>
+<message><source>this is the file that was read as an input under the name %1</source><translation>c'est le fichier qui a été lu comme entrée sous le nom %1</translation></message>
+<message><source>choose another name</source><translation>choisissez un autre nom</translation></message>
+<message><source>nothing (null)</source><translation>rien (null)</translation></message>
+<message><source>a list [...]</source><translation>une liste [...]</translation></message>
+<message><source>an object {...}</source><translation>un objet {...}</translation></message>
+<message><source>holds %1 where a number is needed</source><translation>contient %1 là où il faut un nombre</translation></message>
+<message><source>holds a number out of all reason</source><translation>contient un nombre hors de toute raison</translation></message>
+<message><source>%1 or more</source><translation>%1 ou plus</translation></message>
+<message><source>%1 or less</source><translation>%1 ou moins</translation></message>
+<message><source>from %1 to %2</source><translation>de %1 à %2</translation></message>
+<message><source>is %1 and must be %2</source><translation>est %1 et doit être %2</translation></message>
+<message><source>is missing</source><translation>manque</translation></message>
+<message><source>must be a whole number from %1 to %2</source><translation>doit être un nombre entier de %1 à %2</translation></message>
+<message><source>must be true or false</source><translation>doit être true ou false</translation></message>
+<message><source>must be text</source><translation>doit être du texte</translation></message>
+<message><source>must be %1</source><translation>doit être %1</translation></message>
+<message><source>must be a list of numbers</source><translation>doit être une liste de nombres</translation></message>
+<message><source>must hold %1 numbers</source><translation>doit contenir %1 nombres</translation></message>
+<message><source>must hold three numbers</source><translation>doit contenir trois nombres</translation></message>
+<message><source>must hold three rows of three numbers</source><translation>doit contenir trois lignes de trois nombres</translation></message>
+<message><source>is not a rotation: its rows are not perpendicular and of length 1</source><translation>n'est pas une rotation : ses lignes ne sont pas perpendiculaires et de longueur 1</translation></message>
+<message><source>mirrors instead of turning: its determinant is -1</source><translation>reflète au lieu de tourner : son déterminant est -1</translation></message>
+<message><source>must be a time in UTC like "2026-11-20T10:15:30.250Z"</source><translation>doit être une heure UTC comme "2026-11-20T10:15:30.250Z"</translation></message>
+<message><source>must be a list of texts</source><translation>doit être une liste de textes</translation></message>
+<message><source>must be an object {...}</source><translation>doit être un objet {...}</translation></message>
+<message><source>must be a list of objects {...}</source><translation>doit être une liste d'objets {...}</translation></message>
+<message><source>is not a key here, but "%1" is: units belong to the name</source><translation>n'est pas une clé ici, mais « %1 » en est une : les unités font partie du nom</translation></message>
+<message><source>is not a key here; known are %1</source><translation>n'est pas une clé ici ; sont connues %1</translation></message>
+<message><source>"format": "%1"</source><translation>"format": "%1"</translation></message>
+<message><source>the JSON holds no object</source><translation>le JSON ne contient pas d'objet</translation></message>
+<message><source>choose a file with %1</source><translation>choisissez un fichier avec %1</translation></message>
+<message><source>"format" is missing</source><translation>"format" manque</translation></message>
+<message><source>"format" is "%1", not "%2"</source><translation>"format" est « %1 », pas « %2 »</translation></message>
+<message><source>%n byte</source><translation>%n octet</translation></message>
+<message><source>%n bytes</source><translation>%n octets</translation></message>
+<message><source>needs %1 of memory, %2 are free</source><translation>demande %1 de mémoire, %2 sont libres</translation></message>
+<message><source>close other programs or open a smaller file</source><translation>fermez d'autres programmes ou ouvrez un fichier plus petit</translation></message>
+<message><source>no scanner reaches farther than 1,000 km</source><translation>aucun scanner ne porte à plus de 1,000 km</translation></message>
+<message><source>unit of counts and numbers</source><translation>unité des comptes et des nombres</translation></message>
+<message><source>from a nanometre to a kilometre</source><translation>d'un nanomètre à un kilomètre</translation></message>
+<message><source>angle of a beam, a heading or a mounting</source><translation>angle d'un faisceau, d'un cap ou d'un montage</translation></message>
+<message><source>degrees</source><translation>degrés</translation></message>
+<message><source>one turn</source><translation>un tour</translation></message>
+<message><source>angle of a line</source><translation>angle d'une ligne</translation></message>
+<message><source>a stepper that turns on for days</source><translation>un moteur pas à pas qui tourne des jours durant</translation></message>
+<message><source>step from beam to beam or line to line</source><translation>pas de faisceau à faisceau ou de ligne à ligne</translation></message>
+<message><source>not 0: two beams never look the same way</source><translation>pas 0 : deux faisceaux ne regardent jamais dans la même direction</translation></message>
+<message><source>cell of a projected cloud</source><translation>cellule d'un nuage projeté</translation></message>
+<message><source>finer than any scanner, coarser than any use</source><translation>plus fine que celle de tout scanner, plus grossière que pour tout usage</translation></message>
+<message><source>tilt, pitch</source><translation>inclinaison, tangage</translation></message>
+<message><source>beyond it, it is the other way round</source><translation>au-delà, c'est à l'envers</translation></message>
+<message><source>roll, convergence</source><translation>roulis, convergence</translation></message>
+<message><source>half a turn</source><translation>un demi-tour</translation></message>
+<message><source>easting, northing, place of a sensor</source><translation>est, nord, place d'un capteur</translation></message>
+<message><source>more than the way round the earth</source><translation>plus que le tour de la Terre</translation></message>
+<message><source>deeper than any mine, higher than any mountain</source><translation>plus profond que toute mine, plus haut que toute montagne</translation></message>
+<message><source>lever arm on a robot</source><translation>bras de levier sur un robot</translation></message>
+<message><source>nothing on a robot is farther away</source><translation>rien sur un robot n'est plus loin</translation></message>
+<message><source>coordinate, in the file's own unit</source><translation>coordonnée, dans l'unité propre du fichier</translation></message>
+<message><source>the way round the earth in tenths of a millimetre</source><translation>le tour de la Terre en dixièmes de millimètre</translation></message>
+<message><source>scale of a mine grid</source><translation>échelle d'une grille de mine</translation></message>
+<message><source>map projections stay within a hundredth</source><translation>les projections cartographiques restent à un centième près</translation></message>
+<message><source>lines, beams</source><translation>lignes, faisceaux</translation></message>
+<message><source>more than a day of scanning</source><translation>plus d'une journée de scan</translation></message>
+<message><source>this pipe cannot be read: </source><translation>ce tube ne peut pas être lu : </translation></message>
+<message><source>save what it gives to a file and open that</source><translation>enregistrez ce qu'il donne dans un fichier et ouvrez celui-ci</translation></message>
+<message><source>this is a keyboard, not a scan</source><translation>ceci est un clavier, pas un scan</translation></message>
+<message><source>give a file, or pipe one in</source><translation>donnez un fichier, ou passez-le par un tube</translation></message>
+<message><source>cancelled</source><translation>annulé</translation></message>
+<message><source>no program writes into this pipe</source><translation>aucun programme n'écrit dans ce tube</translation></message>
+<message><source>start the program that fills it, then open it again</source><translation>démarrez le programme qui le remplit, puis ouvrez-le à nouveau</translation></message>
+<message><source>this is a device, not a scan</source><translation>ceci est un périphérique, pas un scan</translation></message>
+<message><source>choose a file</source><translation>choisissez un fichier</translation></message>
+<message><source>the file cannot be opened: </source><translation>le fichier ne peut pas être ouvert : </translation></message>
+<message><source>check the path</source><translation>vérifiez le chemin</translation></message>
+<message><source>this is not a regular file</source><translation>ceci n'est pas un fichier ordinaire</translation></message>
+<message><source>the file cannot be read: </source><translation>le fichier ne peut pas être lu : </translation></message>
+<message><source>check the disk and the path</source><translation>vérifiez le disque et le chemin</translation></message>
+<message><source>the folder to write into does not exist</source><translation>le dossier de destination n'existe pas</translation></message>
+<message><source>make the folder or choose another</source><translation>créez le dossier ou choisissez-en un autre</translation></message>
+<message><source>the folder to write into is not a folder</source><translation>le dossier de destination n'est pas un dossier</translation></message>
+<message><source>choose another folder</source><translation>choisissez un autre dossier</translation></message>
+<message><source>writing here is not allowed</source><translation>il n'est pas permis d'écrire ici</translation></message>
+<message><source>choose another folder or ask for the right to write</source><translation>choisissez un autre dossier ou demandez le droit d'écrire</translation></message>
+<message><source>the disk can only be read</source><translation>le disque est en lecture seule</translation></message>
+<message><source>the disk is full, so this file was not written</source><translation>le disque est plein, ce fichier n'a donc pas été écrit</translation></message>
+<message><source>free some space or choose another disk</source><translation>libérez de la place ou choisissez un autre disque</translation></message>
+<message><source>the file would be larger than the limit set for it</source><translation>le fichier dépasserait la limite qui lui est fixée</translation></message>
+<message><source>choose another disk or raise the limit</source><translation>choisissez un autre disque ou relevez la limite</translation></message>
+<message><source>this is a folder, not a file</source><translation>c'est un dossier, pas un fichier</translation></message>
+<message><source>give a file name</source><translation>donnez un nom de fichier</translation></message>
+<message><source>this link leads in a circle</source><translation>ce lien tourne en rond</translation></message>
+<message><source>give the file itself</source><translation>donnez le fichier lui-même</translation></message>
+<message><source>the file name is too long</source><translation>le nom du fichier est trop long</translation></message>
+<message><source>choose a shorter name</source><translation>choisissez un nom plus court</translation></message>
+<message><source>the file cannot be written: </source><translation>le fichier ne peut pas être écrit : </translation></message>
+<message><source>choose another folder or disk</source><translation>choisissez un autre dossier ou disque</translation></message>
+<message><source>what was read back is not what was written, so this file was not written</source><translation>ce qui a été relu n'est pas ce qui a été écrit, ce fichier n'a donc pas été écrit</translation></message>
+<message><source>check the disk and try again</source><translation>vérifiez le disque et réessayez</translation></message>
+<message><source>there is no such file; a name with other bytes than UTF-8 does not come through a file dialog</source><translation>ce fichier n'existe pas ; un nom avec d'autres octets que de l'UTF-8 ne passe pas par un dialogue de fichiers</translation></message>
+<message><source>give the name on the command line, drag the file into the window, or rename it</source><translation>donnez le nom en ligne de commande, glissez le fichier dans la fenêtre ou renommez-le</translation></message>
+<message><source>there is no such file</source><translation>ce fichier n'existe pas</translation></message>
+<message><source>check the spelling and the folder</source><translation>vérifiez le nom et le dossier</translation></message>
+<message><source>reading this file is not allowed</source><translation>la lecture de ce fichier n'est pas autorisée</translation></message>
+<message><source>ask its owner for the right to read it</source><translation>demandez à son propriétaire le droit de le lire</translation></message>
+<message><source>choose a file inside it</source><translation>choisissez un fichier à l'intérieur</translation></message>
+<message><source>the file cannot be read: %1</source><translation>le fichier ne peut pas être lu : %1</translation></message>
+<message><source>this file is read-only, so it was not replaced</source><translation>ce fichier est en lecture seule, il n'a donc pas été remplacé</translation></message>
+<message><source>allow writing with chmod u+w, or choose another name</source><translation>permettez l'écriture avec chmod u+w, ou choisissez un autre nom</translation></message>
+<message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>ce fichier appartient à un autre utilisateur, qui ne permet pas d'y écrire ; il n'a donc pas été remplacé</translation></message>
+<message><source>choose another name, or ask its owner</source><translation>choisissez un autre nom, ou demandez à son propriétaire</translation></message>
+<message><source>; already in place: </source><translation> ; déjà en place : </translation></message>
+<message><source>no program reads from this pipe</source><translation>aucun programme ne lit de ce tube</translation></message>
+<message><source>start what reads from it first, or choose a file</source><translation>démarrez d'abord ce qui lit de lui, ou choisissez un fichier</translation></message>
+<message><source>what reads from this pipe takes nothing</source><translation>ce qui lit de ce tube n'accepte rien</translation></message>
+<message><source>start it again, or choose a file</source><translation>redémarrez-le, ou choisissez un fichier</translation></message>
+<message><source>what reads from this pipe has ended</source><translation>ce qui lit de ce tube a fini</translation></message>
+<message><source>there is no file name to write to</source><translation>il n'y a pas de nom de fichier où écrire</translation></message>
+<message><source>this is a link that belongs to another user</source><translation>c'est un lien qui appartient à un autre utilisateur</translation></message>
+<message><source>give the file it leads to, or another name</source><translation>donnez le fichier auquel il mène, ou un autre nom</translation></message>
+<message><source>two results cannot have one file</source><translation>deux résultats ne peuvent pas avoir un même fichier</translation></message>
+<message><source>give each a name of its own</source><translation>donnez à chacun un nom à lui</translation></message>
+<message><source>it was cancelled, so nothing was written</source><translation>c'était annulé, donc rien n'a été écrit</translation></message>
+<message><source>save it again</source><translation>enregistrez-le de nouveau</translation></message>
+<message><source>the file cannot be removed (%1)</source><translation>le fichier ne peut pas être supprimé (%1)</translation></message>
+<message><source>check the rights of its folder</source><translation>vérifiez les droits de son dossier</translation></message>
+<message><source>the folder cannot be made (%1)</source><translation>le dossier ne peut pas être créé (%1)</translation></message>
+<message><source>this is a device or a pipe, not a file</source><translation>ceci est un périphérique ou un tube, pas un fichier</translation></message>
+<message><source>the file is too large for what it should be: %1, and at most %2 are read</source><translation>le fichier est trop grand pour ce qu'il devrait être : %1, et au plus %2 sont lus</translation></message>
+<message><source>choose one that can be written to</source><translation>choisissez-en un où l'on puisse écrire</translation></message>
+<message><source>it is compressed with %1 and damaged or cut off</source><translation>il est compressé avec %1 et endommagé ou coupé</translation></message>
+<message><source>copy the file again</source><translation>copiez à nouveau le fichier</translation></message>
+<message><source>this program was built without %1, which this recording is compressed with</source><translation>ce programme a été compilé sans %1, avec quoi cet enregistrement est compressé</translation></message>
+<message><source>unpack it with "mcap compress --compression none" or "rosbag decompress", or install lib%1 and build again</source><translation>décompressez-le avec "mcap compress --compression none" ou "rosbag decompress", ou installez lib%1 et compilez à nouveau</translation></message>
+<message><source>it is compressed with "%1", which is not known here</source><translation>il est compressé avec « %1 », qui n'est pas connu ici</translation></message>
+<message><source>unpack it with the program that wrote it</source><translation>décompressez-le avec le programme qui l'a écrit</translation></message>
+<message><source>other bytes follow the packed data</source><translation>d'autres octets suivent les données compressées</translation></message>
+<message><source>unpacked this is more than %1, far more than a scan of its size can be</source><translation>décompressé, ceci fait plus de %1, bien plus qu'un scan de sa taille ne peut être</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>décompressez-la à la main et regardez-la</translation></message>
+<message><source>there is not enough memory for this file</source><translation>la mémoire ne suffit pas pour ce fichier</translation></message>
+<message><source>the packed data are damaged%1</source><translation>les données compressées sont endommagées%1</translation></message>
+<message><source>the packed data end too early</source><translation>les données compressées finissent trop tôt</translation></message>
+<message><source>copy the file again, it may be cut off</source><translation>copiez à nouveau le fichier, il est peut-être coupé</translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>cette archive ZIP n'a pas de répertoire à sa fin</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>le répertoire de cette archive ZIP est endommagé</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>cette archive ZIP ne commence pas là où son répertoire l'indique : d'autres octets la précèdent ou s'y trouvent</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>cette partie de l'archive est chiffrée</translation></message>
+<message><source>save it without a password</source><translation>enregistrez-la sans mot de passe</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>cette partie de l'archive est compressée par la méthode %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>compressez-la avec DEFLATE, comme d'habitude</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>cette partie de l'archive n'est pas là où son répertoire l'indique</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>décompressé, cela fait %1, bien plus qu'un scan de cette taille</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>cette partie de l'archive est endommagée : sa longueur ou sa somme de contrôle est fausse</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>les points commenceraient à l'octet %1, qui n'est pas dans le fichier</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>aucune liste de points ne commence là où le fichier E57 l'indique</translation></message>
+<message><source>export the file again</source><translation>exportez à nouveau le fichier</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>l'en-tête des points ne correspond pas au fichier</translation></message>
+<message><source>a packet of points %1</source><translation>un paquet de points %1</translation></message>
+<message><source>is too short</source><translation>est trop court</translation></message>
+<message><source>holds %1 and the file describes %2</source><translation>contient %1 et le fichier décrit %2</translation></message>
+<message><source>%n column</source><translation>%n colonne</translation></message>
+<message><source>%n columns</source><translation>%n colonnes</translation></message>
+<message><source>ends within its header</source><translation>finit dans son en-tête</translation></message>
+<message><source>promises more bytes than it has</source><translation>annonce plus d'octets qu'il n'en a</translation></message>
+<message><source>a packet of points is of kind %1, which E57 does not have</source><translation>un paquet de points est du genre %1, que E57 n'a pas</translation></message>
+<message><source>a packet of points says that it has %1 bytes, which are not there</source><translation>un paquet de points dit qu'il a %1 octets, qui n'y sont pas</translation></message>
+<message><source>the file promises %1 and has %2 bytes for them</source><translation>le fichier annonce %1 et a %2 octets pour eux</translation></message>
+<message><source>%n point</source><translation>%n point</translation></message>
+<message><source>%n points</source><translation>%n points</translation></message>
+<message><source>the file promises %1 and the column %2 ends after %3</source><translation>le fichier annonce %1 et la colonne %2 finit après %3</translation></message>
+<message><source>the file ends within its E57 header</source><translation>le fichier finit dans son en-tête E57</translation></message>
+<message><source>this is E57 version %1.%2, and version 1 is known</source><translation>ceci est du E57 version %1.%2, et la version 1 est connue</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>exportez-le en E57 version 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>l'en-tête E57 donne des pages de %1 octets</translation></message>
+<message><source>%1: byte 40</source><translation>%1 : octet 40</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds %2</source><translation>l'en-tête E57 annonce %1 octets et le fichier en contient %2</translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>les colonnes de points de ce fichier E57 sont trop imbriquées</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>les limites de la colonne %1 de ce fichier E57 sont impossibles</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>le scan %1 de ce fichier E57 n'indique ni où sont ses points ni combien il y en a</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has %2 bytes, which are not in the file</source><translation>l'en-tête E57 dit que la partie XML est à l'octet %1 et a %2 octets, qui ne sont pas dans le fichier</translation></message>
+<message><source>%1: byte 24</source><translation>%1 : octet 24</translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>la partie XML de ce fichier E57 est illisible : </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>la partie XML de ce fichier E57 n'a pas d'e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la page %1 sur %2 de ce fichier E57 est endommagée : sa somme de contrôle est fausse</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>ce fichier E57 finit avant ce qu'il annonce</translation></message>
+<message><source>a file of this name exists already and a recording overwrites nothing</source><translation>un fichier de ce nom existe déjà et un enregistrement n'écrase rien</translation></message>
+<message><source>the folder to record into does not exist</source><translation>le dossier où enregistrer n'existe pas</translation></message>
+<message><source>recording here is not allowed</source><translation>enregistrer ici n'est pas permis</translation></message>
+<message><source>the disk is full, nothing is recorded</source><translation>le disque est plein, rien n'est enregistré</translation></message>
+<message><source>the recording cannot be started: </source><translation>l'enregistrement ne peut pas commencer : </translation></message>
+<message><source>the disk is full, the recording ends here</source><translation>le disque est plein, l'enregistrement finit ici</translation></message>
+<message><source>free some space and start a new recording</source><translation>libérez de la place et commencez un nouvel enregistrement</translation></message>
+<message><source>the file has reached the limit set for its size, the recording ends here</source><translation>le fichier a atteint la limite fixée à sa taille, l'enregistrement finit ici</translation></message>
+<message><source>start a new recording</source><translation>commencez un nouvel enregistrement</translation></message>
+<message><source>the recording ends here: </source><translation>l'enregistrement finit ici : </translation></message>
+<message><source>check the disk and start a new recording</source><translation>vérifiez le disque et commencez un nouvel enregistrement</translation></message>
+<message><source>the disk reports that it lost some of what was recorded: </source><translation>le disque signale qu'il a perdu une partie de ce qui a été enregistré : </translation></message>
+<message><source>check the disk, and start a new recording on another one</source><translation>vérifiez le disque, et commencez un nouvel enregistrement sur un autre</translation></message>
+<message><source>bytes %1 to %2 are damaged and were left out</source><translation>les octets %1 à %2 sont endommagés et ont été laissés de côté</translation></message>
+<message><source>%1 more places are damaged or were left out</source><translation>%1 autres endroits sont endommagés ou ont été laissés de côté</translation></message>
+<message><source>it is not a whole chunk</source><translation>ce n'est pas un bloc complet</translation></message>
+<message><source>its checksum does not fit</source><translation>sa somme de contrôle ne correspond pas</translation></message>
+<message><source>it promises to unpack to %1, more than a file of this size holds</source><translation>il annonce qu'il se décompresse en %1, plus qu'un fichier de cette taille ne contient</translation></message>
+<message><source>the chunk at byte %1 was left out: %2</source><translation>le bloc à l'octet %1 a été laissé de côté : %2</translation></message>
+<message><source>the end of the recording</source><translation>la fin de l'enregistrement</translation></message>
+<message><source>the file says that it holds %1 and %2 could be read</source><translation>le fichier dit qu'il contient %1 et %2 ont pu être lus</translation></message>
+<message><source>%n message</source><translation>%n message</translation></message>
+<message><source>%n messages</source><translation>%n messages</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>ce n'est pas un enregistrement MCAP d'une version connue</translation></message>
+<message><source>choose a recording</source><translation>choisissez un enregistrement</translation></message>
+<message><source>unknown reason</source><translation>raison inconnue</translation></message>
+<message><source>out of memory</source><translation>mémoire insuffisante</translation></message>
+<message><source>the file ends too early</source><translation>le fichier finit trop tôt</translation></message>
+<message><source>there are no cells to make a picture of</source><translation>il n'y a pas de cellules dont faire une image</translation></message>
+<message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
+<message><source>the picture cannot be made: </source><translation>l'image ne peut pas être faite : </translation></message>
+<message><source>free some memory</source><translation>libérez de la mémoire</translation></message>
+<message><source>the picture cannot be read: </source><translation>l'image ne peut pas être lue : </translation></message>
+<message><source>save it again as PNG</source><translation>enregistrez-la à nouveau en PNG</translation></message>
+<message><source>the picture has %1 x %2 pixels; at most %3 are taken</source><translation>l'image a %1 x %2 pixels ; au plus %3 sont acceptés</translation></message>
+<message><source>make the picture smaller</source><translation>rendez l'image plus petite</translation></message>
+<message><source>this is not a readable PNG picture: </source><translation>ceci n'est pas une image PNG lisible : </translation></message>
+<message><source>save the mask again as PNG</source><translation>enregistrez à nouveau le masque en PNG</translation></message>
+<message><source>this picture has 16 bits per pixel where 8 are needed</source><translation>cette image a 16 bits par pixel là où il en faut 8</translation></message>
+<message><source>save the mask as 8-bit gray</source><translation>enregistrez le masque en gris de 8 bits</translation></message>
+<message><source>the picture promises more pixels than the file can hold</source><translation>l'image annonce plus de pixels que le fichier ne peut contenir</translation></message>
+<message><source>export it again</source><translation>exportez-le à nouveau</translation></message>
+<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>cette version est sans robots : elle ne lit ni bags ROS, ni VLP-16, ni Ouster, ni pont Foxglove</translation></message>
+<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>utilisez une version avec robots (EDGESCAN_ROBOTS)</translation></message>
+<message><source>this is not a whole DXF group</source><translation>ceci n'est pas un groupe DXF complet</translation></message>
+<message><source>this coordinate is not a number</source><translation>cette coordonnée n'est pas un nombre</translation></message>
+<message><source>reading points</source><translation>lecture des points</translation></message>
+<message><source>%n point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation>%n point partage sa rangée et sa colonne avec un plus proche, qui a été pris (plusieurs retours d'un faisceau).</translation></message>
+<message><source>%n points share their row and column with a nearer one, which was taken (several returns of one beam).</source><translation>%n points partagent leur rangée et leur colonne avec un plus proche, qui a été pris (plusieurs retours d'un faisceau).</translation></message>
+<message><source>this E57 file holds no scan, only %1</source><translation>ce fichier E57 ne contient aucun scan, seulement %1</translation></message>
+<message><source>%n picture</source><translation>%n image</translation></message>
+<message><source>%n pictures</source><translation>%n images</translation></message>
+<message><source>this E57 file holds no scan</source><translation>ce fichier E57 ne contient aucun scan</translation></message>
+<message><source>The first scan of the file holds no points.</source><translation>Le premier scan du fichier ne contient pas de points.</translation></message>
+<message><source>The first %1 scans of the file hold no points.</source><translation>Les %1 premiers scans du fichier ne contiennent pas de points.</translation></message>
+<message><source>The file holds %1 scans; this is number %2, --scan chooses another.</source><translation>Le fichier contient %1 scans ; celui-ci est le numéro %2, --scan en choisit un autre.</translation></message>
+<message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>Les rangées et colonnes que le fichier donne à ses points ne forment pas de grille et n'ont pas été utilisées.</translation></message>
+<message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>Le fichier ne dit pas dans quel sens vont les lignes : ses colonnes ont été prises comme lignes, ses rangées comme faisceaux.</translation></message>
+<message><source>scan %1 of this E57 file</source><translation>le scan %1 de ce fichier E57</translation></message>
+<message><source>%1 holds no points</source><translation>%1 ne contient aucun point</translation></message>
+<message><source>choose another scan or file</source><translation>choisissez un autre scan ou fichier</translation></message>
+<message><source>%1 has neither cartesian nor spherical coordinates, only %2</source><translation>%1 n'a de coordonnées ni cartésiennes ni sphériques, seulement %2</translation></message>
+<message><source>export it with coordinates</source><translation>exportez-le avec des coordonnées</translation></message>
+<message><source>%n point is marked as invalid in the file and counts as no return.</source><translation>%n point est marqué comme non valide dans le fichier et compte comme sans retour.</translation></message>
+<message><source>%n points are marked as invalid in the file and count as no return.</source><translation>%n points sont marqués comme non valides dans le fichier et comptent comme sans retour.</translation></message>
+<message><source>What else a point of this file has is not read: %1.</source><translation>Ce qu'un point de ce fichier a d'autre n'est pas lu : %1.</translation></message>
+<message><source>The pictures of this file (%1) are not read.</source><translation>Les images de ce fichier (%1) ne sont pas lues.</translation></message>
+<message><source>the end that the header gives</source><translation>la fin que donne l'en-tête</translation></message>
+<message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La pose du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
+<message><source>choose a scan file</source><translation>choisissez un fichier de scan</translation></message>
+<message><source>it may be what a site sent instead of the file: download the file again, or choose a scan file</source><translation>un site l'a peut-être envoyée à la place du fichier : téléchargez à nouveau le fichier, ou choisissez un fichier de scan</translation></message>
+<message><source>unpack it and open the scan in it</source><translation>décompressez-la et ouvrez le scan qu'elle contient</translation></message>
+<message><source>save its points as PLY in MeshLab</source><translation>enregistrez ses points en PLY dans MeshLab</translation></message>
+<message><source>choose the scan that it was made from</source><translation>choisissez le scan dont il vient</translation></message>
+<message><source>save the ranges as .npy or .csv</source><translation>enregistrez les distances en .npy ou .csv</translation></message>
+<message><source>this is a JPEG picture, not a scan</source><translation>c'est une image JPEG, pas un scan</translation></message>
+<message><source>this is a GIF picture, not a scan</source><translation>c'est une image GIF, pas un scan</translation></message>
+<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>c'est une image, un son ou un film (RIFF), pas un scan</translation></message>
+<message><source>this is a picture or film, not a scan</source><translation>c'est une image ou un film, pas un scan</translation></message>
+<message><source>this is a Photoshop picture, not a scan</source><translation>c'est une image Photoshop, pas un scan</translation></message>
+<message><source>this is a program, not a scan</source><translation>c'est un programme, pas un scan</translation></message>
+<message><source>this is a PDF document, not a scan</source><translation>c'est un document PDF, pas un scan</translation></message>
+<message><source>this is a ZIP archive, not a scan</source><translation>c'est une archive ZIP, pas un scan</translation></message>
+<message><source>this is a gzip archive in another one, not a scan</source><translation>c'est une archive gzip dans une autre, pas un scan</translation></message>
+<message><source>this is an xz archive, not a scan</source><translation>c'est une archive xz, pas un scan</translation></message>
+<message><source>unpack it (xz -d) and open the scan in it</source><translation>décompressez-le (xz -d) et ouvrez le scan qu'il contient</translation></message>
+<message><source>this is a bzip2 archive, not a scan</source><translation>c'est une archive bzip2, pas un scan</translation></message>
+<message><source>unpack it (bzip2 -d) and open the scan in it</source><translation>décompressez-le (bzip2 -d) et ouvrez le scan qu'il contient</translation></message>
+<message><source>this is a zstd archive, not a scan</source><translation>c'est une archive zstd, pas un scan</translation></message>
+<message><source>unpack it (zstd -d) and open the scan in it</source><translation>décompressez-le (zstd -d) et ouvrez le scan qu'il contient</translation></message>
+<message><source>this is a 7-Zip archive, not a scan</source><translation>c'est une archive 7-Zip, pas un scan</translation></message>
+<message><source>this is a RAR archive, not a scan</source><translation>c'est une archive RAR, pas un scan</translation></message>
+<message><source>this is an HDF5 file, which is not read</source><translation>c'est un fichier HDF5, qui n'est pas lu</translation></message>
+<message><source>this is a MATLAB file, which is not read</source><translation>c'est un fichier MATLAB, qui n'est pas lu</translation></message>
+<message><source>save the ranges with writematrix(ranges, 'scan.csv')</source><translation>enregistrez les distances avec writematrix(ranges, 'scan.csv')</translation></message>
+<message><source>this is an old Office document, not a scan</source><translation>c'est un ancien document Office, pas un scan</translation></message>
+<message><source>save the table as .csv</source><translation>enregistrez le tableau en .csv</translation></message>
+<message><source>this is a Parquet table, which is not read</source><translation>c'est un tableau Parquet, qui n'est pas lu</translation></message>
+<message><source>this is an Arrow table, which is not read</source><translation>c'est un tableau Arrow, qui n'est pas lu</translation></message>
+<message><source>this is a glTF model, which is not read</source><translation>c'est un modèle glTF, qui n'est pas lu</translation></message>
+<message><source>save it as PLY in Blender or MeshLab</source><translation>enregistrez-le en PLY dans Blender ou MeshLab</translation></message>
+<message><source>this is a STEP model, not a scan</source><translation>c'est un modèle STEP, pas un scan</translation></message>
+<message><source>this is an FBX model, which is not read</source><translation>c'est un modèle FBX, qui n'est pas lu</translation></message>
+<message><source>save it as PLY in Blender</source><translation>enregistrez-le en PLY dans Blender</translation></message>
+<message><source>this is a web page (HTML), not a scan</source><translation>c'est une page web (HTML), pas un scan</translation></message>
+<message><source>this is an SVG picture, not a scan</source><translation>c'est une image SVG, pas un scan</translation></message>
+<message><source>this is an XML document, not a scan</source><translation>c'est un document XML, pas un scan</translation></message>
+<message><source>this is a text document (RTF), not a scan</source><translation>c'est un document texte (RTF), pas un scan</translation></message>
+<message><source>this is a PostScript document, not a scan</source><translation>c'est un document PostScript, pas un scan</translation></message>
+<message><source>this is a file of VTK, which is not read</source><translation>c'est un fichier de VTK, qui n'est pas lu</translation></message>
+<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>enregistrez ses points en PLY, ou en CSV depuis le tableau de ParaView</translation></message>
+<message><source>this is an OFF mesh, which is not read</source><translation>c'est un maillage OFF, qui n'est pas lu</translation></message>
+<message><source>this is a VRML scene, which is not read</source><translation>c'est une scène VRML, qui n'est pas lue</translation></message>
+<message><source>this is a table of rocks, not a scan</source><translation>c'est un tableau de roches, pas un scan</translation></message>
+<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>c'est un raster de hauteurs (grille ASCII Esri), pas un scan</translation></message>
+<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>c'est un raster de hauteurs (grille Surfer), pas un scan</translation></message>
+<message><source>export it as E57 with FARO SCENE</source><translation>exportez-le en E57 avec FARO SCENE</translation></message>
+<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>exportez-le en E57 ou LAS avec RiSCAN PRO, ou avec rdbconvert de RIEGL</translation></message>
+<message><source>export it as E57 with Z+F LaserControl</source><translation>exportez-le en E57 avec Z+F LaserControl</translation></message>
+<message><source>export it as E57 or PTX with Leica Cyclone</source><translation>exportez-le en E57 ou PTX avec Leica Cyclone</translation></message>
+<message><source>export it as E57 with Autodesk ReCap</source><translation>exportez-le en E57 avec Autodesk ReCap</translation></message>
+<message><source>this is a FARO scan (FLS), which is not read</source><translation>c'est un scan FARO (FLS), qui n'est pas lu</translation></message>
+<message><source>this is a FARO workspace, which is not read</source><translation>c'est un espace de travail FARO, qui n'est pas lu</translation></message>
+<message><source>this is a FARO project, which is not read</source><translation>c'est un projet FARO, qui n'est pas lu</translation></message>
+<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>c'est un flux RIEGL (RXP), qui n'est pas lu</translation></message>
+<message><source>this is a RIEGL database, which is not read</source><translation>c'est une base de données RIEGL, qui n'est pas lue</translation></message>
+<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>c'est une base de données RIEGL (RDBX), qui n'est pas lue</translation></message>
+<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>c'est un scan RIEGL (3DD), qui n'est pas lu</translation></message>
+<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>c'est un scan Z+F (ZFS), qui n'est pas lu</translation></message>
+<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>c'est un projet Z+F (ZFPRJ), qui n'est pas lu</translation></message>
+<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>c'est un scan Z+F (ZFC), qui n'est pas lu</translation></message>
+<message><source>this is a Leica LGS project, which is not read</source><translation>c'est un projet Leica LGS, qui n'est pas lu</translation></message>
+<message><source>this is a Leica LGSx project, which is not read</source><translation>c'est un projet Leica LGSx, qui n'est pas lu</translation></message>
+<message><source>this is a Leica Cyclone database, which is not read</source><translation>c'est une base de données Leica Cyclone, qui n'est pas lue</translation></message>
+<message><source>this is an Autodesk ReCap project, which is not read</source><translation>c'est un projet Autodesk ReCap, qui n'est pas lu</translation></message>
+<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>c'est un scan Autodesk ReCap, qui n'est pas lu</translation></message>
+<message><source>this is a Trimble scan (TZF), which is not read</source><translation>c'est un scan Trimble (TZF), qui n'est pas lu</translation></message>
+<message><source>export it as E57 with Trimble RealWorks</source><translation>exportez-le en E57 avec Trimble RealWorks</translation></message>
+<message><source>this is a Topcon scan (CL3), which is not read</source><translation>c'est un scan Topcon (CL3), qui n'est pas lu</translation></message>
+<message><source>export it as E57 or PTX with Topcon's program</source><translation>exportez-le en E57 ou PTX avec le programme de Topcon</translation></message>
+<message><source>this is a Topcon scan (CLR), which is not read</source><translation>c'est un scan Topcon (CLR), qui n'est pas lu</translation></message>
+<message><source>this is a Pointools cloud (POD), which is not read</source><translation>c'est un nuage Pointools (POD), qui n'est pas lu</translation></message>
+<message><source>export it as LAS with Bentley's program</source><translation>exportez-le en LAS avec le programme de Bentley</translation></message>
+<message><source>this is a Python pickle, which only Python can open</source><translation>c'est un pickle Python, que seul Python peut ouvrir</translation></message>
+<message><source>this is a ROS bag that does not begin like one</source><translation>c'est un bag ROS qui n'en a pas le début</translation></message>
+<message><source>copy it again</source><translation>copiez-la à nouveau</translation></message>
+<message><source>this is a ROS 2 bag that does not begin like one</source><translation>c'est un bag ROS 2 qui n'en a pas le début</translation></message>
+<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>c'est un fichier binaire sans télégramme d'un scanner SICK</translation></message>
+<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>enregistrez les points en PCD ou PLY ; une capture de télégrammes contient les octets tels que reçus du scanner</translation></message>
+<message><source>this is a BMP picture, not a scan</source><translation>c'est une image BMP, pas un scan</translation></message>
+<message><source>this is a drawing (DXF), which is not read</source><translation>c'est un dessin (DXF), qui n'est pas lu</translation></message>
+<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>choisissez le scan, ou enregistrez les points du dessin en CSV, LAS ou PLY</translation></message>
+<message><source>this is an Excel workbook, not a table of text</source><translation>c'est un classeur Excel, pas un tableau de texte</translation></message>
+<message><source>save the sheet as .csv</source><translation>enregistrez la feuille en .csv</translation></message>
+<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>c'est une feuille de calcul OpenDocument, pas un tableau de texte</translation></message>
+<message><source>this is a numpy archive, which is not read</source><translation>c'est une archive numpy, qui n'est pas lue</translation></message>
+<message><source>save the array of ranges or points as .npy</source><translation>enregistrez le tableau de distances ou de points en .npy</translation></message>
+<message><source>this is a ROS bag, and %1</source><translation>ceci est un bag ROS, et %1</translation></message>
+<message><source>Network capture</source><translation>Capture réseau</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits gris, et les distances demandent 16 bits gris</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits en couleurs, et les distances demandent 16 bits gris</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>choisissez un scan, ou une image de distances de 16 bits par pixel</translation></message>
+<message><source>The picture is animated; the first frame was read.</source><translation>L'image est animée ; la première vue a été lue.</translation></message>
+<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>L'image ne finit pas par IEND : le fichier a été coupé après ses pixels.</translation></message>
+<message><source>the picture</source><translation>l'image</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>c'est une image PNG illisible : </translation></message>
+<message><source>close other programs</source><translation>fermez d'autres programmes</translation></message>
+<message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>L'image demande à être tournée ou retournée à l'affichage (orientation %1) : ses rangées ont été prises comme lignes telles qu'elles sont stockées.</translation></message>
+<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>l'image annonce plus de pixels qu'un fichier de %1 n'en contient d'un scan</translation></message>
+<message><source>a pixel</source><translation>un pixel</translation></message>
+<message><source>%n pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation>%n pixel ne contient pas de distance (négatif, pas un nombre, ou trop loin) et a été pris comme sans retour.</translation></message>
+<message><source>%n pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation>%n pixels ne contiennent pas de distance (négatifs, pas un nombre, ou trop loin) et ont été pris comme sans retour.</translation></message>
+<message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unité prise en millimètres, comme dans les images de distances.</translation></message>
+<message><source>the file ends within its LAS header</source><translation>le fichier finit dans son en-tête LAS</translation></message>
+<message><source>this is LAS version %1.%2, and versions up to 1.4 are known</source><translation>ceci est du LAS version %1.%2, et les versions jusqu'à 1.4 sont connues</translation></message>
+<message><source>save it as LAS 1.2 or 1.4</source><translation>enregistrez-le en LAS 1.2 ou 1.4</translation></message>
+<message><source>the LAS header says it is %1 bytes long</source><translation>l'en-tête LAS dit qu'il a %1 octets</translation></message>
+<message><source>the scale or offset in the LAS header is not a number that coordinates can have</source><translation>l'échelle ou le décalage de l'en-tête LAS n'est pas un nombre que des coordonnées peuvent avoir</translation></message>
+<message><source>points of format %1 with %2 bytes are none that LAS knows</source><translation>LAS ne connaît pas de points du format %1 avec %2 octets</translation></message>
+<message><source>the file holds no points</source><translation>le fichier ne contient pas de points</translation></message>
+<message><source>the points begin at byte %1, which is not in the file</source><translation>les points commencent à l'octet %1, qui n'est pas dans le fichier</translation></message>
+<message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them</source><translation>l'en-tête annonce %1 de %2 octets et le fichier en contient %3 octets</translation></message>
+<message><source>The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. A grid, cell states or a place in the mine that they held are lost; copy the file again.</source><translation>La fin du fichier est endommagée ou manque : %1 enregistrements sur %2 derrière les points sont illisibles. Une grille, des états de cellules ou une place dans la mine qu'ils contenaient sont perdus ; copiez à nouveau le fichier.</translation></message>
+<message><source>the %1 that the header promises</source><translation>les %1 que l'en-tête annonce</translation></message>
+<message><source>the last record</source><translation>le dernier enregistrement</translation></message>
+<message><source>The waveforms of this file were not read.</source><translation>Les formes d'onde de ce fichier n'ont pas été lues.</translation></message>
+<message><source>describes a scan of %1 valid cells and holds %2</source><translation>décrit un scan de %1 cellules valides et contient %2</translation></message>
+<message><source>save the scan again</source><translation>enregistrez à nouveau le scan</translation></message>
+<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x et y de ce fichier sont des degrés de longitude et de latitude, selon son système de coordonnées, et il faut des mètres</translation></message>
+<message><source>export it in a projected coordinate system such as UTM</source><translation>exportez-le dans un système de coordonnées projeté comme UTM</translation></message>
+<message><source>The coordinate system of the file is %1, without its unit: metres were taken. --unit says another one.</source><translation>Le système de coordonnées du fichier est %1, sans son unité : des mètres ont été supposés. --unit en indique une autre.</translation></message>
+<message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>Le système de coordonnées du fichier donne les longueurs en %1 de %2 mm : elles ont été converties.</translation></message>
+<message><source>Heights of the file have another unit than x and y, %1 mm: they were converted.</source><translation>Les hauteurs du fichier ont une autre unité que x et y, %1 mm : elles ont été converties.</translation></message>
+<message><source>%n point is marked as withheld in the file and counts as no return.</source><translation>%n point est marqué comme exclu dans le fichier et compte comme sans retour.</translation></message>
+<message><source>%n points are marked as withheld in the file and count as no return.</source><translation>%n points sont marqués comme exclus dans le fichier et comptent comme sans retour.</translation></message>
+<message><source>there are no points to save</source><translation>il n'y a pas de points à enregistrer</translation></message>
+<message><source>choose other cells or settings</source><translation>choisissez d'autres cellules ou d'autres réglages</translation></message>
+<message><source>LAS holds 2147 km in whole millimetres, and these points lie farther apart</source><translation>LAS couvre 2147 km en millimètres entiers, et ces points sont plus éloignés les uns des autres</translation></message>
+<message><source>save them as .pcd or .ply</source><translation>enregistrez-les en .pcd ou .ply</translation></message>
+<message><source>LASzip gives no reason</source><translation>LASzip ne donne pas de raison</translation></message>
+<message><source>this LAZ file cannot be unpacked: %1</source><translation>ce fichier LAZ ne peut pas être décompressé : %1</translation></message>
+<message><source>the header promises %1, more than a file of %2 holds of a scan</source><translation>l'en-tête annonce %1, plus qu'un fichier de %2 ne contient d'un scan</translation></message>
+<message><source>copy it again, or save it as .las</source><translation>copiez-le à nouveau, ou enregistrez-le en .las</translation></message>
+<message><source>the header promises %1 and the file ends after %2 (%3)</source><translation>l'en-tête annonce %1 et le fichier finit après %2 (%3)</translation></message>
+<message><source>this LAZ file is damaged or cut off</source><translation>ce fichier LAZ est endommagé ou coupé</translation></message>
+<message><source>this LAZ file cannot be unpacked: </source><translation>ce fichier LAZ ne peut pas être décompressé : </translation></message>
+<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>ce fichier LAZ ne peut pas être décompressé : il finit trop tôt</translation></message>
+<message><source>this LAS file is compressed (LAZ), and this build of the program was made without LASzip</source><translation>ce fichier LAS est compressé (LAZ), et cette version du programme a été compilée sans LASzip</translation></message>
+<message><source>save it uncompressed as .las, with CloudCompare or "laszip -i IN.laz -o OUT.las"</source><translation>enregistrez-le sans compression en .las, avec CloudCompare ou "laszip -i IN.laz -o OUT.las"</translation></message>
+<message><source>reading ranges</source><translation>lecture des distances</translation></message>
+<message><source>the array at [%1, %2]</source><translation>le tableau en [%1, %2]</translation></message>
+<message><source>The first three of %1 columns were taken as x, y and z; the others are not read.</source><translation>Les trois premières de %1 colonnes ont été prises comme x, y et z ; les autres ne sont pas lues.</translation></message>
+<message><source>the records of this numpy array have no x, y and z, only %1</source><translation>les enregistrements de ce tableau numpy n'ont pas x, y et z, seulement %1</translation></message>
+<message><source>save points with fields x, y and z</source><translation>enregistrez les points avec des champs x, y et z</translation></message>
+<message><source>the fields of this numpy array have different byte orders</source><translation>les champs de ce tableau numpy ont des ordres d'octets différents</translation></message>
+<message><source>save it again with one</source><translation>enregistrez-le à nouveau avec un seul</translation></message>
+<message><source>a numpy array of shape %1 is larger than any scan</source><translation>un tableau numpy de forme %1 est plus grand que tout scan</translation></message>
+<message><source>split it</source><translation>divisez-le</translation></message>
+<message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>un tableau numpy de forme %1 peut être des points aux axes échangés, ou trois lignes de distances</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>enregistrez les points en (n, 3), c'est-à-dire points.T, ou indiquez les angles : --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>un tableau numpy de forme %1 n'est ni des distances (lignes, faisceaux) ni des points (n, 3) ou (lignes, faisceaux, 3)</translation></message>
+<message><source>save it in one of these shapes</source><translation>enregistrez-le dans une de ces formes</translation></message>
+<message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>Le fichier contient plus d'un tableau (numpy.save plus d'une fois) ; le premier a été lu.</translation></message>
+<message><source>the array</source><translation>le tableau</translation></message>
+<message><source>Python objects, which only Python can open</source><translation>des objets Python, que seul Python peut ouvrir</translation></message>
+<message><source>true and false</source><translation>vrai et faux</translation></message>
+<message><source>complex numbers</source><translation>des nombres complexes</translation></message>
+<message><source>dates or times</source><translation>des dates ou des heures</translation></message>
+<message><source>values of type %1</source><translation>des valeurs du type %1</translation></message>
+<message><source>save the array again with numpy.save</source><translation>enregistrez à nouveau le tableau avec numpy.save</translation></message>
+<message><source>the file ends within its numpy header</source><translation>le fichier finit dans son en-tête numpy</translation></message>
+<message><source>this is version %1 of numpy's format</source><translation>c'est la version %1 du format de numpy</translation></message>
+<message><source>the numpy header does not say type, order and shape</source><translation>l'en-tête numpy ne dit pas le type, l'ordre et la forme</translation></message>
+<message><source>the numpy header promises an array of shape %1</source><translation>l'en-tête numpy annonce un tableau de forme %1</translation></message>
+<message><source>this numpy array holds %1</source><translation>ce tableau numpy contient %1</translation></message>
+<message><source>save it as an array of numbers (ranges.astype(numpy.float32))</source><translation>enregistrez-le comme tableau de nombres (ranges.astype(numpy.float32))</translation></message>
+<message><source>this numpy array of shape %1 is empty</source><translation>ce tableau numpy de forme %1 est vide</translation></message>
+<message><source>the numpy header promises an array of shape %1, %2 of %3 bytes, and the file holds %4 bytes of them</source><translation>l'en-tête numpy annonce un tableau de forme %1, %2 de %3 octets, et le fichier en contient %4 octets</translation></message>
+<message><source>%n item</source><translation>%n élément</translation></message>
+<message><source>%n items</source><translation>%n éléments</translation></message>
+<message><source>this vertex does not hold three numbers</source><translation>ce sommet ne contient pas trois nombres</translation></message>
+<message><source>copy the file again, it may be cut off here</source><translation>copiez à nouveau le fichier, il est peut-être coupé ici</translation></message>
+<message><source>this OBJ file has no vertices</source><translation>ce fichier OBJ n'a pas de sommets</translation></message>
+<message><source>%n line holds no words of OBJ and was not read, the first is line %1.</source><translation>%n ligne n'a pas de mots d'OBJ et n'a pas été lue, la première est la ligne %1.</translation></message>
+<message><source>%n lines hold no words of OBJ and were not read, the first is line %1.</source><translation>%n lignes n'ont pas de mots d'OBJ et n'ont pas été lues, la première est la ligne %1.</translation></message>
+<message><source>this header line of the PCD file is not understood</source><translation>cette ligne de l'en-tête du fichier PCD n'est pas comprise</translation></message>
+<message><source>compare it with a PCD file of version 0.7</source><translation>comparez-le avec un fichier PCD de version 0.7</translation></message>
+<message><source>the PCD header has no DATA line</source><translation>l'en-tête PCD n'a pas de ligne DATA</translation></message>
+<message><source>the PCD header names %1 and gives %2, %3 and %4</source><translation>l'en-tête PCD nomme %1 et donne %2, %3 et %4</translation></message>
+<message><source>%n field</source><translation>%n champ</translation></message>
+<message><source>%n fields</source><translation>%n champs</translation></message>
+<message><source>%n size</source><translation>%n taille</translation></message>
+<message><source>%n sizes</source><translation>%n tailles</translation></message>
+<message><source>%n type</source><translation>%n type</translation></message>
+<message><source>%n types</source><translation>%n types</translation></message>
+<message><source>%n count</source><translation>%n compte</translation></message>
+<message><source>%n counts</source><translation>%n comptes</translation></message>
+<message><source>the header promises more points than any file holds</source><translation>l'en-tête annonce plus de points qu'aucun fichier n'en contient</translation></message>
+<message><source>the header promises %1 and %2 x %3 of them</source><translation>l'en-tête annonce %1 et %2 x %3 d'entre eux</translation></message>
+<message><source>the field %1 has a type or size that PCD does not know</source><translation>le champ %1 a un type ou une taille que PCD ne connaît pas</translation></message>
+<message><source>one point would take more than a megabyte</source><translation>un point prendrait plus d'un mégaoctet</translation></message>
+<message><source>the PCD file has no fields x, y and z</source><translation>le fichier PCD n'a pas de champs x, y et z</translation></message>
+<message><source>export the file with coordinates</source><translation>exportez le fichier avec des coordonnées</translation></message>
+<message><source>the file ends before its compressed points</source><translation>le fichier finit avant ses points compressés</translation></message>
+<message><source>promises %1 compressed bytes and holds %2</source><translation>annonce %1 octets compressés et en contient %2</translation></message>
+<message><source>promises that %1 unpack to %2, which no scan does</source><translation>annonce que %1 se décompressent en %2, ce qu'aucun scan ne fait</translation></message>
+<message><source>export the file again, uncompressed</source><translation>exportez à nouveau le fichier, sans compression</translation></message>
+<message><source>the compressed points are damaged</source><translation>les points compressés sont endommagés</translation></message>
+<message><source>the points</source><translation>les points</translation></message>
+<message><source>the encoding "%1" is not ascii, binary or binary_compressed</source><translation>le codage « %1 » n'est ni ascii, ni binary, ni binary_compressed</translation></message>
+<message><source>this header line of the PLY file is not understood</source><translation>cette ligne de l'en-tête du fichier PLY n'est pas comprise</translation></message>
+<message><source>the PLY header has no end_header line</source><translation>l'en-tête PLY n'a pas de ligne end_header</translation></message>
+<message><source>the file ends before its vertices</source><translation>le fichier finit avant ses sommets</translation></message>
+<message><source>the header promises %1</source><translation>l'en-tête annonce %1</translation></message>
+<message><source>check the file</source><translation>vérifiez le fichier</translation></message>
+<message><source>the PLY file has no vertices</source><translation>le fichier PLY n'a pas de sommets</translation></message>
+<message><source>The lists that each vertex of this file has were not read.</source><translation>Les listes que chaque sommet de ce fichier possède n'ont pas été lues.</translation></message>
+<message><source>the header promises %1 and the file ends after %2</source><translation>l'en-tête annonce %1 et le fichier finit après %2</translation></message>
+<message><source>%n vertex</source><translation>%n sommet</translation></message>
+<message><source>%n vertices</source><translation>%n sommets</translation></message>
+<message><source>the format "%1" is none that PLY knows</source><translation>PLY ne connaît pas le format « %1 »</translation></message>
+<message><source>the header promises %1 and the file holds %2 bytes of them</source><translation>l'en-tête annonce %1 et le fichier en contient %2 octets</translation></message>
+<message><source>the file is cut off in its last vertex</source><translation>le fichier est coupé dans son dernier sommet</translation></message>
+<message><source>Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.</source><translation>Chaque sommet a un octet que l'en-tête ne nomme pas, comme PCL l'écrit derrière les couleurs : il a été sauté.</translation></message>
+<message><source>the vertices have no x, y and z</source><translation>les sommets n'ont pas x, y et z</translation></message>
+<message><source>Only the vertices were read, not what follows them: %1.</source><translation>Seuls les sommets ont été lus, pas ce qui les suit : %1.</translation></message>
+<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: --columns 2,1,3</source><translation>dites quelles colonnes sont l'est (x), le nord (y) et l'altitude (z), par numéro ou par nom : --columns 2,1,3</translation></message>
+<message><source>--columns %1 does not name three different ones of its %2%3</source><translation>--columns %1 n'en nomme pas trois différentes parmi ses %2%3</translation></message>
+<message><source>give three numbers from 1, or three names, such as --columns 2,1,3</source><translation>donnez trois numéros à partir de 1, ou trois noms, comme --columns 2,1,3</translation></message>
+<message><source>holds %1 where a point needs three</source><translation>contient %1 là où un point en demande trois</translation></message>
+<message><source>%n number</source><translation>%n nombre</translation></message>
+<message><source>%n numbers</source><translation>%n nombres</translation></message>
+<message><source>choose a point list or a table of ranges</source><translation>choisissez une liste de points ou un tableau de distances</translation></message>
+<message><source>its heading names %1 (%2), and points need x, y and z in metres</source><translation>son titre nomme %1 (%2), et les points demandent x, y et z en mètres</translation></message>
+<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>écrivez x, y et z, ou les distances en tableau avec une rangée par ligne ; ou </translation></message>
+<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>son en-tête nomme des axes (%1), et x, y et z ne sont pas tous compris</translation></message>
+<message><source>the second to the fourth</source><translation>de la deuxième à la quatrième</translation></message>
+<message><source>the third to the fifth</source><translation>de la troisième à la cinquième</translation></message>
+<message><source>the fourth to the sixth</source><translation>de la quatrième à la sixième</translation></message>
+<message><source>the fifth to the seventh</source><translation>de la cinquième à la septième</translation></message>
+<message><source>the first holds</source><translation>la première contient</translation></message>
+<message><source>the first two hold</source><translation>les deux premières contiennent</translation></message>
+<message><source>the first three hold</source><translation>les trois premières contiennent</translation></message>
+<message><source>the first four hold</source><translation>les quatre premières contiennent</translation></message>
+<message><source>No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and z.</source><translation>Aucun en-tête ne nomme les colonnes : les deux premières ont été prises pour rangée et colonne de la grille, la troisième à la cinquième pour x, y et z.</translation></message>
+<message><source>No heading names the columns: %1 were taken for x, y and z, as %2 whole numbers only.</source><translation>Aucun titre ne nomme les colonnes : %1 ont été prises pour x, y et z, car %2 seulement des nombres entiers.</translation></message>
+<message><source>The header names no x, y and z: the first three columns were taken for them (%1, %2, %3).</source><translation>L'en-tête ne nomme ni x, ni y, ni z : les trois premières colonnes ont été prises (%1, %2, %3).</translation></message>
+<message><source>The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.</source><translation>L'en-tête ne nomme pas autant de colonnes qu'il y en a (%1) : les trois premières ont été prises pour x, y et z.</translation></message>
+<message><source>this is neither text nor any scan format that is known</source><translation>ceci n'est ni du texte ni un format de scan connu</translation></message>
+<message><source>begins a further list, behind the %1 of the first</source><translation>commence une autre liste, derrière les %1 de la première</translation></message>
+<message><source>save each scan in a file of its own</source><translation>enregistrez chaque scan dans un fichier à part</translation></message>
+<message><source>holds %1 where a point needs %2</source><translation>contient %1 là où un point en demande %2</translation></message>
+<message><source>the file may be cut off here, copy it again</source><translation>le fichier est peut-être coupé ici, copiez-le à nouveau</translation></message>
+<message><source>promises %1 and holds %2</source><translation>annonce %1 et contient %2</translation></message>
+<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unité prise d'un commentaire du fichier : %1 mm par unité.</translation></message>
+<message><source>scan %1 of this PTX file promises %2 of %3, and the file ends before them</source><translation>le scan %1 de ce fichier PTX annonce %2 de %3, et le fichier finit avant</translation></message>
+<message><source>behind the %1 of %2 that the header promises there are more</source><translation>derrière les %1 de %2 que l'en-tête annonce, il y en a d'autres</translation></message>
+<message><source>scan %1 has no PTX header here</source><translation>le scan %1 n'a pas d'en-tête PTX ici</translation></message>
+<message><source>the scan of this PTX file holds 0 points</source><translation>le scan de ce fichier PTX contient 0 point</translation></message>
+<message><source>the %1 scans of this PTX file hold 0 points</source><translation>les %1 scans de ce fichier PTX contiennent 0 point</translation></message>
+<message><source>the header promises %1 and the file holds %2</source><translation>l'en-tête annonce %1 et le fichier contient %2</translation></message>
+<message><source>The first %1 of these scans hold no point with a return.</source><translation>Les %1 premiers de ces scans n'ont aucun point avec un retour.</translation></message>
+<message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matrice de l'en-tête a la place du scanner dans sa dernière colonne et non dans sa dernière rangée : elle a été lue par colonnes.</translation></message>
+<message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La ligne 3 de l'en-tête met le scanner à %1 m de la place que donne sa matrice : la matrice a été utilisée.</translation></message>
+<message><source>Behind the last of these scans there is text that is none.</source><translation>Derrière le dernier de ces scans il y a du texte qui n'en est pas un.</translation></message>
+<message><source>PTX holds one point per cell, and points behind the nearest of their cell were asked for</source><translation>PTX contient un point par cellule, et les points derrière le plus proche de leur cellule ont été demandés</translation></message>
+<message><source>use .pcd, .ply, .csv, .xyz, .las or .obj for them</source><translation>utilisez pour eux .pcd, .ply, .csv, .xyz, .las ou .obj</translation></message>
+<message><source>column %1 holds %2, so this is not a table of ranges</source><translation>la colonne %1 contient %2, ce n'est donc pas un tableau de distances</translation></message>
+<message><source>for a list of points call its columns x, y and z in a first row, and leave out --beam-step and --line-step</source><translation>pour une liste de points, nommez ses colonnes x, y et z dans une première ligne, et laissez de côté --beam-step et --line-step</translation></message>
+<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation> ; ou enregistrez-le avec une rangée par ligne : il a autant de rangées qu'un LMS511 a de faisceaux</translation></message>
+<message><source>holds %1 where the first line holds %2</source><translation>contient %1 là où la première ligne contient %2</translation></message>
+<message><source>%n range</source><translation>%n distance</translation></message>
+<message><source>%n ranges</source><translation>%n distances</translation></message>
+<message><source>copy or export the file again</source><translation>copiez ou exportez à nouveau le fichier</translation></message>
+<message><source>%n column is not ranges, by the header, and not read: %1.</source><translation>%n colonne n'est pas de distances, d'après l'en-tête, et n'a pas été lue : %1.</translation></message>
+<message><source>%n columns are not ranges, by the header, and not read: %1.</source><translation>%n colonnes ne sont pas de distances, d'après l'en-tête, et n'ont pas été lues : %1.</translation></message>
+<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Les angles des faisceaux ont été pris de l'en-tête : de %1 à %2 degrés.</translation></message>
+<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Les angles des lignes ont été pris de la première colonne : de %1 à %2 degrés.</translation></message>
+<message><source>line %1, beam %2</source><translation>ligne %1, faisceau %2</translation></message>
+<message><source> infinite ranges were taken as no return.</source><translation> distances infinies ont été prises comme sans retour.</translation></message>
+<message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distances inférieures à 0, toutes le même nombre, ont été prises comme sans retour.</translation></message>
+<message><source> ranges longer than any scanner reaches were taken as no return.</source><translation> distances plus longues que la portée de tout scanner ont été prises comme sans retour.</translation></message>
+<message><source>%1 holds %2, which is not a range</source><translation>%1 contient %2, qui n'est pas une distance</translation></message>
+<message><source>check that these are ranges; points need columns x, y and z</source><translation>vérifiez que ce sont des distances ; des points demandent des colonnes x, y et z</translation></message>
+<message><source>cells hold %1 in the numbers of the file</source><translation>cellules contiennent %1 dans les nombres du fichier</translation></message>
+<message><source>give %1</source><translation>indiquez %1</translation></message>
+<message><source>: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation> : là où ils manquaient, ceux d'un LMS511 ont été pris (faisceaux à partir de -5 degrés par 1/6 de degré, lignes à partir de 0 par 0.18 degré, axe spin).</translation></message>
+<message><source>a table of %1 per line does not say its angles</source><translation>un tableau de %1 par ligne ne dit pas ses angles</translation></message>
+<message><source>The table does not say its angles</source><translation>Le tableau ne dit pas ses angles</translation></message>
+<message><source>a picture of %1 per line does not say its angles</source><translation>une image de %1 par ligne ne dit pas ses angles</translation></message>
+<message><source>The picture does not say its angles</source><translation>L'image ne dit pas ses angles</translation></message>
+<message><source>a numpy array of %1 per line does not say its angles</source><translation>un tableau numpy de %1 par ligne ne dit pas ses angles</translation></message>
+<message><source>The numpy array does not say its angles</source><translation>Le tableau numpy ne dit pas ses angles</translation></message>
+<message><source>this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats</source><translation>cette image TIFF a %1 de %2 bits, et les distances en demandent un de 16 bits ou de nombres de 4 octets</translation></message>
+<message><source>%n channel</source><translation>%n canal</translation></message>
+<message><source>%n channels</source><translation>%n canaux</translation></message>
+<message><source>this TIFF picture is stored in tiles</source><translation>cette image TIFF est enregistrée en tuiles</translation></message>
+<message><source>save it in strips</source><translation>enregistrez-la en bandes</translation></message>
+<message><source>the picture has no pixels</source><translation>l'image n'a pas de pixels</translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>l'image TIFF est endommagée ou d'un type illisible</translation></message>
+<message><source>reading the picture</source><translation>lecture de l'image</translation></message>
+<message><source>The file holds %1 (pages); the first was read.</source><translation>Le fichier contient %1 (pages) ; la première a été lue.</translation></message>
+<message><source>this is a TIFF picture, and this build of the program cannot read TIFF</source><translation>ceci est une image TIFF, et cette version du programme ne peut pas lire TIFF</translation></message>
+<message><source>save the ranges as PNG of 16 bits</source><translation>enregistrez les distances en PNG de 16 bits</translation></message>
+<message><source>%1 lines x %2 beams</source><translation>%1 lignes x %2 faisceaux</translation></message>
+<message><source>holds %1 bytes where %2 need %3</source><translation>contient %1 octets là où %2 en demandent %3</translation></message>
+<message><source>check lines and beams in the .json file</source><translation>vérifiez les lignes et faisceaux dans le fichier .json</translation></message>
+<message><source>"beam_deg" is missing</source><translation>"beam_deg" manque</translation></message>
+<message><source>"line_deg" is missing</source><translation>"line_deg" manque</translation></message>
+<message><source>"axis" is missing</source><translation>"axis" manque</translation></message>
+<message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>ajoutez-le au fichier .json, ou indiquez --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Le fichier de données %1 manque ; %2 a été lu à sa place.</translation></message>
+<message><source>counts alone are not a raw grid</source><translation>des comptes seuls ne sont pas une grille brute</translation></message>
+<message><source>give the description before them</source><translation>donnez la description avant eux</translation></message>
+<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>ces valeurs demandent leur description %1 à côté d'elles, et elle est illisible</translation></message>
+<message><source>copy it into the same folder</source><translation>copiez-la dans le même dossier</translation></message>
+<message><source>save it as PCD, which carries every scan</source><translation>enregistrez-le en PCD, qui admet tout scan</translation></message>
+<message><source>a raw grid needs beam and line angles and this cloud has none</source><translation>une grille brute demande des angles de faisceaux et de lignes et ce nuage n'en a pas</translation></message>
+<message><source>a raw grid holds whole counts of its unit up to 65535, and the range at %1 is none or means no return</source><translation>une grille brute contient des comptes entiers de son unité jusqu'à 65535, et la distance en %1 n'en est pas un ou signifie sans retour</translation></message>
+<message><source>%1, and %2</source><translation>%1, et %2</translation></message>
+<message><source>a point of a string needs its number, northing, easting and elevation</source><translation>un point d'une chaîne demande son numéro, son nord, son est et son altitude</translation></message>
+<message><source>copy the file again, it may be cut off or damaged here</source><translation>copiez à nouveau le fichier, il est peut-être coupé ou endommagé ici</translation></message>
+<message><source>a Surpac string file is text, and this is none</source><translation>un fichier de chaînes de Surpac est du texte, et celui-ci n'en est pas</translation></message>
+<message><source>Surpac strings</source><translation>Polylignes Surpac</translation></message>
+<message><source>this Surpac file has no points</source><translation>ce fichier Surpac n'a pas de points</translation></message>
+<message><source>The file does not end with END: it may have been cut off; compare it with the original.</source><translation>Le fichier ne finit pas par END : il a peut-être été coupé ; comparez-le à l'original.</translation></message>
+<message><source>Descriptions of points (D1 and further) are not read.</source><translation>Les descriptions des points (D1 et suivantes) ne sont pas lues.</translation></message>
+<message><source>%n line behind END was not read.</source><translation>%n ligne derrière END n'a pas été lue.</translation></message>
+<message><source>%n lines behind END were not read.</source><translation>%n lignes derrière END n'ont pas été lues.</translation></message>
+<message><source>open the scan as the scanner stored it, or with its record</source><translation>ouvrez le scan tel que le scanner l'a enregistré, ou avec sa fiche</translation></message>
+<message><source>finding the axis</source><translation>recherche de l'axe</translation></message>
+<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>ils ne se suivent pas en lignes qui tournent autour d'un axe ailleurs</translation></message>
+<message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Chaque ligne n'a qu'un faisceau sur %1, à tour de rôle : %2 lignes qui se suivent ont été mises côte à côte.</translation></message>
+<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>les %1 points ne sont pas sur des angles faisceau x ligne autour de l'origine :</translation></message>
+<message><source>about %1 no scan lines can be recognised</source><translation>autour de %1 aucune ligne de scan n'est reconnaissable</translation></message>
+<message><source>about %1 %2 % lie on the best %3</source><translation>autour de %1, %2 % sont sur les meilleurs %3</translation></message>
+<message><source>%n line angles</source><translation>%n angles de ligne</translation></message>
+<message><source>%n beam angles</source><translation>%n angles de faisceau</translation></message>
+<message><source> (99 % are needed)</source><translation> (il en faut 99 %)</translation></message>
+<message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>La liste n'était pas une grille complète en ordre : %1 lignes x %2 faisceaux ont été retrouvés d'après les angles de ses points.</translation></message>
+<message><source> lines repeated the line before and were left out.</source><translation> lignes répétaient la ligne précédente et ont été laissées de côté.</translation></message>
+<message><source> points stood in the list before, as when a driver stores lines twice, and were taken once.</source><translation> points étaient déjà dans la liste, comme quand un pilote enregistre des lignes deux fois, et ont été pris une fois.</translation></message>
+<message><source> lines or beams without any point were put back empty, to keep the steps even.</source><translation> lignes ou faisceaux sans aucun point ont été remis vides, pour garder des pas égaux.</translation></message>
+<message><source> points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.</source><translation> points n'appartiennent à aucune cellule unique de la grille (sur l'axe de rotation, ou hors de la grille) et ont été laissés de côté.</translation></message>
+<message><source> points lay in a cell with a nearer one, which was taken.</source><translation> points étaient dans une cellule avec un point plus proche, qui a été pris.</translation></message>
+<message><source>The line angles are uneven: steps from %1 to %2 degrees, kept as they are.</source><translation>Les angles des lignes sont inégaux : pas de %1 à %2 degrés, gardés tels quels.</translation></message>
+<message><source>The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.</source><translation>Les lignes tournent autour de l'axe y du fichier, devenu z : x est le z du fichier, y son x, z son y.</translation></message>
+<message><source>holds %1 with a return, too few to find a scanner's grid</source><translation>contient %1 avec retour, trop peu pour trouver la grille d'un scanner</translation></message>
+<message><source>check that the file is complete</source><translation>vérifiez que le fichier est complet</translation></message>
+<message><source>holds more points than can be put on a grid</source><translation>contient plus de points qu'une grille ne peut en recevoir</translation></message>
+<message><source>split the file</source><translation>divisez le fichier</translation></message>
+<message><source>finding the grid</source><translation>recherche de la grille</translation></message>
+<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>ouvrez le scan tel que le scanner l'a enregistré, avec l'origine au scanner</translation></message>
+<message><source>%1 x %2 degrees</source><translation>%1 x %2 degrés</translation></message>
+<message><source>cells of %1 degrees over %2 would be %3 million cells</source><translation>des cellules de %1 degrés sur %2 feraient %3 millions de cellules</translation></message>
+<message><source>give a larger --grid-step</source><translation>indiquez un --grid-step plus grand</translation></message>
+<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>les %1 points sont tous dans une seule direction depuis là, dans %2 et à %3 à %4</translation></message>
+<message><source>%n point in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n point pris, vu sur %1 x %2 degrés ; %3 de %4 cellules remplies (taux de remplissage %5 % ; des cellules autour d'une remplie %6 %), %7 rattaché à une cellule qui en a un plus proche</translation></message>
+<message><source>%n points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n points pris, vus sur %1 x %2 degrés ; %3 de %4 cellules remplies (taux de remplissage %5 % ; des cellules autour d'une remplie %6 %), %7 rattachés à une cellule qui en a un plus proche</translation></message>
+<message><source>%n point far from all others left out</source><translation>%n point loin de tous les autres laissé de côté</translation></message>
+<message><source>%n points far from all others left out</source><translation>%n points loin de tous les autres laissés de côté</translation></message>
+<message><source>a grid step of %1 degrees makes no grid</source><translation>un pas de grille de %1 degrés ne donne pas de grille</translation></message>
+<message><source>give --grid-step between 0 and 45 degrees</source><translation>indiquez --grid-step entre 0 et 45 degrés</translation></message>
+<message><source>only %1 a return, too few to make a grid of them</source><translation>seulement %1 un retour, trop peu pour en faire une grille</translation></message>
+<message><source>%n point has</source><translation>%n point a</translation></message>
+<message><source>%n points have</source><translation>%n points ont</translation></message>
+<message><source>projecting the points</source><translation>projection des points</translation></message>
+<message><source>seen from there the points make no picture: %1</source><translation>vus de là, les points ne font pas d'image : %1</translation></message>
+<message><source>give a larger --grid-step, or another --sensor</source><translation>indiquez un --grid-step plus grand, ou un autre --sensor</translation></message>
+<message><source>The file lists only points: </source><translation>Le fichier ne contient que des points : </translation></message>
+<message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from</source><translation>indiquez --sensor X,Y,Z,, la place en mètres d'où le scan a été pris</translation></message>
+<message><source>Unit taken as millimetres</source><translation>Unité prise en millimètres</translation></message>
+<message><source>Unit taken as centimetres</source><translation>Unité prise en centimètres</translation></message>
+<message><source>Unit taken as metres</source><translation>Unité prise en mètres</translation></message>
+<message><source>, in which every range is a whole number of millimetres.</source><translation>, unité dans laquelle chaque distance est un nombre entier de millimètres.</translation></message>
+<message><source>, from the size of the numbers.</source><translation>, d'après la grandeur des nombres.</translation></message>
+<message><source>a recording is being written already</source><translation>un enregistrement est déjà en cours</translation></message>
+<message><source>stop it first</source><translation>arrêtez-le d'abord</translation></message>
+<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distances sont le range_max de leurs messages, se répètent et ont été prises comme sans retour.</translation></message>
+<message><source>no return </source><translation>sans retour </translation></message>
+<message><source>sweep complete</source><translation>balayage complet</translation></message>
+<message><source>sweep ended</source><translation>balayage terminé</translation></message>
+<message><source>window clean</source><translation>fenêtre propre</translation></message>
+<message><source> earlier in this sweep</source><translation> plus tôt dans ce balayage</translation></message>
+<message><source> scan telegrams since the start could not be decoded, so their lines are lost: </source><translation> télégrammes de scan depuis le début n'ont pas pu être décodés, leurs lignes sont donc perdues : </translation></message>
+<message><source> bytes since the start were not a telegram and were skipped.</source><translation> octets depuis le début n'étaient pas un télégramme et ont été sautés.</translation></message>
+<message><source>The sweep has ended; no line has come since.</source><translation>Le balayage est terminé ; aucune ligne n'est arrivée depuis.</translation></message>
+<message><source>device ok</source><translation>appareil en ordre</translation></message>
+<message><source>DEVICE ERROR earlier in this sweep</source><translation>ERREUR DE L'APPAREIL plus tôt dans ce balayage</translation></message>
+<message><source>pose of unknown age</source><translation>pose d'âge inconnu</translation></message>
+<message><source>beam %1 of %2 would be at %3 degrees</source><translation>le faisceau %1 de %2 serait à %3 degrés</translation></message>
+<message><source>line %1 of %2 would be at %3 degrees</source><translation>la ligne %1 de %2 serait à %3 degrés</translation></message>
+<message><source>give angles from %1 to %2 degrees</source><translation>indiquez des angles de %1 à %2 degrés</translation></message>
+<message><source>a calibration alone gives no place</source><translation>un étalonnage seul ne donne pas de place</translation></message>
+<message><source>give --pose POSE.json too</source><translation>indiquez aussi --pose POSE.json</translation></message>
+<message><source>the format %1 does not have it</source><translation>le format %1 ne l'a pas</translation></message>
+<message><source>%1 points lie farther than %2 from the sensor and were taken as no return: --sensor X,Y,Z says where it stood.</source><translation>%1 points sont à plus de %2 du capteur et ont été pris comme sans retour : --sensor X,Y,Z dit où il se trouvait.</translation></message>
+<message><source>%1 cannot be a measured %2: %3 to %4</source><translation>%1 ne peut pas être une valeur mesurée de %2 : de %3 à %4</translation></message>
+<message><source>%1 at %5 cannot be a measured %2: %3 to %4</source><translation>%1 à %5 ne peut pas être une valeur mesurée de %2 : de %3 à %4</translation></message>
+<message><source>check the unit and the numbers of the file</source><translation>vérifiez l'unité et les nombres du fichier</translation></message>
+<message><source>beam %1</source><translation>faisceau %1</translation></message>
+<message><source>line %1</source><translation>ligne %1</translation></message>
+<message><source>the skew of beam %1</source><translation>le décalage du faisceau %1</translation></message>
+<message><source>all %1 beams look the same way</source><translation>les %1 faisceaux regardent tous dans la même direction</translation></message>
+<message><source>give the step from beam to beam</source><translation>indiquez le pas de faisceau à faisceau</translation></message>
+<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>tous les points sont à moins de %1 m les uns des autres et à %2 m au moins du scanner, ce qu'aucun scanner ne mesure</translation></message>
+<message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from, or check --unit</source><translation>indiquez --sensor X,Y,Z, la place en mètres d'où le scan a été pris, ou vérifiez --unit</translation></message>
+<message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>La place du capteur a été trouvée d'après les distances que le fichier contient avec ses points.</translation></message>
+<message><source>The columns of lines and beams hold no grid and were not used.</source><translation>Les colonnes des lignes et des faisceaux ne forment pas de grille et n'ont pas été utilisées.</translation></message>
+<message><source>too few points</source><translation>trop peu de points</translation></message>
+<message><source>left-handed points</source><translation>des points de repère indirect</translation></message>
+<message><source>their scan lines turn about another axis than --axis says</source><translation>leurs lignes de scan tournent autour d'un autre axe que celui de --axis</translation></message>
+<message><source>their scan lines turn about an axis through the origin</source><translation>leurs lignes de scan tournent autour d'un axe qui passe par l'origine</translation></message>
+<message><source>another grid</source><translation>une autre grille</translation></message>
+<message><source>about the axis of their scan lines they are on no common beams</source><translation>autour de l'axe de leurs lignes de scan ils ne sont pas sur des faisceaux communs</translation></message>
+<message><source>Lines and beams were exchanged: only that way the lines make fans about one axis.</source><translation>Les lignes et les faisceaux ont été échangés : c'est seulement ainsi que les lignes forment des éventails autour d'un axe.</translation></message>
+<message><source>The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.</source><translation>Les rangées du fichier, telles quelles, ne forment pas d'éventails autour d'un axe : %1, et c'est seulement ainsi que les lignes forment des éventails.</translation></message>
+<message><source>they were taken as beams, and the columns as lines</source><translation>elles ont été prises comme faisceaux, et les colonnes comme lignes</translation></message>
+<message><source>its counts of rows and columns were exchanged</source><translation>ses nombres de lignes et de colonnes ont été échangés</translation></message>
+<message><source>its points were taken row by row, where the header says column by column</source><translation>ses points ont été pris ligne par ligne, là où l'en-tête dit colonne par colonne</translation></message>
+<message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Aucune cellule de ce scan n'a de distance mesurée : vérifiez le fichier, le topic et les limites de distance.</translation></message>
+<message><source>a cell has the state %1, which does not exist</source><translation>une cellule a l'état %1, qui n'existe pas</translation></message>
+<message><source>describes %1 and holds %2</source><translation>décrit %1 et contient %2</translation></message>
+<message><source>describes %1 but has no columns range_mm and state</source><translation>décrit %1 mais n'a pas les colonnes range_mm et state</translation></message>
+<message><source>save the scan again, or remove the comment lines</source><translation>enregistrez à nouveau le scan, ou supprimez les lignes de commentaire</translation></message>
+<message><source>--unit does not apply: this program saved the file, in metres</source><translation>--unit ne s'applique pas : ce programme a enregistré le fichier, en mètres</translation></message>
+<message><source>leave --unit out</source><translation>laissez --unit de côté</translation></message>
+<message><source>a valid cell has a number that is not a range</source><translation>une cellule valide a un nombre qui n'est pas une distance</translation></message>
+<message><source>the description in the comment lines has no angles</source><translation>la description dans les lignes de commentaire n'a pas d'angles</translation></message>
+<message><source>%n point was filled and not measured, as filled_sd_mm says: it was taken as no return.</source><translation>%n point a été comblé et non mesuré, comme le dit filled_sd_mm : il a été pris comme sans retour.</translation></message>
+<message><source>%n points were filled and not measured, as filled_sd_mm says: they were taken as no return.</source><translation>%n points ont été comblés et non mesurés, comme le dit filled_sd_mm : ils ont été pris comme sans retour.</translation></message>
+<message><source>the file gives the grid of its cells</source><translation>le fichier donne la grille de ses cellules</translation></message>
+<message><source>The matrix of the %1 file was not used: its points are in another frame than the scanner's.</source><translation>La matrice du fichier %1 n'a pas été utilisée : ses points sont dans un autre repère que celui du scanner.</translation></message>
+<message><source>%1 cells hold status codes of an LMS2xx from %2 on instead of a range and were taken as such.</source><translation>%1 cellules contiennent des codes d'état d'un LMS2xx à partir de %2 au lieu d'une distance et ont été prises comme telles.</translation></message>
+<message><source>The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.</source><translation>Les coordonnées sont arrondies et chaque point tombe à un nombre entier de millimètres sur son faisceau : ceux-ci ont été pris comme distances.</translation></message>
+<message><source>The file's coordinates are left-handed and were turned right-handed: y is mirrored.</source><translation>Les coordonnées du fichier forment un repère indirect et ont été rendues directes : y est inversé.</translation></message>
+<message><source>%1 of %2 cells of the grid that was found have no point and count as no return.</source><translation>%1 de %2 cellules de la grille trouvée n'ont pas de point et comptent comme sans retour.</translation></message>
+<message><source>the origin, because no sensor position is known (--sensor X,Y,Z gives it)</source><translation>l'origine, car aucune position du capteur n'est connue (--sensor X,Y,Z la donne)</translation></message>
+<message><source>the sensor position given, (%1, %2, %3) m</source><translation>la position du capteur indiquée, (%1, %2, %3) m</translation></message>
+<message><source>the sensor position in the file, (%1, %2, %3) m</source><translation>la position du capteur dans le fichier, (%1, %2, %3) m</translation></message>
+<message><source>The points lie on no scanner grid and were projected about %1: %2.</source><translation>Les points ne sont sur aucune grille de scanner et ont été projetés autour de %1 : %2.</translation></message>
+<message><source>The points were projected about %1: %2.</source><translation>Les points ont été projetés autour de %1 : %2.</translation></message>
+<message><source>The cells have the given %1 degrees</source><translation>Les cellules ont les %1 degrés donnés</translation></message>
+<message><source>The cells have %1 degrees, from the spacing of the points</source><translation>Les cellules ont %1 degrés, d'après l'écart des points</translation></message>
+<message><source>, along lines that were recognised in the cloud.</source><translation>, le long de lignes reconnues dans le nuage.</translation></message>
+<message><source>Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, or with its record, has the grid of the scan.</source><translation>Les arêtes d'un nuage projeté diffèrent de celles de son scan : un fichier avec les points dans l'ordre du scanner, ou avec sa fiche, a la grille du scan.</translation></message>
+<message><source>projected about %1: %2</source><translation>projetés autour de %1 : %2</translation></message>
+<message><source>The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.</source><translation>L'axe des lignes du scan est à %1 (dans les nombres du fichier) de la position connue du capteur.</translation></message>
+<message><source>%n point is a later return of a pulse, as the file says: the first returns make the grid</source><translation>%n point est un retour ultérieur d'une impulsion, selon le fichier : les premiers retours font la grille</translation></message>
+<message><source>%n points are later returns of a pulse, as the file says: the first returns make the grid</source><translation>%n points sont des retours ultérieurs d'une impulsion, selon le fichier : les premiers retours font la grille</translation></message>
+<message><source>, and %1</source><translation>, et %1</translation></message>
+<message><source>%n other was attached to its cell</source><translation>%n autre a été rattaché à sa cellule</translation></message>
+<message><source>%n others were attached to their cells</source><translation>%n autres ont été rattachés à leurs cellules</translation></message>
+<message><source>%n other has no cell of its own and was left out</source><translation>%n autre n'a pas de cellule à lui et a été laissé de côté</translation></message>
+<message><source>%n others have no cell of their own and were left out</source><translation>%n autres n'ont pas de cellule à eux et ont été laissés de côté</translation></message>
+<message><source>%1 lines, %2 beams and mounting %3 were found from them.</source><translation>%1 lignes, %2 faisceaux et le montage %3 ont été trouvés à partir d'eux.</translation></message>
+<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la dernière ligne du scan est incomplète et la dernière rangée n'a pas de fin de ligne : le fichier a été coupé</translation></message>
+<message><source>the file is in another frame than the scanner's, and %1 of its points share their line and beam with another</source><translation>le fichier est dans un autre repère que celui du scanner, et %1 de ses points partagent leur ligne et leur faisceau avec un autre</translation></message>
+<message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>La grille a autant de lignes et de faisceaux que les points en nomment, %1 x %2 : une ligne ou un faisceau derrière le dernier point n'est pas dans le fichier.</translation></message>
+<message><source>the points have a grid</source><translation>les points ont une grille</translation></message>
+<message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>La liste ne contient que des retours : une ligne ou un faisceau du bord sans aucun retour n'y est pas.</translation></message>
+<message><source>points are one and the same,%1</source><translation>points sont un seul et même point,%1</translation></message>
+<message><source>points are %1 (in the numbers of the file) from the sensor</source><translation>points sont à %1 (dans les nombres du fichier) du capteur</translation></message>
+<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>ses nombres ont été arrondis à %1 chiffres, si bien que ceux proches de %2 avancent par pas de %3 : les chiffres qui placent les points sont perdus</translation></message>
+<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>réécrivez les coordonnées avec toutes leurs décimales, en nombres et non sous la forme 1.23E+06</translation></message>
+<message><source>%1 numbers per line without names are a table of ranges only with its angles; as points, %2</source><translation>%1 nombres par ligne sans noms ne font un tableau de distances qu'avec ses angles ; comme points, %2</translation></message>
+<message><source>give --beam-start --beam-step --line-start --line-step --axis, or name the columns x, y and z</source><translation>indiquez --beam-start --beam-step --line-start --line-step --axis, ou nommez les colonnes x, y et z</translation></message>
+<message><source>%1 of the %2 of the file have no cell of their own.</source><translation>%1 des %2 du fichier n'ont pas de cellule à eux.</translation></message>
+<message><source>the file holds 0 points with a return, out of %1</source><translation>le fichier contient 0 point avec retour, sur %1</translation></message>
+<message><source>choose another file, or copy it again</source><translation>choisissez un autre fichier, ou copiez-le à nouveau</translation></message>
+<message><source>Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.</source><translation>Dans ce fichier, les nombres jusqu'à %1 ont une résolution d'environ %2 : il a été écrit avec des flottants de 4 octets.</translation></message>
+<message><source>%n point with infinite or absurdly large coordinates was taken as no return.</source><translation>%n point aux coordonnées infinies ou absurdement grandes a été pris comme sans retour.</translation></message>
+<message><source>%n points with infinite or absurdly large coordinates were taken as no return.</source><translation>%n points aux coordonnées infinies ou absurdement grandes ont été pris comme sans retour.</translation></message>
+<message><source>the pose could not be removed (%1)</source><translation>la pose n'a pas pu être retirée (%1)</translation></message>
+<message><source>remove the file by hand</source><translation>supprimez le fichier à la main</translation></message>
+<message><source>the file name has no extension that names a format</source><translation>le nom du fichier n'a pas d'extension qui nomme un format</translation></message>
+<message><source>"%1" is not a format that can be written</source><translation>« %1 » n'est pas un format qui peut être écrit</translation></message>
+<message><source>use %1</source><translation>utilisez %1</translation></message>
+<message><source>the edge mask has %1 x %2 cells and the scan %3 x %4</source><translation>le masque des arêtes a %1 x %2 cellules et le scan %3 x %4</translation></message>
+<message><source>detect the edges of this scan again</source><translation>détectez à nouveau les arêtes de ce scan</translation></message>
+<message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>le scan n'a pas de pose, sa place dans la grille de la mine n'est donc pas connue</translation></message>
+<message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>donnez une pose et l'étalonnage du robot, ou enregistrez dans le repère du scanner</translation></message>
+<message><source>the scan has no cells</source><translation>le scan n'a pas de cellules</translation></message>
+<message><source>a raw grid or a recording holds ranges and no coordinates</source><translation>une grille brute ou un enregistrement contient des distances et pas de coordonnées</translation></message>
+<message><source>save it without a frame, or as %1</source><translation>enregistrez-le sans repère, ou en %1</translation></message>
+<message><source>%n point behind the nearest of its cell is not in this file: --include-attached saves all points.</source><translation>%n point derrière le plus proche de sa cellule n'est pas dans ce fichier : --include-attached enregistre tous les points.</translation></message>
+<message><source>%n points behind the nearest of their cell are not in this file: --include-attached saves all points.</source><translation>%n points derrière le plus proche de leur cellule ne sont pas dans ce fichier : --include-attached enregistre tous les points.</translation></message>
+<message><source>The file holds points and no grid: %1 cells without a range are not in it.</source><translation>Le fichier contient des points et pas de grille : %1 cellules sans distance n'y sont pas.</translation></message>
+<message><source>This file knows only points and no returns: %1 cells of other states become no returns.</source><translation>Ce fichier ne connaît que des points et des cellules sans retour : %1 cellules d'autres états deviennent sans retour.</translation></message>
+<message><source>The file holds numbers only: keep %1.provenance.json next to it, which holds the grid, or write it with --comments.</source><translation>Le fichier ne contient que des nombres : gardez à côté %1.provenance.json, qui contient la grille, ou écrivez-le avec --comments.</translation></message>
+<message><source>The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.</source><translation>Le fichier ne contient pas les intensités : .pcd, .ply, .las, .ptx et .csv les contiennent.</translation></message>
+<message><source>The file rounds the points to whole steps of %1 mm.</source><translation>Le fichier arrondit les points à des pas entiers de %1 mm.</translation></message>
+<message><source>The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.</source><translation>Le fichier est dans le repère du scanner et ne contient pas la place du scan dans la mine : --frame mine donne des coordonnées de mine.</translation></message>
+<message><source>The file has room for one place of the scanner, and this scanner moved by up to %1 mm: without %2.provenance.json its ranges are as much off; its points are exact.</source><translation>Le fichier a de la place pour un seul lieu du scanner, et ce scanner a bougé de jusqu'à %1 mm : sans %2.provenance.json ses distances diffèrent d'autant ; ses points sont exacts.</translation></message>
+<message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Ce fichier est un export de points d'arête, pas un scan : toutes les autres cellules comptent comme sans retour. Ouvrez le scan pour chercher les arêtes.</translation></message>
+<message><source>was written for another one</source><translation>a été écrit pour un autre</translation></message>
+<message><source>describes no grid</source><translation>ne décrit pas de grille</translation></message>
+<message><source>does not list the cells of the points</source><translation>n'énumère pas les cellules des points</translation></message>
+<message><source>has a grid for which there is not enough memory</source><translation>a une grille pour laquelle il n'y a pas assez de mémoire</translation></message>
+<message><source>describes a grid without angles and without a sensor</source><translation>décrit une grille sans angles et sans capteur</translation></message>
+<message><source>lists other cells than the file has points</source><translation>énumère d'autres cellules que le fichier n'a de points</translation></message>
+<message><source>does not hold the place of the scan in the mine</source><translation>ne contient pas la place du scan dans la mine</translation></message>
+<message><source>cannot be read (%1)</source><translation>ne peut pas être lu (%1)</translation></message>
+<message><source>The record next to the file %1, so the grid in it was not used.</source><translation>La fiche à côté du fichier ne convient pas (%1) ; sa grille n'a donc pas été utilisée.</translation></message>
+<message><source>lists a cell twice</source><translation>énumère une cellule deux fois</translation></message>
+<message><source>The file puts the sensor %1 away from its points, which are all within %2 of each other (in its own numbers): no scanner measures so, and the place was not used.</source><translation>Le fichier met le capteur à %1 de ses points, qui sont tous à moins de %2 les uns des autres (dans ses propres nombres) : aucun scanner ne mesure ainsi, et cette place n'a pas été utilisée.</translation></message>
+<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>les %1 points de sa grille sont dans une seule direction depuis l'origine, dans %2 degrés et jusqu'à %3 : le scanner était ailleurs</translation></message>
+<message><source>Unit taken as metres, in which the numbers fit the sensor position given.</source><translation>Le mètre a été pris comme unité : ainsi les nombres s'accordent avec la position du capteur indiquée.</translation></message>
+<message><source>Unit taken as millimetres, in which the numbers fit the sensor position given.</source><translation>Le millimètre a été pris comme unité : ainsi les nombres s'accordent avec la position du capteur indiquée.</translation></message>
+<message><source>numbers up to %1 in this file have a resolution of about %2</source><translation>les nombres jusqu'à %1 de ce fichier ont une résolution d'environ %2</translation></message>
+<message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>Le texte a deux octets par caractère (UTF-16) et a été lu ainsi.</translation></message>
+<message><source>%n byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n octet nul (NUL) suit la dernière rangée, comme après une coupure de courant : les rangées non écrites manquent.</translation></message>
+<message><source>%n bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n octets nuls (NUL) suivent la dernière rangée, comme après une coupure de courant : les rangées non écrites manquent.</translation></message>
+<message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matrice du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
+<message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>Le fichier %1 met le scanner à %2, %3, %4 m, ce qui n'est pas un lieu sur terre ; le scan reste donc dans le repère du scanner.</translation></message>
+<message><source>as the %1 file has it</source><translation>comme l'a le fichier %1</translation></message>
+<message><source>the header of %1</source><translation>l'en-tête de %1</translation></message>
+<message><source>The place is the one written in the %1 file: whether that is the mine grid, who registered it knows.</source><translation>La place est celle écrite dans le fichier %1 : si c'est la grille de la mine, celui qui l'a recalé le sait.</translation></message>
+<message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 off the axis</source><translation>Les points sont dans un autre repère que celui du scanner. Leurs lignes de scan tournent autour d'un axe, en %1, %2, %3 m, et le miroir est à %4 de l'axe</translation></message>
+<message><source>; the grid has the scale %1</source><translation> ; la grille a l'échelle %1</translation></message>
+<message><source>%1. The points fit lines and beams within %2.</source><translation>%1. Les points tombent sur des lignes et des faisceaux à %2 près.</translation></message>
+<message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>C'est plus que ce qu'explique l'arrondi des nombres, %1 mm : des distances peuvent être fausses, et des arêtes différer de celles du scan. La fiche du fichier, ou le scan tel que mesuré, les a exactement.</translation></message>
+<message><source>the scan lines of the points</source><translation>les lignes de scan des points</translation></message>
+<message><source>The place was found from the scan lines of the points: whether their frame is the mine grid, the file does not say.</source><translation>La place a été trouvée à partir des lignes de scan des points : le fichier ne dit pas si leur repère est la grille de la mine.</translation></message>
+<message><source>copy the capture again</source><translation>copiez à nouveau la capture</translation></message>
+<message><source>the capture ends within its header</source><translation>la capture finit dans son en-tête</translation></message>
+<message><source>is too short for a packet</source><translation>est trop court pour un paquet</translation></message>
+<message><source>names an interface that the capture does not describe</source><translation>nomme une interface que la capture ne décrit pas</translation></message>
+<message><source>promises more bytes of a packet than it has</source><translation>annonce plus d'octets d'un paquet qu'il n'en a</translation></message>
+<message><source>a block of this PCAPNG capture %1</source><translation>un bloc de cette capture PCAPNG %1</translation></message>
+<message><source>says that it has %1 bytes</source><translation>dit qu'il a %1 octets</translation></message>
+<message><source>is too short for an interface</source><translation>est trop court pour une interface</translation></message>
+<message><source>this is not a capture of network packets</source><translation>ce n'est pas une capture de paquets réseau</translation></message>
+<message><source>The capture was cut off: everything up to the cut is here.</source><translation>La capture a été coupée : tout jusqu'à la coupure est là.</translation></message>
+<message><source>%n packet has a time before 1970 or after 2262 and count as of 1970.</source><translation>%n paquet a une heure avant 1970 ou après 2262 et compte comme de 1970.</translation></message>
+<message><source>%n packets have a time before 1970 or after 2262 and count as of 1970.</source><translation>%n paquets ont une heure avant 1970 ou après 2262 et comptent comme de 1970.</translation></message>
+<message><source>%n byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.</source><translation>%n octet envoyé par le scanner manque dans la capture (%1) : les télégrammes y sont perdus.</translation></message>
+<message><source>%n bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost.</source><translation>%n octets envoyés par le scanner manquent dans la capture (%1) : les télégrammes y sont perdus.</translation></message>
+<message><source>%n place</source><translation>%n endroit</translation></message>
+<message><source>%n places</source><translation>%n endroits</translation></message>
+<message><source>%n byte that the scanner sent belongs to no whole telegram.</source><translation>%n octet envoyé par le scanner n'appartient à aucun télégramme entier.</translation></message>
+<message><source>%n bytes that the scanner sent belong to no whole telegram.</source><translation>%n octets envoyés par le scanner n'appartiennent à aucun télégramme entier.</translation></message>
+<message><source>%n packet came out of order and %1 brought bytes again; they were put in order.</source><translation>%n paquet est arrivé dans le désordre et %1 ont apporté des octets à nouveau ; ils ont été remis en ordre.</translation></message>
+<message><source>%n packets came out of order and %1 brought bytes again; they were put in order.</source><translation>%n paquets sont arrivés dans le désordre et %1 ont apporté des octets à nouveau ; ils ont été remis en ordre.</translation></message>
+<message><source>%n fragment of IP packets were not put together.</source><translation>%n fragment de paquets IP n'a pas été assemblé.</translation></message>
+<message><source>%n fragments of IP packets were not put together.</source><translation>%n fragments de paquets IP n'ont pas été assemblés.</translation></message>
+<message><source>putting packets together</source><translation>assemblage des paquets</translation></message>
+<message><source>this capture holds no scan telegram of a SICK scanner, and %1</source><translation>cette capture ne contient aucun télégramme de scan d'un scanner SICK, et %1</translation></message>
+<message><source>this capture holds %1, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>cette capture contient %1, dont %2 TCP, et aucun télégramme de scan d'un scanner SICK ni aucun paquet d'un VLP-16 ou d'un Ouster</translation></message>
+<message><source>%n packet</source><translation>%n paquet</translation></message>
+<message><source>%n packets</source><translation>%n paquets</translation></message>
+<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capturez la connexion au port du scanner (2111 ou 2112) pendant qu'il scanne</translation></message>
+<message><source>%n other sender has some too</source><translation>%n autre émetteur en a aussi</translation></message>
+<message><source>%n other senders have some too</source><translation>%n autres émetteurs en ont aussi</translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 was opened, and %4.</source><translation>La capture contient %1 flux ; celui de %2 avec %3 a été ouvert, et %4.</translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 was opened.</source><translation>La capture contient %1 flux ; celui de %2 avec %3 a été ouvert.</translation></message>
+<message><source>%n scan telegram</source><translation>%n télégramme de scan</translation></message>
+<message><source>%n scan telegrams</source><translation>%n télégrammes de scan</translation></message>
+<message><source>finding telegrams</source><translation>recherche des télégrammes</translation></message>
+<message><source>these are %1 of a SICK device and none is a scan</source><translation>ce sont %1 d'un appareil SICK et aucun n'est un scan</translation></message>
+<message><source>%n telegram</source><translation>%n télégramme</translation></message>
+<message><source>%n telegrams</source><translation>%n télégrammes</translation></message>
+<message><source>capture while the scanner sends scans (sEN LMDscandata 1)</source><translation>capturez pendant que le scanner envoie des scans (sEN LMDscandata 1)</translation></message>
+<message><source>CoLa stream</source><translation>Flux CoLa</translation></message>
+<message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n octet du flux n'appartient à aucun télégramme entier.</translation></message>
+<message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n octets du flux n'appartiennent à aucun télégramme entier.</translation></message>
+<message><source>save the scan again, or remove "acquisition"</source><translation>enregistrez à nouveau le scan, ou supprimez "acquisition"</translation></message>
+<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" doit être un objet {...}</translation></message>
+<message><source>radians</source><translation>radians</translation></message>
+<message><source>milliradians</source><translation>milliradians</translation></message>
+<message><source>angles in %1, azimuths %2</source><translation>des angles en %1, des azimuts %2</translation></message>
+<message><source>angles taken as %1, azimuths %2</source><translation>des angles pris comme %1, des azimuts %2</translation></message>
+<message><source>clockwise from y</source><translation>dans le sens horaire depuis y</translation></message>
+<message><source>counter-clockwise from x</source><translation>dans le sens antihoraire depuis x</translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with %1 and heights from the zenith.</source><translation>Les points ont été calculés à partir des colonnes d'angles et de distances, avec %1 et des hauteurs depuis le zénith.</translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with %1.</source><translation>Les points ont été calculés à partir des colonnes d'angles et de distances, avec %1.</translation></message>
+<message><source>degrees of latitude and longitude</source><translation>degrés de latitude et de longitude</translation></message>
+<message><source>angles and no ranges</source><translation>des angles et pas de distances</translation></message>
+<message><source>angles and ranges</source><translation>des angles et des distances</translation></message>
+<message><source>two coordinates of a point and not the third</source><translation>deux coordonnées d'un point et pas la troisième</translation></message>
+<message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>comparez-le avec docs/reference/formats.md, "Raw grid"</translation></message>
+<message><source>this is a preset and not a scan</source><translation>ceci est un préréglage et non un scan</translation></message>
+<message><source>choose it in the panel Edges, or give it with --preset</source><translation>choisissez-le dans le panneau Arêtes, ou donnez-le avec --preset</translation></message>
+<message><source>this is a pose and not a scan</source><translation>ceci est une pose et non un scan</translation></message>
+<message><source>open its scan and give it with --pose</source><translation>ouvrez son scan et donnez-le avec --pose</translation></message>
+<message><source>this is a calibration and not a scan</source><translation>ceci est un étalonnage et non un scan</translation></message>
+<message><source>open its scan and give it with --calibration</source><translation>ouvrez son scan et donnez-le avec --calibration</translation></message>
+<message><source>this is a file of targets and not a scan</source><translation>ceci est un fichier de cibles et non un scan</translation></message>
+<message><source>open its scan</source><translation>ouvrez son scan</translation></message>
+<message><source>this is edits of rocks and not a scan</source><translation>ceci est une modification de roches et non un scan</translation></message>
+<message><source>open its scan, or give it with --edits</source><translation>ouvrez son scan, ou donnez-les avec --edits</translation></message>
+<message><source>this is a record of an export and not a scan</source><translation>ceci est un compte rendu d'export et non un scan</translation></message>
+<message><source>open its scan, or check it with edgescan-cli verify</source><translation>ouvrez son scan, ou vérifiez-le avec edgescan-cli verify</translation></message>
+<message><source>must hold counts</source><translation>doit contenir des comptes</translation></message>
+<message><source>holds %1, and there are %2</source><translation>contient %1, et il y en a %2</translation></message>
+<message><source>needs start and step</source><translation>demande start et step</translation></message>
+<message><source>holds %1, %2 are needed</source><translation>contient %1, il en faut %2</translation></message>
+<message><source>%n angle</source><translation>%n angle</translation></message>
+<message><source>%n angles</source><translation>%n angles</translation></message>
+<message><source>must be 1 or -1</source><translation>doit être 1 ou -1</translation></message>
+<message><source>must be a list</source><translation>doit être une liste</translation></message>
+<message><source>must hold ["state", first cell, cells]</source><translation>doit contenir ["state", première cellule, cellules]</translation></message>
+<message><source>leaves the grid</source><translation>sort de la grille</translation></message>
+<message><source>names cell %1 twice</source><translation>nomme deux fois la cellule %1</translation></message>
+<message><source>must name a file in the same folder</source><translation>doit nommer un fichier du même dossier</translation></message>
+<message><source>must be greater than 0</source><translation>doit être supérieur à 0</translation></message>
+<message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>l'en-tête annonce %1 de %2 octets et le fichier en contient %3 octets, ce qui est plus</translation></message>
+<message><source>holds %1 where the header promises %2</source><translation>contient %1 là où l'en-tête annonce %2</translation></message>
+<message><source>the header promises %1, and more text follows them here</source><translation>l'en-tête annonce %1, et d'autre texte suit ici</translation></message>
+<message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return</source><translation>, qui se répète exactement et est loin du reste, comme rien de mesuré ne l'est : pris comme sans retour</translation></message>
+<message><source> (--keep-repeated takes it as measured).</source><translation> (--keep-repeated le prend comme mesuré).</translation></message>
+<message><source>holds decimal commas in quotes between commas</source><translation>contient des virgules décimales entre guillemets et entre virgules</translation></message>
+<message><source>save the table with semicolons, or with decimal points</source><translation>enregistrez le tableau avec des points-virgules, ou avec des points décimaux</translation></message>
+<message><source>holds decimal commas between commas</source><translation>contient des virgules décimales entre virgules</translation></message>
+<message><source>The last row has no line end: the file may have been cut off there; compare it with the original.</source><translation>La dernière rangée n'a pas de fin de ligne : le fichier y a peut-être été coupé ; comparez-le à l'original.</translation></message>
+<message><source>save the file with plain numbers, without separators of thousands</source><translation>enregistrez le fichier avec de simples nombres, sans séparateurs de milliers</translation></message>
+<message><source>holds %1 in a column whose numbers have three digits behind their mark or no mark at all, so that it may separate decimals or thousands</source><translation>contient %1 dans une colonne dont les nombres ont trois chiffres derrière leur signe ou pas de signe, de sorte qu'il peut séparer des décimales ou des milliers</translation></message>
+<message><source>save the file with the same count of decimals in each number, or without separators of thousands</source><translation>enregistrez le fichier avec le même nombre de décimales partout, ou sans séparateurs de milliers</translation></message>
+<message><source>holds %1, a number whose thousands are set apart</source><translation>contient %1, un nombre dont les milliers sont séparés</translation></message>
+<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contient des octets nuls, comme un fichier qui n'a pas été écrit jusqu'au bout</translation></message>
+<message><source>copy the file or export it again</source><translation>copiez ou exportez à nouveau le fichier</translation></message>
+<message><source>%1 has a decimal comma</source><translation>%1 a une virgule décimale</translation></message>
+<message><source>save the file with decimal points</source><translation>enregistrez le fichier avec des points décimaux</translation></message>
+<message><source>%1 is more than one number between two separators</source><translation>%1 est plus d'un nombre entre deux séparateurs</translation></message>
+<message><source>correct the line or export the file again</source><translation>corrigez la ligne ou exportez à nouveau le fichier</translation></message>
+<message><source>%1 is not a number</source><translation>%1 n'est pas un nombre</translation></message>
+<message><source>%1 is below x, y or z and is not a number</source><translation>%1 est sous x, y ou z et n'est pas un nombre</translation></message>
+<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>enregistrez le fichier avec de simples nombres dans ces colonnes, sans unités ni signes</translation></message>
+<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>il y a des mots parmi les nombres de ses rangées, et aucun en-tête ne nomme x, y et z</translation></message>
+<message><source>write a first row with the names of the columns, such as id,x,y,z,code</source><translation>écrivez une première ligne avec les noms des colonnes, comme id,x,y,z,code</translation></message>
+<message><source>its numbers are separated by "%1", which separates none here</source><translation>ses nombres sont séparés par « %1 », qui n'en sépare aucun ici</translation></message>
+<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>enregistrez le fichier avec des virgules, points-virgules, tabulations ou espaces entre ses nombres</translation></message>
+<message><source>this is text without a row of numbers, so no scan</source><translation>c'est du texte sans rangée de nombres, donc pas un scan</translation></message>
+<message><source>choose a scan: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>choisissez un scan : E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, une grille brute (.json), une image de distances (.png, .tif), un enregistrement (.mcap), un bag ROS ou une capture réseau (.pcap)</translation></message>
+<message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>L'enregistrement décrit une autre grille que celle de ses télégrammes : les télégrammes comptent.</translation></message>
+<message><source>the recording's "%1" is "%2", which cannot be used.</source><translation>« %1 » de l'enregistrement est « %2 », ce qui ne peut pas être utilisé.</translation></message>
+<message><source>%n reading of inclinometer or TALIN cannot be used.</source><translation>%n mesure d'inclinomètre ou de TALIN est inutilisable.</translation></message>
+<message><source>%n readings of inclinometer or TALIN cannot be used.</source><translation>%n mesures d'inclinomètre ou de TALIN sont inutilisables.</translation></message>
+<message><source>the recording's own readings</source><translation>les propres mesures de l'enregistrement</translation></message>
+<message><source>The recording holds readings of TALIN and does not say where the boom pointed (boom_azimuth_deg).</source><translation>L'enregistrement contient des mesures de TALIN et ne dit pas où pointait la flèche (boom_azimuth_deg).</translation></message>
+<message><source>the recording</source><translation>l'enregistrement</translation></message>
+<message><source> with %1</source><translation> avec %1</translation></message>
+<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>une pose demande l'étalonnage du robot, et l'enregistrement n'en contient pas</translation></message>
+<message><source>give --calibration ROBOT.json too</source><translation>indiquez aussi --calibration ROBOT.json</translation></message>
+<message><source>a calibration needs a pose, and the recording holds none that can be used</source><translation>un étalonnage demande une pose, et l'enregistrement n'en contient aucune utilisable</translation></message>
+<message><source>The recording holds poses and not how the robot is built: --calibration ROBOT.json places the scan.</source><translation>L'enregistrement contient des poses mais pas la construction du robot : --calibration ROBOT.json place le scan.</translation></message>
+<message><source>The recording's pose cannot be used: %1.</source><translation>La pose de l'enregistrement ne peut pas être utilisée : %1.</translation></message>
+<message><source>The recording was cut off: everything up to the cut is here.</source><translation>L'enregistrement a été coupé : tout jusqu'à la coupure est là.</translation></message>
+<message><source>%1 times in the recording are after %2 and were read as this time.</source><translation>%1 instants de l'enregistrement sont après %2 et ont été lus comme cet instant.</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>ce fichier MCAP ne contient rien qu'un scanner laser ait envoyé</translation></message>
+<message><source>choose a recording of a sweep</source><translation>choisissez l'enregistrement d'un balayage</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>rien de ce qu'un scanner laser a envoyé ne peut être lu dans ce fichier MCAP%1</translation></message>
+<message><source>, and %1 more</source><translation>, et %1 de plus</translation></message>
+<message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit ne s'applique pas : les télégrammes d'un enregistrement disent eux-mêmes leur unité</translation></message>
+<message><source>one sweep</source><translation>un balayage</translation></message>
+<message><source>%1 sweeps</source><translation>%1 balayages</translation></message>
+<message><source>the %1 scan telegrams in this recording hold no line of ranges</source><translation>les %1 télégrammes de scan de cet enregistrement ne contiennent aucune ligne de distances</translation></message>
+<message><source>no scan telegram in this recording can be decoded%1</source><translation>aucun télégramme de scan de cet enregistrement ne peut être décodé%1</translation></message>
+<message><source>this recording holds no scan telegram%1</source><translation>cet enregistrement ne contient aucun télégramme de scan%1</translation></message>
+<message><source>choose another recording</source><translation>choisissez un autre enregistrement</translation></message>
+<message><source>The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.</source><translation>L'enregistrement contient %1 balayages ; le balayage %2 a été ouvert ; aucun autre n'a plus de lignes.</translation></message>
+<message><source>%1 scan telegrams could not be decoded: %2.</source><translation>%1 télégrammes de scan n'ont pas pu être décodés : %2.</translation></message>
+<message><source>%n message holds bytes that are not a whole telegram: what was in it is lost.</source><translation>%n message contient des octets qui ne sont pas un télégramme entier : son contenu est perdu.</translation></message>
+<message><source>%n messages hold bytes that are not a whole telegram: what was in them is lost.</source><translation>%n messages contiennent des octets qui ne sont pas un télégramme entier : leur contenu est perdu.</translation></message>
+<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLET : %1 lignes sont là, on ne sait pas combien il y en avait.</translation></message>
+<message><source>a recording holds whole counts of its unit up to 65535, and the range at line %1, beam %2 is none</source><translation>un enregistrement contient des comptes entiers de son unité jusqu'à 65535, et la distance à la ligne %1, faisceau %2 n'en est pas un</translation></message>
+<message><source>a recording needs beam and line angles and this cloud has none</source><translation>un enregistrement demande des angles de faisceaux et de lignes et ce nuage n'en a pas</translation></message>
+<message><source>a recording holds at most %1 lines of %2 beams</source><translation>un enregistrement contient au plus %1 lignes de %2 faisceaux</translation></message>
+<message><source>telegrams cannot describe this scan</source><translation>des télégrammes ne peuvent pas décrire ce scan</translation></message>
+<message><source>the disk is %1 s behind (%2 MB)</source><translation>le disque a %1 s de retard (%2 Mo)</translation></message>
+<message><source>the disk is slower than the scanner, telegrams are missing in the recording</source><translation>le disque est plus lent que le scanner, des télégrammes manquent dans l'enregistrement</translation></message>
+<message><source>record on another disk</source><translation>enregistrez sur un autre disque</translation></message>
+<message><source>the disk did not take the end of the recording, what it has is cut off</source><translation>le disque n'a pas pris la fin de l'enregistrement, ce qu'il a est coupé</translation></message>
+<message><source>check the disk; the file opens with what was written</source><translation>vérifiez le disque ; le fichier s'ouvre avec ce qui a été écrit</translation></message>
+<message><source>The bag is cut off or damaged at byte %1: the last %2.</source><translation>Le bag est coupé ou endommagé à l'octet %1 : les derniers %2.</translation></message>
+<message><source>%n byte was not read</source><translation>%n octet n'a pas été lu</translation></message>
+<message><source>%n bytes were not read</source><translation>%n octets n'ont pas été lus</translation></message>
+<message><source>%n chunk is damaged and was left out (%1).</source><translation>%n bloc est endommagé et a été laissé de côté (%1).</translation></message>
+<message><source>%n chunks are damaged and were left out (%1).</source><translation>%n blocs sont endommagés et ont été laissés de côté (%1).</translation></message>
+<message><source>%n message belongs to no topic of the bag and was left out.</source><translation>%n message n'appartient à aucun topic du bag et a été laissé de côté.</translation></message>
+<message><source>%n messages belong to no topic of the bag and were left out.</source><translation>%n messages n'appartiennent à aucun topic du bag et ont été laissés de côté.</translation></message>
+<message><source>its records do not end with it</source><translation>ses enregistrements ne finissent pas avec lui</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>c'est un bag ROS d'une autre version que 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>convertissez-le avec « rosbag migrate »</translation></message>
+<message><source>The bag was cut off: everything up to the cut is here.</source><translation>Le bag a été coupé : tout jusqu'à la coupure est là.</translation></message>
+<message><source>%n message is compressed and damaged and was left out.</source><translation>%n message est compressé et endommagé et a été laissé de côté.</translation></message>
+<message><source>%n messages are compressed and damaged and were left out.</source><translation>%n messages sont compressés et endommagés et ont été laissés de côté.</translation></message>
+<message><source>this SQLite database is damaged: its tables give more than the file can hold</source><translation>cette base de données SQLite est endommagée : ses tables donnent plus que le fichier ne peut contenir</translation></message>
+<message><source>this SQLite database is not a ROS bag: "%1" is not a plain table</source><translation>cette base de données SQLite n'est pas un bag ROS : « %1 » n'est pas une table simple</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>cette base SQLite est tronquée ou endommagée : ses tables sont illisibles</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>cette base SQLite n'est pas un bag ROS : elle n'a pas de table de topics</translation></message>
+<message><source>The database is cut off or damaged (%1): messages behind the first %2 were not read.</source><translation>La base de données est coupée ou endommagée (%1) : les messages après les %2 premiers n'ont pas été lus.</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>cette base SQLite ne peut pas être ouverte</translation></message>
+<message><source>%n byte behind the end of the database was not read.</source><translation>%n octet derrière la fin de la base de données n'a pas été lu.</translation></message>
+<message><source>%n bytes behind the end of the database were not read.</source><translation>%n octets derrière la fin de la base de données n'ont pas été lus.</translation></message>
+<message><source>this is a ROS 2 bag in SQLite, and this program was built without SQLite</source><translation>ceci est un bag ROS 2 en SQLite, et ce programme a été compilé sans SQLite</translation></message>
+<message><source>convert it with "ros2 bag convert" to MCAP, or install libsqlite3-dev and build again</source><translation>convertissez-le avec "ros2 bag convert" en MCAP, ou installez libsqlite3-dev et compilez à nouveau</translation></message>
+<message><source>The log %1 of the recorder could not be read: its messages are not in the scan.</source><translation>Le journal %1 de l'enregistreur n'a pas pu être lu : ses messages ne sont pas dans le scan.</translation></message>
+<message><source>The recorder was not ended: its newest messages were read from %1.</source><translation>L'enregistreur n'a pas été arrêté : ses messages les plus récents ont été lus de %1.</translation></message>
+<message><source>The recorder was ended within a change: the database was read as it was before it, by %1.</source><translation>L'enregistreur s'est arrêté au milieu d'un changement : la base de données a été lue telle qu'avant, au moyen de %1.</translation></message>
+<message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>Le journal %1 de l'enregistreur finit par %2 pages incomplètes : leurs messages ne sont pas dans le scan.</translation></message>
+<message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>Le journal %1 appartient à plusieurs bases de données et n'a pas été lu : la dernière modification peut être partielle.</translation></message>
+<message><source>the log %1 cannot be read: the folder for temporary files is missing</source><translation>le journal %1 ne peut pas être lu : le dossier des fichiers temporaires manque</translation></message>
+<message><source>set TMPDIR to a folder</source><translation>mettez un dossier dans TMPDIR</translation></message>
+<message><source>it is longer than a megabyte</source><translation>elle dépasse un mégaoctet</translation></message>
+<message><source>a line of "=" is not followed by "MSG:"</source><translation>une ligne de "=" n'est pas suivie de "MSG:"</translation></message>
+<message><source>it names more than 1000 types</source><translation>elle nomme plus de 1000 types</translation></message>
+<message><source>the type %1 is not defined</source><translation>le type %1 n'est pas défini</translation></message>
+<message><source>a type contains itself, or types are nested more than 32 deep</source><translation>un type se contient lui-même, ou des types sont imbriqués sur plus de 32 niveaux</translation></message>
+<message><source>the definition of the message type %1 cannot be read: %2</source><translation>la définition du type de message %1 ne peut pas être lue : %2</translation></message>
+<message><source>record the bag again, or convert it with the program that wrote it</source><translation>enregistrez à nouveau le bag, ou convertissez-le avec le programme qui l'a écrit</translation></message>
+<message><source>a line has a type and no name: "%1"</source><translation>une ligne a un type et pas de nom : "%1"</translation></message>
+<message><source>a field has no name: "%1"</source><translation>un champ n'a pas de nom : "%1"</translation></message>
+<message><source>the length of "%1" is not a number</source><translation>la longueur de « %1 » n'est pas un nombre</translation></message>
+<message><source>a message of type %1 is encoded in a way that is not read (PLAIN_CDR and PLAIN_CDR2 are)</source><translation>un message du type %1 est encodé d'une façon qui n'est pas lue (PLAIN_CDR et PLAIN_CDR2 le sont)</translation></message>
+<message><source>record it with another middleware, or convert the bag</source><translation>enregistrez-le avec un autre middleware, ou convertissez le bag</translation></message>
+<message><source>a message of type %1 ends too early or does not fit its definition</source><translation>un message du type %1 finit trop tôt ou ne correspond pas à sa définition</translation></message>
+<message><source>copy the bag again</source><translation>copiez à nouveau le bag</translation></message>
+<message><source>it promises to unpack to more than a bag of this size holds</source><translation>il annonce qu'il se décompresse en plus qu'un bag de cette taille ne contient</translation></message>
+<message><source>%1 accepts the connection; asking for its topics.</source><translation>%1 accepte la connexion ; demande de ses topics.</translation></message>
+<message><source>the bridge says: %1</source><translation>le pont dit : %1</translation></message>
+<message><source>check foxglove_bridge on the robot</source><translation>vérifiez foxglove_bridge sur le robot</translation></message>
+<message><source>the bridge offers no topics</source><translation>le pont n'offre aucun topic</translation></message>
+<message><source>check that the robot's programs run</source><translation>vérifiez que les programmes du robot fonctionnent</translation></message>
+<message><source>no scan line of %1 for %2</source><translation>aucune ligne de scan de %1 pendant %2</translation></message>
+<message><source>check whether the laser runs and publishes this topic</source><translation>vérifiez que le laser fonctionne et publie ce topic</translation></message>
+<message><source>the bridge describes its topics in a text of more than 4 MB</source><translation>le pont décrit ses topics dans un texte de plus de 4 Mo</translation></message>
+<message><source>choose another bridge, or let it offer fewer topics</source><translation>choisissez un autre pont, ou faites-lui offrir moins de topics</translation></message>
+<message><source>what it sends is not the Foxglove WebSocket protocol</source><translation>ce qu'il envoie n'est pas le protocole WebSocket de Foxglove</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs there</source><translation>vérifiez le port (8765) et que foxglove_bridge y fonctionne</translation></message>
+<message><source>the bridge closed the connection</source><translation>le pont a fermé la connexion</translation></message>
+<message><source>the bridge sends a message of more than 64 MB</source><translation>le pont envoie un message de plus de 64 Mo</translation></message>
+<message><source>choose another topic</source><translation>choisissez un autre topic</translation></message>
+<message><source>the connection broke (%1)</source><translation>la connexion s'est interrompue (%1)</translation></message>
+<message><source>check power, cable and the address, and that this computer is in the robot's network</source><translation>vérifiez l'alimentation, le câble et l'adresse, et que cet ordinateur est dans le réseau du robot</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs on the robot</source><translation>vérifiez le port (8765) et que foxglove_bridge fonctionne sur le robot</translation></message>
+<message><source>what answers there is not a Foxglove bridge</source><translation>ce qui répond là n'est pas un pont Foxglove</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs there; a scanner of SICK is HOST without ws://</source><translation>vérifiez le port (8765) et que foxglove_bridge y fonctionne ; un scanner SICK est HOST sans ws://</translation></message>
+<message><source>the connection is closed</source><translation>la connexion est fermée</translation></message>
+<message><source>the subscription cannot be sent (%1)</source><translation>l'abonnement ne peut pas être envoyé (%1)</translation></message>
+<message><source>check the network</source><translation>vérifiez le réseau</translation></message>
+<message><source>%1 and others</source><translation>%1 et d'autres</translation></message>
+<message><source>the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)%1</source><translation>le pont n'offre aucun topic d'un laser (sensor_msgs/LaserScan ou PointCloud2)%1</translation></message>
+<message><source>check that the laser's driver runs</source><translation>vérifiez que le pilote du laser fonctionne</translation></message>
+<message><source>the bridge offers no topic of a laser called "%1"</source><translation>le pont n'offre aucun topic d'un laser nommé « %1 »</translation></message>
+<message><source>choose one of %1</source><translation>choisissez l'un de %1</translation></message>
+<message><source>GUESS: the topic %1 was taken; --topic chooses another: %2.</source><translation>SUPPOSITION : le topic %1 a été pris ; --topic en choisit un autre : %2.</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>il n'y a pas assez de mémoire pour ce nuage</translation></message>
+<message><source>lines come, but their angle is not known: %1</source><translation>des lignes arrivent, mais leur angle n'est pas connu : %1</translation></message>
+<message><source>give the joint that turns the laser (--joint), or the step from line to line (--line-step)</source><translation>indiquez l'articulation qui tourne le laser (--joint), ou le pas de ligne à ligne (--line-step)</translation></message>
+<message><source>it is not a file of a bag</source><translation>ce n'est pas un fichier d'un bag</translation></message>
+<message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La partie %1 du bag n'a pas pu être lue (%2) : ses messages ne sont pas dans le scan.</translation></message>
+<message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>La partie %1 du bag manque : ses messages ne sont pas dans le scan.</translation></message>
+<message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nomme %1, dont le nom n'est pas celui d'un fichier de messages (.mcap, .db3, .bag) : il n'a pas été lu.</translation></message>
+<message><source>no part of the bag is there</source><translation>aucune partie du bag n'est là</translation></message>
+<message><source>this is not the metadata of an Ouster: beam angles or columns of a frame are missing</source><translation>ce ne sont pas les métadonnées d'un Ouster : les angles des faisceaux ou les colonnes d'une trame manquent</translation></message>
+<message><source>save the sensor's metadata again</source><translation>enregistrez à nouveau les métadonnées du capteur</translation></message>
+<message><source>the capture</source><translation>la capture</translation></message>
+<message><source>%1 turns</source><translation>%1 tours</translation></message>
+<message><source>The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. --scan chooses another.</source><translation>La capture contient %1 tours du scanner ; le tour %2, compté à partir de 0, a été ouvert. --scan en choisit un autre.</translation></message>
+<message><source>%n packet came out of order and was put in the order of the scanner's clock.</source><translation>%n paquet est arrivé dans le désordre et a été remis dans l'ordre de l'horloge du scanner.</translation></message>
+<message><source>%n packets came out of order and were put in the order of the scanner's clock.</source><translation>%n paquets sont arrivés dans le désordre et ont été remis dans l'ordre de l'horloge du scanner.</translation></message>
+<message><source>%n packet is missing in part in the capture: its lines are lost.</source><translation>%n paquet manque en partie dans la capture : ses lignes sont perdues.</translation></message>
+<message><source>%n packets are missing in part in the capture: their lines are lost.</source><translation>%n paquets manquent en partie dans la capture : leurs lignes sont perdues.</translation></message>
+<message><source>%n packet is in the capture twice: it was read once.</source><translation>%n paquet est deux fois dans la capture : il a été lu une fois.</translation></message>
+<message><source>%n packets are in the capture twice: each was read once.</source><translation>%n paquets sont deux fois dans la capture : chacun a été lu une fois.</translation></message>
+<message><source>The capture holds packets of %1 scanners; the one with most of them was opened.</source><translation>La capture contient des paquets de %1 scanners ; celui qui en a le plus a été ouvert.</translation></message>
+<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 left out.</source><translation>Le scanner a envoyé deux retours par faisceau : les plus forts sont ici, et ont été laissés de côté %1.</translation></message>
+<message><source>%n other of the capture was</source><translation>%n autre de la capture</translation></message>
+<message><source>%n others of the capture were</source><translation>%n autres de la capture</translation></message>
+<message><source>The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.</source><translation>Les faisceaux d'un VLP-16 commencent jusqu'à 11 mm au-dessus et au-dessous de son milieu : les points sont décalés d'autant.</translation></message>
+<message><source>the packets of an Ouster do not say the angles of its beams</source><translation>les paquets d'un Ouster ne disent pas les angles de ses faisceaux</translation></message>
+<message><source>save the sensor's metadata as %1 next to the capture</source><translation>enregistrez les métadonnées du capteur sous le nom %1 à côté de la capture</translation></message>
+<message><source>no packet of the capture fits the sensor of %1</source><translation>aucun paquet de la capture ne correspond au capteur de %1</translation></message>
+<message><source>save the metadata of the sensor that was captured</source><translation>enregistrez les métadonnées du capteur qui a été capturé</translation></message>
+<message><source>The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.</source><translation>Les faisceaux d'un Ouster commencent à quelques centimètres de son axe, et les distances sont telles que mesurées : les points sont décalés d'autant.</translation></message>
+<message><source>%n line of the turn is missing in the capture and is shown as lost.</source><translation>%n ligne du tour manque dans la capture et est montrée comme perdue.</translation></message>
+<message><source>%n lines of the turn are missing in the capture and are shown as lost.</source><translation>%n lignes du tour manquent dans la capture et sont montrées comme perdues.</translation></message>
+<message><source>the capturing computer's clock, carried on by the scanner's</source><translation>l'horloge de l'ordinateur qui a capturé, prolongée par celle du scanner</translation></message>
+<message><source>The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.</source><translation>Le nuage vient d'un scanner à plusieurs faisceaux : ses anneaux sont les faisceaux, et ses tirs les lignes.</translation></message>
+<message><source>the cloud has no fields x, y and z</source><translation>le nuage n'a pas de champs x, y et z</translation></message>
+<message><source>the cloud promises %1 x %2 points of %3 bytes and holds %4 bytes</source><translation>le nuage annonce %1 x %2 points de %3 octets et contient %4 octets</translation></message>
+<message><source>choose another topic or message</source><translation>choisissez un autre topic ou un autre message</translation></message>
+<message><source>the topic %1</source><translation>le topic %1</translation></message>
+<message><source>one cloud</source><translation>un nuage</translation></message>
+<message><source>%1 clouds</source><translation>%1 nuages</translation></message>
+<message><source>The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.</source><translation>Le bag ne contient pas la définition de ses messages : celle de ROS 2 de 2022 a été SUPPOSÉE.</translation></message>
+<message><source>The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. --scan chooses another.</source><translation>Le topic %1 contient un nuage par message ; le message %2, compté à partir de 0, a été ouvert. --scan en choisit un autre.</translation></message>
+<message><source>no file of messages that metadata.yaml names is in this folder: %1%2</source><translation>aucun fichier de messages que nomme metadata.yaml n'est dans ce dossier : %1%2</translation></message>
+<message><source> and %1 more</source><translation> et %1 de plus</translation></message>
+<message><source>copy the files of the bag into it</source><translation>copiez-y les fichiers du bag</translation></message>
+<message><source>this folder holds %1 of several bags</source><translation>ce dossier contient %1 de plusieurs bags</translation></message>
+<message><source>%n file</source><translation>%n fichier</translation></message>
+<message><source>%n files</source><translation>%n fichiers</translation></message>
+<message><source>open one of them, as %1</source><translation>ouvrez l'un d'eux, comme %1</translation></message>
+<message><source>This file is part %1 of %2 of a bag. Open %3 for all of it.</source><translation>Ce fichier est la partie %1 sur %2 d'un bag. Ouvrez %3 pour l'avoir en entier.</translation></message>
+<message><source>%1 x %2 points with %3</source><translation>%1 x %2 points avec %3</translation></message>
+<message><source>%1turn rates and accelerations, which are not used: transforms and joints turn the laser</source><translation>%1vitesses de rotation et accélérations, qui ne servent pas : les transformations et les articulations tournent le laser</translation></message>
+<message><source>scan lines of %1 beams</source><translation>lignes de scan de %1 faisceaux</translation></message>
+<message><source>poses in the frame %1</source><translation>poses dans le repère %1</translation></message>
+<message><source>GUESS: the poses of the topic %1 are those of the frame %2.</source><translation>SUPPOSITION : les poses du topic %1 sont celles du repère %2.</translation></message>
+<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Les transformations mettent le scanner à %1, %2, %3 m, où il n'y a rien sur terre : le scan reste dans le repère du scanner.</translation></message>
+<message><source>the frame %1 of the bag</source><translation>le repère %1 du bag</translation></message>
+<message><source>the transforms of the bag</source><translation>les transformations du bag</translation></message>
+<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPPOSITION : le repère %1 du bag est pris comme grille de la mine, x vers l'est, y vers le nord et z vers le haut.</translation></message>
+<message><source>%n message of the topic was left out: %1.</source><translation>%n message du topic a été laissé de côté : %1.</translation></message>
+<message><source>%n messages of the topic were left out: %1.</source><translation>%n messages du topic ont été laissés de côté : %1.</translation></message>
+<message><source>%n message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation>%n message a un time_increment impossible : les faisceaux d'une ligne comptent comme mesurés en même temps.</translation></message>
+<message><source>%n messages have a time_increment that cannot be: the beams of a line count as measured at once.</source><translation>%n messages ont un time_increment impossible : les faisceaux d'une ligne comptent comme mesurés en même temps.</translation></message>
+<message><source>%n line came out of order and was put in the order of its stamp</source><translation>%n ligne est arrivée dans le désordre et a été remise dans l'ordre de son heure</translation></message>
+<message><source>%n lines came out of order and were put in the order of their stamps</source><translation>%n lignes sont arrivées dans le désordre et ont été remises dans l'ordre de leurs heures</translation></message>
+<message><source>%n message of the topic is in the bag twice, with the same stamp and ranges: it was read once.</source><translation>%n message du topic est deux fois dans le bag, avec la même heure et les mêmes distances : il a été lu une fois.</translation></message>
+<message><source>%n messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.</source><translation>%n messages du topic sont deux fois dans le bag, avec la même heure et les mêmes distances : chacun a été lu une fois.</translation></message>
+<message><source>In %1 angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>Dans %1 angle_max n'est pas là où angle_min et angle_increment mettent le dernier faisceau : angle_increment a servi, et les faisceaux peuvent être inversés ou tournés.</translation></message>
+<message><source>%n message of joints is damaged and was left out.</source><translation>%n message d'articulations est endommagé et a été laissé de côté.</translation></message>
+<message><source>%n messages of joints are damaged and were left out.</source><translation>%n messages d'articulations sont endommagés et ont été laissés de côté.</translation></message>
+<message><source>GUESS: the angle of each line comes from %1.</source><translation>SUPPOSITION : l'angle de chaque ligne vient de %1.</translation></message>
+<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (%1). Give --axis where that is wrong.</source><translation>Une articulation ne dit pas comment le laser y est monté. SUPPOSÉ : l'axe (%1). Indiquez --axis là où c'est faux.</translation></message>
+<message><source>sweep, by the name of the joint</source><translation>sweep, d'après le nom de l'articulation</translation></message>
+<message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>L'axe est à %1 degrés du plan de l'éventail : les points sont décalés d'autant.</translation></message>
+<message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>Le laser est à %1 mm de son axe : les distances sont telles que mesurées, et les points comme s'il était sur l'axe.</translation></message>
+<message><source>%n line was measured before the first or after the last angle and was left out.</source><translation>%n ligne a été mesurée avant le premier ou après le dernier angle et a été laissée de côté.</translation></message>
+<message><source>%n lines were measured before the first or after the last angle and were left out.</source><translation>%n lignes ont été mesurées avant le premier ou après le dernier angle et ont été laissées de côté.</translation></message>
+<message><source>%n line was measured while the laser did not turn and was left out.</source><translation>%n ligne a été mesurée pendant que le laser ne tournait pas et a été laissée de côté.</translation></message>
+<message><source>%n lines were measured while the laser did not turn and were left out.</source><translation>%n lignes ont été mesurées pendant que le laser ne tournait pas et ont été laissées de côté.</translation></message>
+<message><source>the laser did not turn while it measured</source><translation>le laser n'a pas tourné pendant la mesure</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>choisissez un autre topic, ou donnez l'articulation qui le tourne</translation></message>
+<message><source>assembling lines</source><translation>assemblage des lignes</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>aucune ligne du topic %1 n'a pu être placée</translation></message>
+<message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. --scan chooses another.</source><translation>Le topic contient %1 balayages ; le balayage %2, compté à partir de 0, a été ouvert. --scan en choisit un autre.</translation></message>
+<message><source>the stamps of the messages</source><translation>les horodatages des messages</translation></message>
+<message><source> at %1 Hz</source><translation> à %1 Hz</translation></message>
+<message><source>no topic of this %1 is a laser's%2%3</source><translation>aucun topic de ce %1 n'est d'un laser%2%3</translation></message>
+<message><source>choose another bag</source><translation>choisissez un autre bag</translation></message>
+<message><source>the bag has no topic "%1"</source><translation>le bag n'a pas de topic « %1 »</translation></message>
+<message><source>the topic %1 holds no scan</source><translation>le topic %1 ne contient aucun scan</translation></message>
+<message><source> messages of transforms are damaged and were left out.</source><translation> messages de transformations sont endommagés et ont été laissés de côté.</translation></message>
+<message><source> transforms of the bag have no rotation, no name or no finite numbers and were left out.</source><translation> transformations du bag n'ont pas de rotation, pas de nom ou pas de nombres finis et ont été laissées de côté.</translation></message>
+<message><source> transforms name another parent for their frame than the first one and were left out.</source><translation> transformations nomment un autre parent de leur repère que la première et ont été laissées de côté.</translation></message>
+<message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformations du bag concernent plus de repères qu'aucun robot n'en a et ont été laissées de côté.</translation></message>
+<message><source>The transforms of the bag form a loop at the frame %1.</source><translation>Les transformations du bag forment une boucle au repère %1.</translation></message>
+<message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>Les transformations du bag forment une chaîne de plus de %1 repères : ceux du dessus ne sont pas utilisés.</translation></message>
+<message><source>ranges of the topic are %1 m</source><translation>distances du topic sont %1 m</translation></message>
+<message><source>it has no beams or no stamp</source><translation>il n'a pas de faisceaux ou pas d'horodatage</translation></message>
+<message><source>its angle_increment does not give the step between beams</source><translation>son angle_increment ne donne pas le pas entre faisceaux</translation></message>
+<message><source>its angle_min or angle_increment puts beams outside of one turn</source><translation>son angle_min ou angle_increment met des faisceaux hors d'un tour</translation></message>
+<message><source>no message of the topic %1 is a line of ranges%2</source><translation>aucun message du topic %1 n'est une ligne de distances%2</translation></message>
+<message><source>the transform of the frame %1 in %2</source><translation>la transformation du repère %1 dans %2</translation></message>
+<message><source>%1 turns about more than one axis (%2 degrees off)</source><translation>%1 tourne autour de plus d'un axe (écart de %2 degrés)</translation></message>
+<message><source>choose another topic, or give the joint that turns the laser</source><translation>choisissez un autre topic, ou indiquez l'articulation qui tourne le laser</translation></message>
+<message><source>%1 turns the laser in the plane of its own fan: that is not a sweep</source><translation>%1 tourne le laser dans le plan de son propre éventail : ce n'est pas un balayage</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>aucune transformation ne tourne le repère %1 du laser pendant la mesure</translation></message>
+<message><source>give the joint that turns it (--joint), or the step from line to line (--line-step) and the axis (--axis)</source><translation>indiquez l'articulation qui le tourne (--joint), ou le pas de ligne à ligne (--line-step) et l'axe (--axis)</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>aucune articulation n'a tourné pendant la mesure du laser</translation></message>
+<message><source>there is no joint called %1</source><translation>il n'y a pas d'articulation nommée %1</translation></message>
+<message><source>give the step from line to line (--line-step), or choose another topic</source><translation>indiquez le pas de ligne à ligne (--line-step), ou choisissez un autre topic</translation></message>
+<message><source>the joint %1</source><translation>l'articulation %1</translation></message>
+<message><source>there are too many topics</source><translation>il y a trop de topics</translation></message>
+<message><source>a line came out of order</source><translation>une ligne est arrivée dans le désordre</translation></message>
+<message><source>the angle of a line is not known</source><translation>l'angle d'une ligne n'est pas connu</translation></message>
+<message><source>the laser did not turn yet</source><translation>le laser n'a pas encore tourné</translation></message>
+<message><source>%1 messages of the topic %2 are in the bag twice: each was read once.</source><translation>%1 messages du topic %2 sont deux fois dans le bag : chacun a été lu une fois.</translation></message>
+<message><source>%1 degrees</source><translation>%1 degrés</translation></message>
+<message><source>, %1 times its uncertainty</source><translation>, %1 fois son incertitude</translation></message>
+<message><source>odd beams lie %1 ahead of even ones%2</source><translation>les faisceaux impairs sont %1 en avance sur les pairs%2</translation></message>
+<message><source>odd beams lie %1 behind even ones%2</source><translation>les faisceaux impairs sont %1 en retard sur les pairs%2</translation></message>
+<message><source>, %1 times the usual unevenness of its steps</source><translation>, %1 fois l'irrégularité habituelle de ses pas</translation></message>
+<message><source>the stepper slipped at %1 (first at line %2, by up to %3%4)</source><translation>le moteur pas à pas a glissé à %1 (d'abord à la ligne %2, jusqu'à %3%4)</translation></message>
+<message><source>%n line</source><translation>%n ligne</translation></message>
+<message><source>%n lines</source><translation>%n lignes</translation></message>
+<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be%4</source><translation>les faisceaux de %1 lignes sont tour à tour %2 et %3 degrés en avance sur leur place%4</translation></message>
+<message><source> At %1 of the first and last lines the stepper still swung back: folds there are left out.</source><translation> À %1 des premières et dernières lignes, le moteur pas à pas oscillait encore : les plis y sont laissés de côté.</translation></message>
+<message><source>Not measured at the angles that the file gives: </source><translation>Non mesuré aux angles que le fichier donne : </translation></message>
+<message><source>Not straightened: the scan has no lines with angles.</source><translation>Non redressé : le scan n'a pas de lignes avec des angles.</translation></message>
+<message><source>Straightened: %1, and were put side by side: %2 lines make one.</source><translation>Redressé : %1, et ont été mises côte à côte : %2 lignes en font une.</translation></message>
+<message><source>Straightened: no interlaced beams and no slips were found; the angles stay.</source><translation>Redressé : ni faisceaux entrelacés ni glissements trouvés ; les angles restent.</translation></message>
+<message><source>%n slip was seen in every second beam only, and is left as it is.</source><translation>%n glissement n'a été vu que dans un faisceau sur deux et reste tel quel.</translation></message>
+<message><source>%n slips were seen in every second beam only, and are left as they are.</source><translation>%n glissements n'ont été vus que dans un faisceau sur deux et restent tels quels.</translation></message>
+<message><source>; edges across the lines are combed: --straighten (Scan &gt; Straighten Beams) puts these lines side by side as one.</source><translation> ; les arêtes en travers des lignes sont dentelées : --straighten (Scan &gt; Straighten Beams) met ces lignes côte à côte en une seule.</translation></message>
+<message><source>; EdgeScan+ allows for it, but the cloud does not: --straighten (Scan &gt; Straighten Beams) corrects the angles.</source><translation> ; EdgeScan+ en tient compte, mais pas le nuage : --straighten (Scan &gt; Straighten Beams) corrige les angles.</translation></message>
+<message><source>has no direction</source><translation>n'a pas de direction</translation></message>
+<message><source>and "head_in_robot_m" exclude each other</source><translation>et "head_in_robot_m" s'excluent</translation></message>
+<message><source>compare it with the example in docs/reference/coordinates.md</source><translation>comparez-le avec l'exemple de docs/reference/coordinates.md</translation></message>
+<message><source>the inclinometer's two axes cannot be raised by %1 and %2 degrees at once</source><translation>les deux axes de l'inclinomètre ne peuvent pas être levés de %1 et %2 degrés à la fois</translation></message>
+<message><source>check whether it reads pitch and roll instead of the elevations of its axes</source><translation>vérifiez s'il lit le tangage et le roulis au lieu des élévations de ses axes</translation></message>
+<message><source>a boom slewed by %1 degrees on this robot cannot be raised by %2</source><translation>une flèche tournée de %1 degrés sur ce robot ne peut pas être levée de %2</translation></message>
+<message><source>check the slew angle and the inclinometer</source><translation>vérifiez l'angle de rotation et l'inclinomètre</translation></message>
+<message><source>RL, positive up [m]</source><translation>RL, positif vers le haut [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Cap, du nord dans le sens horaire [degrés]</translation></message>
+<message><source>North of the heading</source><translation>Nord du cap</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinaison : tangage, nez vers le haut [degrés]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinaison : roulis, côté droit vers le bas [degrés]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zone ou code EPSG</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Azimut de la flèche, positif vers la gauche [degrés]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Tangage du robot, nez vers le haut [degrés]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Roulis du robot, côté droit vers le bas [degrés]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nom du robot ou du scanner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Visée : roulis, tangage, lacet [degrés]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Bras de levier du TALIN dans le robot : avant, gauche, haut [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Bras de levier de la tête dans le robot : avant, gauche, haut [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivot d'une flèche dans le robot, à la place de la tête [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Du pivot à la tête [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>L'azimut de la flèche tourne autour de</translation></message>
+<message><source>The scanner looks</source><translation>Le scanner regarde</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Direction du regard : roulis, tangage, lacet [degrés]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Direction du regard : neuf nombres par lignes</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Axe du moteur pas à pas depuis l'inclinomètre [m]</translation></message>
+<message><source>Tilt is given as</source><translation>L'inclinaison est donnée par</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Scanner sur le moteur : roulis, tangage, lacet [degrés]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Scanner sur le moteur : x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Axe du moteur</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Zéro du moteur [degrés]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sens du moteur, 1 ou -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Pas de ligne en ligne [degrés]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Faisceau à l'heure d'une ligne [degrés]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergence de la grille [degrés]</translation></message>
+<message><source>Scale of the grid</source><translation>Échelle de la grille</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Plus grand changement d'inclinaison pendant un balayage [degrés]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Plus grand âge d'une pose [s]</translation></message>
+<message><source>%1 is missing.</source><translation>%1 manque.</translation></message>
+<message><source>%1: "%2" is not a number.</source><translation>%1 : « %2 » n'est pas un nombre.</translation></message>
+<message><source>%1: "%2" is not three numbers.</source><translation>%1 : « %2 » n'est pas trois nombres.</translation></message>
+<message><source>%1: "%2" is not nine numbers.</source><translation>%1 : « %2 » n'est pas neuf nombres.</translation></message>
+<message><source>the file must hold an object {...}</source><translation>le fichier doit contenir un objet {...}</translation></message>
+<message><source>choose a pose or calibration file</source><translation>choisissez un fichier de pose ou d'étalonnage</translation></message>
+<message><source>the pose is of robot "%1" and the calibration of "%2"</source><translation>la pose est du robot « %1 » et l'étalonnage de « %2 »</translation></message>
+<message><source>give the calibration of the robot that made the scan</source><translation>donnez l'étalonnage du robot qui a fait le scan</translation></message>
+<message><source>the scan turns about %1 and the stepper of the calibration about another axis, %2 degrees away</source><translation>le scan tourne autour de %1 et le moteur pas à pas de l'étalonnage autour d'un autre axe, à %2 degrés</translation></message>
+<message><source>x (sweep)</source><translation>x (sweep)</translation></message>
+<message><source>z (spin)</source><translation>z (spin)</translation></message>
+<message><source>open the scan with the right --axis, or correct "stepper.axis" of the calibration: [0, 0, 1] for a spin, [1, 0, 0] for a sweep</source><translation>ouvrez le scan avec le bon --axis, ou corrigez "stepper.axis" de l'étalonnage : [0, 0, 1] pour spin, [1, 0, 0] pour sweep</translation></message>
+<message><source>%1 line times do not fit a scan of %2 lines</source><translation>%1 instants de ligne ne correspondent pas à un scan de %2 lignes</translation></message>
+<message><source>give the times of this scan</source><translation>donnez les instants de ce scan</translation></message>
+<message><source>OUT OF SPEC: </source><translation>HORS TOLÉRANCE : </translation></message>
+<message><source>The pose carries no time, so its age is not known.</source><translation>La pose n'a pas d'heure, son âge n'est donc pas connu.</translation></message>
+<message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>Le début du scan n'est pas connu, l'âge de la pose non plus.</translation></message>
+<message><source>the pose is %1 s older than the start of the scan.</source><translation>la pose est plus ancienne de %1 s que le début du scan.</translation></message>
+<message><source>the tilt of the head changed by %1 degrees while it scanned, more than %2.</source><translation>l'inclinaison de la tête a changé de %1 degrés pendant le scan, plus que %2.</translation></message>
+<message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>L'étalonnage ne donne pas %1 ; 0 est utilisé : ajoutez ce qui manque (Scan &gt; Pose et montage, page Montage).</translation></message>
+<message><source>%1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>%1 de %2 lignes ont été mesurées avant la première ou après la dernière pose et ont reçu la plus proche.</translation></message>
+<message><source>the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>les poses déplacent la base à %1 m/s entre deux lignes, plus vite que toute machine sous terre.</translation></message>
+<message><source>there is no pose</source><translation>il n'y a pas de pose</translation></message>
+<message><source>give readings of inclinometer and TALIN</source><translation>donnez des mesures d'inclinomètre et de TALIN</translation></message>
+<message><source>the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>les angles du moteur pas à pas sont supposés, E, N et RL peuvent donc être faux : indiquez le montage, le pas et l'angle de la première ligne.</translation></message>
+<message><source>the base moved and the times of the lines are not known</source><translation>la base a bougé et les instants des lignes ne sont pas connus</translation></message>
+<message><source>add "scan_start" and "scan_end" to the pose file</source><translation>ajoutez "scan_start" et "scan_end" au fichier de pose</translation></message>
+<message><source>a pose needs the robot's calibration</source><translation>une pose demande l'étalonnage du robot</translation></message>
+<message><source>--calibration replaces the calibration in %1.</source><translation>--calibration remplace l'étalonnage de %1.</translation></message>
+<message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
+<message><source>local metres from the mine grid origin</source><translation>mètres locaux depuis l'origine de la grille de la mine</translation></message>
+<message><source>save the scan again, or remove "placement"</source><translation>enregistrez à nouveau le scan, ou supprimez "placement"</translation></message>
+<message><source>must not be where the pivot is</source><translation>ne doit pas être là où est le pivot</translation></message>
+<message><source>"placement" must be an object {...}</source><translation>"placement" doit être un objet {...}</translation></message>
+<message><source>must be a rotation and a translation, twelve numbers</source><translation>doit être une rotation et une translation, douze nombres</translation></message>
+<message><source>must hold one pose or %1, one per line</source><translation>doit contenir une pose ou %1, une par ligne</translation></message>
+<message><source>must hold rotations and translations, twelve numbers each</source><translation>doit contenir des rotations et des translations, douze nombres chacune</translation></message>
+<message><source>and "%1" exclude each other</source><translation>et « %1 » s'excluent</translation></message>
+<message><source>needs a "time" in every reading when "sweep" is "moving"</source><translation>demande un "time" dans chaque mesure quand "sweep" est "moving"</translation></message>
+<message><source>must be in the order of time</source><translation>doit être dans l'ordre du temps</translation></message>
+<message><source>comes before "scan_start"</source><translation>vient avant "scan_start"</translation></message>
+<message><source>; a scanner that hangs has "viewing": "down" in its calibration</source><translation> ; un scanner suspendu a "viewing": "down" dans son étalonnage</translation></message>
+<message><source>write easting, northing and level, such as 498765.432; 5150123.456; 287.654</source><translation>écrivez est, nord et niveau, comme 498765.432; 5150123.456; 287.654</translation></message>
+<message><source>the line holds %1 and a place has three, with a heading four, with pitch and roll six</source><translation>la ligne contient %1 et un lieu en a trois, avec un cap quatre, avec tangage et roulis six</translation></message>
+<message><source>the line is empty</source><translation>la ligne est vide</translation></message>
+<message><source>%1 may be one number with a comma for thousands, or two numbers</source><translation>%1 peut être un nombre avec une virgule de milliers, ou deux nombres</translation></message>
+<message><source>leave that comma out, or write blanks between the numbers</source><translation>enlevez cette virgule, ou écrivez des espaces entre les nombres</translation></message>
+<message><source>the first of four whole numbers may be the point's or the easting</source><translation>le premier de quatre nombres entiers peut être celui du point ou l'est</translation></message>
+<message><source>leave the point's number out, or write decimals</source><translation>enlevez le numéro du point, ou écrivez des décimales</translation></message>
+<message><source>How a motor turned the scanner was not said in full. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été entièrement indiquée. SUPPOSÉ : </translation></message>
+<message><source>the axis (</source><translation>l'axe (</translation></message>
+<message><source>, seen in the ranges)</source><translation>, vu dans les distances)</translation></message>
+<message><source>the step from line to line (</source><translation>le pas de ligne à ligne (</translation></message>
+<message><source>the angle of the first line (</source><translation>l'angle de la première ligne (</translation></message>
+<message><source>the file gives points and not angles</source><translation>le fichier donne des points et pas d'angles</translation></message>
+<message><source>scan of a file</source><translation>scan d'un fichier</translation></message>
+<message><source>no file holds more</source><translation>aucun fichier n'en contient plus</translation></message>
+<message><source>Angle of the first beam [degrees]</source><translation>Angle du premier faisceau [degrés]</translation></message>
+<message><source>Angle from beam to beam [degrees]</source><translation>Angle d'un faisceau à l'autre [degrés]</translation></message>
+<message><source>Angle of the first line [degrees]</source><translation>Angle de la première ligne [degrés]</translation></message>
+<message><source>Angle from line to line [degrees]</source><translation>Angle d'une ligne à l'autre [degrés]</translation></message>
+<message><source>Unit of the numbers in the file; replaces the one that the file gives</source><translation>Unité des nombres du fichier ; remplace celle que donne le fichier</translation></message>
+<message><source>Millimetres per number in the file</source><translation>Millimètres par nombre du fichier</translation></message>
+<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Cellules d'un nuage qui est projeté [degrés] ; sinon d'après l'espacement de ses points</translation></message>
+<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Ce autour de quoi le moteur pas à pas tourne : spin (direction de visée) ou sweep (ligne 0/180 degrés)</translation></message>
+<message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Place du scanner pour un nuage sans grille, comme X,Y,Z [m]</translation></message>
+<message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Points qui ne sont sur aucune grille de scanner : les projeter autour du capteur (auto), le faire sans chercher de grille (always), ou les refuser (never)</translation></message>
+<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corriger les angles des faisceaux entrelacés de deux passages, et des lignes où le moteur pas à pas a glissé</translation></message>
+<message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon un laser qui tourne</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>
+<message><source>Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3</source><translation>Colonnes de x, y et z dans une liste de points, par numéro à partir de 1 ou par nom : 2,1,3</translation></message>
+<message><source>Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return</source><translation>Prendre une valeur ou un point qui se répète exactement, loin du reste, comme mesuré et non comme sans retour</translation></message>
+<message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
+<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier d'étalonnage du robot ; un enregistrement peut contenir le sien</translation></message>
+<message><source>must not be 0</source><translation>ne doit pas être 0</translation></message>
+<message><source>%1, or a number of %2</source><translation>%1, ou un nombre de %2</translation></message>
+<message><source>"%1" is not one of its values</source><translation>« %1 » n'est pas l'une de ses valeurs</translation></message>
+<message><source>from %1 to %2%3</source><translation>de %1 à %2%3</translation></message>
+<message><source>give three numbers %1: X,Y,Z</source><translation>donnez trois nombres %1 : X,Y,Z</translation></message>
+<message><source>give a whole number %1</source><translation>donnez un nombre entier %1</translation></message>
+<message><source>give a number %1</source><translation>donnez un nombre %1</translation></message>
+<message><source> that is not 0</source><translation> qui ne soit pas 0</translation></message>
+<message><source>"%1" is not three numbers</source><translation>« %1 » n'est pas trois nombres</translation></message>
+<message><source>"%1" is not a number</source><translation>« %1 » n'est pas un nombre</translation></message>
+<message><source>%1 is out of reason for a %2</source><translation>%1 est hors du raisonnable pour %2</translation></message>
+<message><source>%1 holds %2</source><translation>%1 contient %2</translation></message>
+<message><source>--scan %1</source><translation>--scan %1</translation></message>
+<message><source>use --scan 0</source><translation>utilisez --scan 0</translation></message>
+<message><source>use --scan 0 to %1</source><translation>utilisez --scan de 0 à %1</translation></message>
+<message><source>--%1 %2 replaces %3, which the file gives.</source><translation>--%1 %2 remplace %3, que donne le fichier.</translation></message>
+<message><source>--%1 has no effect: %2; leave it out.</source><translation>--%1 n'a pas d'effet : %2 ; laissez-le de côté.</translation></message>
+<message><source>what the scan was opened with is damaged</source><translation>ce avec quoi le scan a été ouvert est endommagé</translation></message>
+<message><source>export again</source><translation>exportez à nouveau</translation></message>
+<message><source>verify with the version that made the export</source><translation>vérifiez avec la version qui a fait l'export</translation></message>
+<message><source>the file</source><translation>le fichier</translation></message>
+<message><source>one scan</source><translation>un scan</translation></message>
+<message><source>%1 scans</source><translation>%1 scans</translation></message>
+<message><source>the scanner</source><translation>le scanner</translation></message>
+<message><source>the scanner's answer to %1</source><translation>la réponse du scanner à %1</translation></message>
+<message><source>the value</source><translation>la valeur</translation></message>
+<message><source>the text</source><translation>le texte</translation></message>
+<message><source>the scan frequency</source><translation>la fréquence de balayage</translation></message>
+<message><source>the number of sectors</source><translation>le nombre de secteurs</translation></message>
+<message><source>the angle step</source><translation>le pas angulaire</translation></message>
+<message><source>the start angle</source><translation>l'angle de début</translation></message>
+<message><source>the stop angle</source><translation>l'angle de fin</translation></message>
+<message><source>the channels</source><translation>les canaux</translation></message>
+<message><source>the remission switch</source><translation>l'interrupteur de rémission</translation></message>
+<message><source>the remission width</source><translation>la largeur de rémission</translation></message>
+<message><source>the unit</source><translation>l'unité</translation></message>
+<message><source>the encoders</source><translation>les codeurs</translation></message>
+<message><source>the position switch</source><translation>l'interrupteur de position</translation></message>
+<message><source>the name switch</source><translation>l'interrupteur de nom</translation></message>
+<message><source>the comment switch</source><translation>l'interrupteur de commentaire</translation></message>
+<message><source>the time switch</source><translation>l'interrupteur de temps</translation></message>
+<message><source>the output interval</source><translation>l'intervalle de sortie</translation></message>
+<message><source>the name</source><translation>le nom</translation></message>
+<message><source>the version</source><translation>la version</translation></message>
+<message><source>the state</source><translation>l'état</translation></message>
+<message><source>the temperature range</source><translation>la plage de température</translation></message>
+<message><source>the time</source><translation>l'heure</translation></message>
+<message><source>the date</source><translation>la date</translation></message>
+<message><source>the code of a refusal</source><translation>le code d'un refus</translation></message>
+<message><source>this is not an answer of a scanner</source><translation>ceci n'est pas une réponse d'un scanner</translation></message>
+<message><source>byte 0 of the telegram</source><translation>octet 0 du télégramme</translation></message>
+<message><source>an answer without a name</source><translation>une réponse sans nom</translation></message>
+<message><source>byte 4 of the telegram</source><translation>octet 4 du télégramme</translation></message>
+<message><source>access to the method is denied, log in first</source><translation>l'accès à la méthode est refusé, connectez-vous d'abord</translation></message>
+<message><source>the method is not known</source><translation>la méthode n'est pas connue</translation></message>
+<message><source>the variable is not known</source><translation>la variable n'est pas connue</translation></message>
+<message><source>not possible now, or a value is out of its range</source><translation>impossible maintenant, ou une valeur est hors de son intervalle</translation></message>
+<message><source>the arguments are wrong in number or form</source><translation>les arguments sont faux en nombre ou en forme</translation></message>
+<message><source>unknown error</source><translation>erreur inconnue</translation></message>
+<message><source>the telegram is too long</source><translation>le télégramme est trop long</translation></message>
+<message><source>the telegram is too short</source><translation>le télégramme est trop court</translation></message>
+<message><source>the type is not known</source><translation>le type n'est pas connu</translation></message>
+<message><source>writing the variable is denied, log in first</source><translation>écrire la variable est refusé, connectez-vous d'abord</translation></message>
+<message><source>the command is not known to the name server</source><translation>le serveur de noms ne connaît pas la commande</translation></message>
+<message><source>the CoLa command is not known</source><translation>la commande CoLa n'est pas connue</translation></message>
+<message><source>the method is still busy</source><translation>la méthode est encore occupée</translation></message>
+<message><source>an array is out of its bounds</source><translation>un tableau sort de ses limites</translation></message>
+<message><source>the event is not known</source><translation>l'événement n'est pas connu</translation></message>
+<message><source>a CoLa A value is too large</source><translation>une valeur CoLa A est trop grande</translation></message>
+<message><source>a CoLa A character is invalid</source><translation>un caractère CoLa A n'est pas valide</translation></message>
+<message><source>no message</source><translation>aucun message</translation></message>
+<message><source>no answer</source><translation>aucune réponse</translation></message>
+<message><source>internal error</source><translation>erreur interne</translation></message>
+<message><source>hub address is corrupted</source><translation>l'adresse du hub est corrompue</translation></message>
+<message><source>hub address cannot be decoded</source><translation>l'adresse du hub ne peut pas être décodée</translation></message>
+<message><source>hub address is out of range</source><translation>l'adresse du hub est hors de son intervalle</translation></message>
+<message><source>hub address expected</source><translation>adresse du hub attendue</translation></message>
+<message><source>asynchronous methods are suppressed</source><translation>les méthodes asynchrones sont supprimées</translation></message>
+<message><source>complex arrays are not supported</source><translation>les tableaux complexes ne sont pas pris en charge</translation></message>
+<message><source>a reason that is not documented</source><translation>une raison qui n'est pas documentée</translation></message>
+<message><source>byte %1 of the telegram</source><translation>octet %1 du télégramme</translation></message>
+<message><source>is cut off</source><translation>est coupé</translation></message>
+<message><source>is not a number of %1 bits</source><translation>n'est pas un nombre de %1 bits</translation></message>
+<message><source>does not end after %1 characters</source><translation>ne finit pas après %1 caractères</translation></message>
+<message><source>are cut off</source><translation>sont coupés</translation></message>
+<message><source>bridges with encryption are not supported</source><translation>les ponts avec chiffrement ne sont pas pris en charge</translation></message>
+<message><source>write ws://HOST or ws://HOST:PORT</source><translation>écrivez ws://HOST ou ws://HOST:PORT</translation></message>
+<message><source>"%1://" is not known here</source><translation>« %1:// » n'est pas connu ici</translation></message>
+<message><source>write HOST or HOST:PORT for a scanner, ws://HOST or ws://HOST:PORT for a robot's Foxglove bridge</source><translation>écrivez HOST ou HOST:PORT pour un scanner, ws://HOST ou ws://HOST:PORT pour le pont Foxglove d'un robot</translation></message>
+<message><source>what follows the bracket is not a port</source><translation>ce qui suit le crochet n'est pas un port</translation></message>
+<message><source>there is no port behind the colon</source><translation>il n'y a pas de port derrière les deux-points</translation></message>
+<message><source>there is no host</source><translation>il n'y a pas d'hôte</translation></message>
+<message><source>"%1" is not a port</source><translation>« %1 » n'est pas un port</translation></message>
+<message><source>give a number from 1 to 65535</source><translation>donnez un nombre de 1 à 65535</translation></message>
+<message><source>no scanner is given</source><translation>aucun scanner n'est indiqué</translation></message>
+<message><source>give its IP address or host name</source><translation>donnez son adresse IP ou son nom d'hôte</translation></message>
+<message><source>the host name is not known</source><translation>le nom d'hôte est inconnu</translation></message>
+<message><source>check its spelling or use the scanner's IP address</source><translation>vérifiez son orthographe ou utilisez l'adresse IP du scanner</translation></message>
+<message><source>the name server does not answer</source><translation>le serveur de noms ne répond pas</translation></message>
+<message><source>use the scanner's IP address</source><translation>utilisez l'adresse IP du scanner</translation></message>
+<message><source>nothing answers there</source><translation>rien ne répond à cette adresse</translation></message>
+<message><source>the connection is refused</source><translation>la connexion est refusée</translation></message>
+<message><source>there is no way to this address</source><translation>aucun chemin ne mène à cette adresse</translation></message>
+<message><source>check the cable and the network settings of this computer</source><translation>vérifiez le câble et les réglages réseau de cet ordinateur</translation></message>
+<message><source>cannot connect (%1)</source><translation>connexion impossible (%1)</translation></message>
+<message><source>check the address and the network settings of this computer</source><translation>vérifiez l'adresse et les réglages réseau de cet ordinateur</translation></message>
+<message><source>check power, cable and the address, and that this computer is in the scanner's network</source><translation>vérifiez l'alimentation, le câble et l'adresse, et que cet ordinateur est dans le réseau du scanner</translation></message>
+<message><source>check the port (2111 or 2112) and that no other program holds the scanner</source><translation>vérifiez le port (2111 ou 2112) et qu'aucun autre programme n'occupe le scanner</translation></message>
+<message><source>a command cannot be sent (%1)</source><translation>une commande ne peut pas être envoyée (%1)</translation></message>
+<message><source>check the cable</source><translation>vérifiez le câble</translation></message>
+<message><source>the scanner closed the connection</source><translation>le scanner a fermé la connexion</translation></message>
+<message><source>check that a scanner of SICK answers there; a robot's Foxglove bridge is ws://HOST</source><translation>vérifiez qu'un scanner SICK y répond ; le pont Foxglove d'un robot est ws://HOST</translation></message>
+<message><source>the name of a channel</source><translation>le nom d'un canal</translation></message>
+<message><source>the scale of a channel</source><translation>l'échelle d'un canal</translation></message>
+<message><source>the offset of a channel</source><translation>le décalage d'un canal</translation></message>
+<message><source>the start angle of a channel</source><translation>l'angle de début d'un canal</translation></message>
+<message><source>the angle step of a channel</source><translation>le pas angulaire d'un canal</translation></message>
+<message><source>the number of values of a channel</source><translation>le nombre de valeurs d'un canal</translation></message>
+<message><source>the values of a channel</source><translation>les valeurs d'un canal</translation></message>
+<message><source>the number of channels</source><translation>le nombre de canaux</translation></message>
+<message><source>the device number</source><translation>le numéro de l'appareil</translation></message>
+<message><source>the serial number</source><translation>le numéro de série</translation></message>
+<message><source>the device status</source><translation>l'état de l'appareil</translation></message>
+<message><source>the telegram counter</source><translation>le compteur de télégrammes</translation></message>
+<message><source>the scan counter</source><translation>le compteur de scans</translation></message>
+<message><source>the time since start-up</source><translation>le temps depuis le démarrage</translation></message>
+<message><source>the time of transmission</source><translation>l'heure de transmission</translation></message>
+<message><source>the digital inputs</source><translation>les entrées numériques</translation></message>
+<message><source>the digital outputs</source><translation>les sorties numériques</translation></message>
+<message><source>the layer angle</source><translation>l'angle de la couche</translation></message>
+<message><source>the measurement frequency</source><translation>la fréquence de mesure</translation></message>
+<message><source>the number of encoders</source><translation>le nombre de codeurs</translation></message>
+<message><source>an encoder position</source><translation>une position de codeur</translation></message>
+<message><source>an encoder speed</source><translation>une vitesse de codeur</translation></message>
+<message><source>the position</source><translation>la position</translation></message>
+<message><source>the rotation</source><translation>la rotation</translation></message>
+<message><source>the rotation type</source><translation>le type de rotation</translation></message>
+<message><source>the year</source><translation>l'année</translation></message>
+<message><source>the date and time</source><translation>la date et l'heure</translation></message>
+<message><source>the microsecond</source><translation>la microseconde</translation></message>
+<message><source>the event type</source><translation>le type d'événement</translation></message>
+<message><source>the event's encoder</source><translation>le codeur de l'événement</translation></message>
+<message><source>the event's time</source><translation>l'heure de l'événement</translation></message>
+<message><source>the event's angle</source><translation>l'angle de l'événement</translation></message>
+<message><source>the position flag</source><translation>l'indicateur de position</translation></message>
+<message><source>the name flag</source><translation>l'indicateur de nom</translation></message>
+<message><source>the device name</source><translation>le nom de l'appareil</translation></message>
+<message><source>the comment flag</source><translation>l'indicateur de commentaire</translation></message>
+<message><source>the comment</source><translation>le commentaire</translation></message>
+<message><source>the time flag</source><translation>l'indicateur d'heure</translation></message>
+<message><source>the event flag</source><translation>l'indicateur d'événement</translation></message>
+<message><source>the offset of the channel %1 is %2, which no scanner uses</source><translation>le décalage du canal %1 est %2, qu'aucun scanner n'utilise</translation></message>
+<message><source>the scale of the channel %1 is %2, which no scanner uses</source><translation>l'échelle du canal %1 est %2, qu'aucun scanner n'utilise</translation></message>
+<message><source>the scan telegram</source><translation>le télégramme de scan</translation></message>
+<message><source>this is not a scan telegram (LMDscandata)</source><translation>ceci n'est pas un télégramme de scan (LMDscandata)</translation></message>
+<message><source>no line was received</source><translation>aucune ligne n'a été reçue</translation></message>
+<message><source>check that foxglove_bridge runs there; a scanner of SICK is HOST without ws://</source><translation>vérifiez que foxglove_bridge y fonctionne ; un scanner SICK est HOST sans ws://</translation></message>
+<message><source>check cable, address and port</source><translation>vérifiez le câble, l'adresse et le port</translation></message>
+<message><source>%1: disconnected.</source><translation>%1 : déconnecté.</translation></message>
+<message><source>%1 Trying again in %2.</source><translation>%1 Nouvel essai dans %2.</translation></message>
+<message><source>Connecting to %1.</source><translation>Connexion à %1.</translation></message>
+<message><source> is sending.</source><translation> envoie.</translation></message>
+<message><source> is sending again.</source><translation> envoie de nouveau.</translation></message>
+<message><source>%1: no scan for %2.</source><translation>%1 : aucun scan depuis %2.</translation></message>
+<message><source>%1 accepts the connection; asking what it is.</source><translation>%1 accepte la connexion ; demande de ce que c'est.</translation></message>
+<message><source>the scanner refuses to send scans: %1</source><translation>le scanner refuse d'envoyer des scans : %1</translation></message>
+<message><source>check what else uses it</source><translation>vérifiez ce qui l'utilise aussi</translation></message>
+<message><source>no scan for %1</source><translation>aucun scan pendant %1</translation></message>
+<message><source>check the cable and whether the scanner's mirror turns</source><translation>vérifiez le câble et que le miroir du scanner tourne</translation></message>
+<message><source>firmware %1</source><translation>micrologiciel %1</translation></message>
+<message><source>%1 degrees from %2 to %3</source><translation>%1 degrés de %2 à %3</translation></message>
+<message><source>something accepts the connection but does not answer in CoLa</source><translation>quelque chose accepte la connexion mais ne répond pas en CoLa</translation></message>
+<message><source>check that it is a SICK scanner and the port is 2111 or 2112</source><translation>vérifiez que c'est un scanner SICK et que le port est 2111 ou 2112</translation></message>
+<message><source>no answer to "%1"</source><translation>aucune réponse à « %1 »</translation></message>
+<message><source>check the connection</source><translation>vérifiez la connexion</translation></message>
+<message><source>A telegram came late and was put into its line</source><translation>Un télégramme est arrivé en retard et a été mis dans sa ligne</translation></message>
+<message><source>telegrams came late and were put into their lines</source><translation>télégrammes sont arrivés en retard et ont été mis dans leurs lignes</translation></message>
+<message><source>A telegram came after its sweep had ended</source><translation>Un télégramme est arrivé après la fin de son balayage</translation></message>
+<message><source>telegrams came after their sweep had ended</source><translation>télégrammes sont arrivés après la fin de leur balayage</translation></message>
+<message><source>: not used</source><translation> : non utilisé</translation></message>
+<message><source>A telegram had other beams than the sweep, or was of another layer of the scanner</source><translation>Un télégramme avait d'autres faisceaux que le balayage, ou était d'une autre couche du scanner</translation></message>
+<message><source>telegrams had other beams than the sweep, or were of another layer of the scanner</source><translation>télégrammes avaient d'autres faisceaux que le balayage, ou étaient d'une autre couche du scanner</translation></message>
+<message><source>: no lines of this sweep</source><translation>: pas de lignes de ce balayage</translation></message>
+<message><source>A telegram held no ranges</source><translation>Un télégramme ne contenait pas de distances</translation></message>
+<message><source>telegrams held no ranges</source><translation>télégrammes ne contenaient pas de distances</translation></message>
+<message><source>: their lines are lost</source><translation>: leurs lignes sont perdues</translation></message>
+<message><source>The scanner's counters jumped ahead once</source><translation>Les compteurs du scanner ont sauté en avant une fois</translation></message>
+<message><source>times the scanner's counters jumped ahead</source><translation>fois les compteurs du scanner ont sauté en avant</translation></message>
+<message><source>, by more lines than its clock allows: whether lines were lost there is not known</source><translation>, de plus de lignes que son horloge ne le permet : on ne sait pas si des lignes y ont été perdues</translation></message>
+<message><source>One of the scanner's counters was set back</source><translation>Un des compteurs du scanner a été remis en arrière</translation></message>
+<message><source>times one of the scanner's counters was set back</source><translation>fois un des compteurs du scanner a été remis en arrière</translation></message>
+<message><source>: lost lines there are counted by the other one and the clock</source><translation>: les lignes perdues y sont comptées par l'autre et l'horloge</translation></message>
+<message><source>The scanner's counters stood still for a line</source><translation>Les compteurs du scanner se sont arrêtés pendant une ligne</translation></message>
+<message><source>times the scanner's counters stood still from line to line</source><translation>fois les compteurs du scanner se sont arrêtés d'une ligne à l'autre</translation></message>
+<message><source>: lost lines cannot be counted there</source><translation>: les lignes perdues ne peuvent pas y être comptées</translation></message>
+<message><source>The scanner's clock was set while its counters ran on</source><translation>L'horloge du scanner a été réglée pendant que ses compteurs continuaient</translation></message>
+<message><source>times the scanner's clock was set while its counters ran on</source><translation>fois l'horloge du scanner a été réglée pendant que ses compteurs continuaient</translation></message>
+<message><source>: the times of lines there are reckoned</source><translation>: les heures des lignes y sont calculées</translation></message>
+<message><source>The scanner's clock stood still for a line</source><translation>L'horloge du scanner s'est arrêtée pendant une ligne</translation></message>
+<message><source>times the scanner's clock stood still from line to line</source><translation>fois l'horloge du scanner s'est arrêtée d'une ligne à l'autre</translation></message>
+<message><source>The scanner paused for more than a second</source><translation>Le scanner s'est arrêté plus d'une seconde</translation></message>
+<message><source>times the scanner paused for more than a second</source><translation>fois le scanner s'est arrêté plus d'une seconde</translation></message>
+<message><source>, and its counters know of no lost line</source><translation>, et ses compteurs ne connaissent aucune ligne perdue</translation></message>
+<message><source>The scanner restarted</source><translation>Le scanner a redémarré</translation></message>
+<message><source>times the scanner restarted</source><translation>fois le scanner a redémarré</translation></message>
+<message><source>: lines lost meanwhile are counted by this computer's clock</source><translation>: les lignes perdues entre-temps sont comptées par l'horloge de cet ordinateur</translation></message>
+<message><source>A telegram brought other echoes than the first one</source><translation>Un télégramme a apporté d'autres échos que le premier</translation></message>
+<message><source>telegrams brought other echoes than the first one</source><translation>télégrammes ont apporté d'autres échos que le premier</translation></message>
+<message><source>: their ranges may be of another echo</source><translation>: leurs distances peuvent être d'un autre écho</translation></message>
+<message><source>The telegrams come from another scanner</source><translation>Les télégrammes viennent d'un autre scanner</translation></message>
+<message><source>times the telegrams came from another scanner</source><translation>fois les télégrammes sont venus d'un autre scanner</translation></message>
+<message><source>: the sweep is not of one device</source><translation>: le balayage n'est pas d'un seul appareil</translation></message>
+<message><source>A line was lost between two sweeps</source><translation>Une ligne a été perdue entre deux balayages</translation></message>
+<message><source>lines were lost between two sweeps</source><translation>lignes ont été perdues entre deux balayages</translation></message>
+<message><source> (first at line </source><translation> (d'abord à la ligne </translation></message>
+<message><source> (%1 by the counters)</source><translation> (%1 d'après les compteurs)</translation></message>
+<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>« %1 » de l'enregistrement est « %2 », ce qui ne peut pas être utilisé</translation></message>
+<message><source>the recording computer's clock, carried on by the scanner's</source><translation>l'horloge de l'ordinateur qui a enregistré, prolongée par celle du scanner</translation></message>
+<message><source> from line %1 on</source><translation> à partir de la ligne %1</translation></message>
+<message><source>window too dirty to measure through</source><translation>fenêtre trop sale pour mesurer à travers</translation></message>
+<message><source>dirty window</source><translation>fenêtre sale</translation></message>
+<message><source>none reported</source><translation>aucune signalée</translation></message>
+<message><source>first echo that the scanner sent</source><translation>premier écho que le scanner a envoyé</translation></message>
+<message><source>last echo that the scanner sent</source><translation>dernier écho que le scanner a envoyé</translation></message>
+<message><source>, the motor turning on while a line is measured)</source><translation>, le moteur continuant à tourner pendant la mesure d'une ligne)</translation></message>
+<message><source>%1. Give %2 where that is wrong.</source><translation>%1. Indiquez %2 là où c'est faux.</translation></message>
+<message><source>lines %1 and others</source><translation>lignes %1 et d'autres</translation></message>
+<message><source>lines %1</source><translation>lignes %1</translation></message>
+<message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>Le compte de l'encodeur à la première ligne reçue est pris comme premier angle du balayage.</translation></message>
+<message><source>The first line received is taken as line 0 of the sweep.</source><translation>La première ligne reçue est prise comme ligne 0 du balayage.</translation></message>
+<message><source>Telegrams were lost: %1 (%2 in all).</source><translation>Des télégrammes ont été perdus : %1 (%2 en tout).</translation></message>
+<message><source>Telegrams had fewer beams than the sweep, the others are lost: %1 (%2 in all).</source><translation>Des télégrammes avaient moins de faisceaux que le balayage, les autres sont perdus : %1 (%2 en tout).</translation></message>
+<message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Les télégrammes portent des impulsions d'encodeur, mais le nombre d'impulsions par degré n'a pas été donné : les angles ne les suivent pas.</translation></message>
+<message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>Le scanner a perdu le compte de l'encodeur au redémarrage : les angles des lignes suivantes sont calculés.</translation></message>
+<message><source> (from line %1 on).</source><translation> (à partir de la ligne %1).</translation></message>
+<message><source>The scanner reported an error or was not ready</source><translation>Le scanner a signalé une erreur ou n'était pas prêt</translation></message>
+<message><source>The scanner reported a window too dirty to measure through</source><translation>Le scanner a signalé une fenêtre trop sale pour mesurer</translation></message>
+<message><source>The scanner reported a dirty window</source><translation>Le scanner a signalé une fenêtre sale</translation></message>
 </context>
 </TS>

@@ -3,536 +3,6 @@
 <TS version="2.1" language="pt" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
-<message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidade tomada como milímetros, como nas imagens de distâncias.</translation></message>
-<message><source>Unit taken as millimetres</source><translation>Unidade tomada como milímetros</translation></message>
-<message><source>Unit taken as centimetres</source><translation>Unidade tomada como centímetros</translation></message>
-<message><source>Unit taken as metres</source><translation>Unidade tomada como metros</translation></message>
-<message><source>, from the size of the numbers.</source><translation>, pelo tamanho dos números.</translation></message>
-<message><source>, in which every range is a whole number of millimetres.</source><translation>, unidade em que cada distância é um número inteiro de milímetros.</translation></message>
-<message><source>, in which the numbers fit the sensor position given.</source><translation>, unidade em que os números encaixam na posição indicada do sensor.</translation></message>
-<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidade tomada de um comentário do arquivo: %1 mm por unidade.</translation></message>
-<message><source>The coordinate system of the file is %1, without its unit: metres were taken. %2 says another one.</source><translation>O sistema de coordenadas do arquivo é %1, sem a sua unidade: foram tomados metros. %2 indica outra.</translation></message>
-<message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>O sistema de coordenadas do arquivo dá os comprimentos em %1 de %2 mm: foram convertidos.</translation></message>
-<message><source>Heights of the file have another unit than x and y, %1 mm: they were converted.</source><translation>As alturas do arquivo têm outra unidade que x e y, %1 mm: foram convertidas.</translation></message>
-<message><source>The file's coordinates are left-handed and were turned right-handed: y is mirrored.</source><translation>As coordenadas do arquivo são levógiras e foram tornadas dextrógiras: y está espelhado.</translation></message>
-<message><source>The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.</source><translation>As coordenadas estão arredondadas e cada ponto cai num número inteiro de milímetros ao longo do seu feixe: estes foram tomados como distâncias.</translation></message>
-<message><source>Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.</source><translation>Neste arquivo, os números até %1 têm uma resolução de cerca de %2: foi escrito com números flutuantes de 4 bytes.</translation></message>
-<message><source>numbers up to %1 in this file have a resolution of about </source><translation>neste arquivo, os números até %1 têm uma resolução de cerca de </translation></message>
-<message><source>the origin, because no sensor position is known (%1 gives it)</source><translation>a origem, porque nenhuma posição do sensor é conhecida (%1 a dá)</translation></message>
-<message><source>the sensor position given, (</source><translation>a posição indicada do sensor, (</translation></message>
-<message><source>the sensor position in the file, (</source><translation>a posição do sensor no arquivo, (</translation></message>
-<message><source>The points lie on no scanner grid and were projected about </source><translation>Os pontos não estão em nenhuma grade de scanner e foram projetados tomando como centro </translation></message>
-<message><source>The points were projected about </source><translation>Os pontos foram projetados tomando como centro </translation></message>
-<message><source>; projected about </source><translation>; projetados tomando como centro </translation></message>
-<message><source> points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), </source><translation> pontos lidos, vistos em %1 x %2 graus; %3 de %4 células preenchidas (grau de preenchimento %5 %; das células em torno de uma preenchida %6 %), </translation></message>
-<message><source> point attached to a cell with a nearer one</source><translation> ponto ligado a uma célula que tem um mais próximo</translation></message>
-<message><source> points attached to a cell with a nearer one</source><translation> pontos ligados a uma célula que tem um mais próximo</translation></message>
-<message><source> point far from all others left out</source><translation> ponto longe de todos os outros deixado de fora</translation></message>
-<message><source> points far from all others left out</source><translation> pontos longe de todos os outros deixados de fora</translation></message>
-<message><source>The cells have the given %1 degrees, along lines that were recognised in the cloud.</source><translation>As células têm os %1 graus indicados, ao longo de linhas reconhecidas na nuvem.</translation></message>
-<message><source>The cells have the given %1 degrees.</source><translation>As células têm os %1 graus indicados.</translation></message>
-<message><source>The cells have %1 degrees, from the spacing of the points, along lines that were recognised in the cloud.</source><translation>As células têm %1 graus, pelo espaçamento dos pontos, ao longo de linhas reconhecidas na nuvem.</translation></message>
-<message><source>The cells have %1 degrees, from the spacing of the points.</source><translation>As células têm %1 graus, pelo espaçamento dos pontos.</translation></message>
-<message><source>Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, or with its record, has the grid of the scan.</source><translation>As arestas de uma nuvem projetada diferem das da sua varredura: um arquivo com os pontos na ordem do scanner, ou com o seu registro, tem a grade da varredura.</translation></message>
-<message><source> points lie farther than %1 from the sensor and were taken as no return: %2 says where it stood.</source><translation> pontos estão a mais de %1 do sensor e foram tomados como sem retorno: %2 indica onde ele estava.</translation></message>
-<message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>O lugar do sensor foi encontrado a partir das distâncias que o arquivo contém com os seus pontos.</translation></message>
-<message><source>The file puts the sensor %1 away from its points, which are all within %2 of each other (in its own numbers): no scanner measures so, and the place was not used.</source><translation>O arquivo põe o sensor a %1 dos seus pontos, que estão todos a menos de %2 uns dos outros (nos seus próprios números): nenhum scanner mede assim, e esse lugar não foi usado.</translation></message>
-<message><source>The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.</source><translation>O eixo das linhas da varredura está a %1 (nos números do arquivo) da posição conhecida do sensor.</translation></message>
-<message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>A lista não era uma grade completa em ordem: %1 linhas x %2 feixes foram recuperados a partir dos ângulos dos seus pontos.</translation></message>
-<message><source> lines repeated the line before and were left out.</source><translation> linhas repetiam a linha anterior e foram deixadas de fora.</translation></message>
-<message><source> points stood in the list before, as when a driver stores lines twice, and were taken once.</source><translation> pontos já estavam na lista, como quando um driver grava linhas duas vezes, e foram tomados uma vez.</translation></message>
-<message><source> lines or beams without any point were put back empty, to keep the steps even.</source><translation> linhas ou feixes sem nenhum ponto foram repostos vazios, para manter passos iguais.</translation></message>
-<message><source> points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.</source><translation> pontos não pertencem a uma única célula da grade (no eixo de rotação, ou fora da grade) e foram deixados de fora.</translation></message>
-<message><source> points lay in a cell with a nearer one, which was taken.</source><translation> pontos estavam numa célula com um mais próximo, que foi tomado.</translation></message>
-<message><source>The line angles are uneven: steps from %1 to %2 degrees, kept as they are.</source><translation>Os ângulos das linhas são desiguais: passos de %1 a %2 graus, mantidos como estão.</translation></message>
-<message><source>The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.</source><translation>As linhas giram em torno do eixo y do arquivo, que passou a z: x é o z do arquivo, y o seu x, z o seu y.</translation></message>
-<message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Cada linha só tem um feixe em cada %1, por turno: %2 linhas seguidas foram postas lado a lado.</translation></message>
-<message><source>The columns of lines and beams hold no grid and were not used.</source><translation>As colunas de linhas e feixes não contêm nenhuma grade e não foram usadas.</translation></message>
-<message><source>Lines and beams were exchanged: only that way the lines make fans about one axis.</source><translation>Linhas e feixes foram trocados: só assim as linhas formam leques em torno de um eixo.</translation></message>
-<message><source>The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.</source><translation>As fileiras do arquivo, tal como estão, não formam leques em torno de um eixo: %1, e só assim as linhas formam leques.</translation></message>
-<message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>A grade tem tantas linhas e feixes quantos os pontos nomeiam, %1 x %2: uma linha ou um feixe atrás do último ponto não está no arquivo.</translation></message>
-<message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>A lista só contém retornos: uma linha ou um feixe da borda sem nenhum retorno não está nela.</translation></message>
-<message><source> of %1 cells of the grid that was found have no point and count as no return.</source><translation> de %1 células da grade encontrada não têm ponto e contam como sem retorno.</translation></message>
-<message><source> of the %1 points of the file have no cell of their own.</source><translation> dos %1 pontos do arquivo não têm célula própria.</translation></message>
-<message><source> cells hold status codes of an LMS2xx from %1 on instead of a range and were taken as such.</source><translation> células contêm códigos de estado de um LMS2xx a partir de %1 em vez de uma distância e foram tomadas como tais.</translation></message>
-<message><source> points were filled and not measured, as filled_sd_mm says: they were taken as no return.</source><translation> pontos foram preenchidos e não medidos, como diz filled_sd_mm: foram tomados como sem retorno.</translation></message>
-<message><source> point was filled and not measured, as filled_sd_mm says: it was taken as no return.</source><translation> ponto foi preenchido e não medido, como diz filled_sd_mm: foi tomado como sem retorno.</translation></message>
-<message><source> points with infinite or absurdly large coordinates were taken as no return.</source><translation> pontos com coordenadas infinitas ou absurdamente grandes foram tomados como sem retorno.</translation></message>
-<message><source> point with infinite or absurdly large coordinates was taken as no return.</source><translation> ponto com coordenadas infinitas ou absurdamente grandes foi tomado como sem retorno.</translation></message>
-<message><source> infinite ranges were taken as no return.</source><translation> distâncias infinitas foram tomadas como sem retorno.</translation></message>
-<message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distâncias abaixo de 0, todas o mesmo número, foram tomadas como sem retorno.</translation></message>
-<message><source> ranges longer than any scanner reaches were taken as no return.</source><translation> distâncias mais longas que o alcance de qualquer scanner foram tomadas como sem retorno.</translation></message>
-<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distâncias são o range_max das suas mensagens, repetem-se e foram tomadas como sem retorno.</translation></message>
-<message><source> points are one and the same,</source><translation> pontos são um e o mesmo,</translation></message>
-<message><source> points are %1 (in the numbers of the file) from the sensor</source><translation> pontos estão a %1 (nos números do arquivo) do sensor</translation></message>
-<message><source> cells hold %1 in the numbers of the file</source><translation> células contêm %1 nos números do arquivo</translation></message>
-<message><source> ranges of the topic are </source><translation> distâncias do tópico são </translation></message>
-<message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return (%1 takes it as measured).</source><translation>, o que se repete exatamente e está longe do resto, como nada medido: tomado como sem retorno (%1 toma-o como medido).</translation></message>
-<message><source> points are later returns of a pulse, as the file says: the first returns make the grid</source><translation> pontos são retornos posteriores de um pulso, segundo o arquivo: os primeiros retornos formam a grade</translation></message>
-<message><source> point is a later return of a pulse, as the file says: the first returns make the grid</source><translation> ponto é um retorno posterior de um pulso, segundo o arquivo: os primeiros retornos formam a grade</translation></message>
-<message><source> others were attached to their cells</source><translation> outros foram ligados às suas células</translation></message>
-<message><source> other was attached to its cell</source><translation> outro foi ligado à sua célula</translation></message>
-<message><source> others have no cell of their own and were left out</source><translation> outros não têm célula própria e foram deixados de fora</translation></message>
-<message><source> other has no cell of its own and was left out</source><translation> outro não tem célula própria e foi deixado de fora</translation></message>
-<message><source> points share their row and column with a nearer one, which was taken (several returns of one beam).</source><translation> pontos partilham a sua fileira e coluna com um mais próximo, que foi tomado (vários retornos de um feixe).</translation></message>
-<message><source> point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation> ponto partilha a sua fileira e coluna com um mais próximo, que foi tomado (vários retornos de um feixe).</translation></message>
-<message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Nenhuma célula desta varredura tem uma distância medida: verifique o arquivo, o tópico e os limites de distância.</translation></message>
-<message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 mm off the axis</source><translation>Os pontos estão noutro referencial que o do scanner. As suas linhas giram em torno de um eixo, em %1, %2, %3 m, e o espelho está a %4 mm do eixo</translation></message>
-<message><source>; the grid has the scale </source><translation>; a grade tem a escala </translation></message>
-<message><source>. The points fit lines and beams within </source><translation>. Os pontos encaixam em linhas e feixes dentro de </translation></message>
-<message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>É mais do que o arredondamento dos números explica, %1 mm: distâncias podem estar erradas e arestas diferir das da varredura. O registro do arquivo, ou a varredura tal como foi medida, tem-nas exatas.</translation></message>
-<message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>A matriz do arquivo não é uma rotação e translação, portanto a varredura fica no referencial do scanner.</translation></message>
-<message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>A pose do arquivo não é uma rotação e translação, portanto a varredura fica no referencial do scanner.</translation></message>
-<message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>O arquivo %1 põe o scanner em %2, %3, %4 m, que não é um lugar na terra, portanto a varredura fica no referencial do scanner.</translation></message>
-<message><source>The place is the one written in the %1 file: whether that is the mine grid, who registered it knows.</source><translation>O lugar é o escrito no arquivo %1: se isso é a grade da mina, sabe-o quem o registrou.</translation></message>
-<message><source>The matrix of the %1 file was not used: its points are in another frame than the scanner's.</source><translation>A matriz do arquivo %1 não foi usada: os seus pontos estão noutro referencial que o do scanner.</translation></message>
-<message><source>The record next to the file was written for another one, so the grid in it was not used.</source><translation>O registro junto do arquivo foi escrito para outro, portanto a sua grade não foi usada.</translation></message>
-<message><source>The record next to the file describes no grid, so the grid in it was not used.</source><translation>O registro junto do arquivo não descreve nenhuma grade, portanto não foi usado.</translation></message>
-<message><source>The record next to the file cannot be read (%1), so the grid in it was not used.</source><translation>O registro junto do arquivo não pode ser lido (%1), portanto a sua grade não foi usada.</translation></message>
-<message><source>The record next to the file %1, so the grid in it was not used.</source><translation>O registro junto do arquivo não serve (%1), portanto a sua grade não foi usada.</translation></message>
-<message><source> has no effect: the points have a grid; leave it out.</source><translation> não tem efeito: os pontos têm uma grade; não o indique.</translation></message>
-<message><source> has no effect: the format %1 does not have it; leave it out.</source><translation> não tem efeito: o formato %1 não o tem; não o indique.</translation></message>
-<message><source> has no effect: %1; leave it out.</source><translation> não tem efeito: %1; não o indique.</translation></message>
-<message><source> replaces %1, which the file gives.</source><translation> substitui %1, que o arquivo dá.</translation></message>
-<message><source> replaces the calibration in </source><translation> substitui a calibração em </translation></message>
-<message><source>Not measured at the angles that the file gives: </source><translation>Não medido nos ângulos que o arquivo dá: </translation></message>
-<message><source>; edges across the lines are combed: %1 puts these lines side by side as one.</source><translation>; as arestas que cruzam as linhas ficam dentadas: %1 põe estas linhas lado a lado como uma.</translation></message>
-<message><source>; EdgeScan+ allows for it, but the cloud does not: %1 corrects the angles.</source><translation>; EdgeScan+ leva isso em conta, mas a nuvem não: %1 corrige os ângulos.</translation></message>
-<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be, %4 times its uncertainty</source><translation>os feixes de %1 linhas por turno estão %2 e %3 graus à frente do seu lugar, %4 vezes a sua incerteza</translation></message>
-<message><source>odd beams lie %1 degrees ahead of even ones, %2 times its uncertainty</source><translation>os feixes ímpares estão %1 graus à frente dos pares, %2 vezes a sua incerteza</translation></message>
-<message><source>odd beams lie %1 degrees behind even ones, %2 times its uncertainty</source><translation>os feixes ímpares estão %1 graus atrás dos pares, %2 vezes a sua incerteza</translation></message>
-<message><source>, and the stepper slipped at </source><translation>, e o motor de passo escorregou em </translation></message>
-<message><source>the stepper slipped at </source><translation>o motor de passo escorregou em </translation></message>
-<message><source> lines (first at line %1, by up to %2 degrees</source><translation> linhas (primeiro na linha %1, até %2 graus</translation></message>
-<message><source> line (first at line %1, by up to %2 degrees</source><translation> linha (na linha %1, até %2 graus</translation></message>
-<message><source> times the usual unevenness of its steps</source><translation> vezes a desigualdade habitual dos seus passos</translation></message>
-<message><source> At %1 of the first and last lines the stepper still swung back: folds there are left out.</source><translation> Em %1 das primeiras e últimas linhas o motor de passo ainda oscilava: as dobras ali são deixadas de fora.</translation></message>
-<message><source>Not straightened: the scan has no lines with angles.</source><translation>Não endireitado: a varredura não tem linhas com ângulos.</translation></message>
-<message><source>Straightened: no interlaced beams and no slips were found; the angles stay.</source><translation>Endireitado: não se acharam feixes entrelaçados nem escorregamentos; os ângulos ficam.</translation></message>
-<message><source>, and were put side by side: %1 lines make one.</source><translation>, e foram postos lado a lado: %1 linhas formam uma.</translation></message>
-<message><source>Straightened: </source><translation>Endireitado: </translation></message>
-<message><source> slips were seen in every second beam only, and are left as they are.</source><translation> escorregamentos foram vistos só num feixe em cada dois e ficam como estão.</translation></message>
-<message><source> slip was seen in every second beam only, and is left as it is.</source><translation> escorregamento foi visto só num feixe em cada dois e fica como está.</translation></message>
-<message><source>OUT OF SPEC: the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>FORA DE TOLERÂNCIA: as poses movem a base a %1 m/s entre duas linhas, mais rápido que qualquer máquina no subsolo.</translation></message>
-<message><source>Both are one scan: the files are the same.</source><translation>Ambos são uma só varredura: os arquivos são iguais.</translation></message>
-<message><source>Near and far leave no depth between them: the gray image is blank and has no edge.</source><translation>Perto e longe não deixam profundidade entre si: a imagem cinza está vazia e não tem arestas.</translation></message>
-<message><source> edge cells lie on filled ranges and are not in this file; %1 writes them.</source><translation> células de aresta estão em distâncias preenchidas e não estão neste arquivo; %1 as escreve.</translation></message>
-<message><source>The last row has no line end: the file may have been cut off there; compare it with the original.</source><translation>A última fileira não tem fim de linha: o arquivo pode estar cortado ali; compare-o com o original.</translation></message>
-<message><source>No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and z.</source><translation>Nenhum cabeçalho nomeia as colunas: as duas primeiras foram tomadas como fileira e coluna da grade, da terceira à quinta como x, y e z.</translation></message>
-<message><source>No heading names the columns: the second to the fourth were taken for x, y and z, as the first holds whole numbers only.</source><translation>Nenhum cabeçalho nomeia as colunas: da segunda à quarta foram tomadas como x, y e z, pois a primeira contém só números inteiros.</translation></message>
-<message><source>No heading names the columns: the third to the fifth were taken for x, y and z, as the first two hold whole numbers only.</source><translation>Nenhum cabeçalho nomeia as colunas: da terceira à quinta foram tomadas como x, y e z, pois as duas primeiras contêm só números inteiros.</translation></message>
-<message><source>No heading names the columns: the fourth to the sixth were taken for x, y and z, as the first three hold whole numbers only.</source><translation>Nenhum cabeçalho nomeia as colunas: da quarta à sexta foram tomadas como x, y e z, pois as três primeiras contêm só números inteiros.</translation></message>
-<message><source>No heading names the columns: the fifth to the seventh were taken for x, y and z, as the first four hold whole numbers only.</source><translation>Nenhum cabeçalho nomeia as colunas: da quinta à sétima foram tomadas como x, y e z, pois as quatro primeiras contêm só números inteiros.</translation></message>
-<message><source>The header names no x, y and z: the first three columns were taken for them (</source><translation>O cabeçalho não nomeia x, y e z: foram tomadas as três primeiras colunas (</translation></message>
-<message><source>The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.</source><translation>O cabeçalho não nomeia tantas colunas quantas há (%1): as três primeiras foram tomadas como x, y e z.</translation></message>
-<message><source>Points were computed from the columns of angles and ranges, with angles taken as </source><translation>Os pontos foram calculados das colunas de ângulos e distâncias, com ângulos tomados como </translation></message>
-<message><source>Points were computed from the columns of angles and ranges, with angles in </source><translation>Os pontos foram calculados das colunas de ângulos e distâncias, com ângulos em </translation></message>
-<message><source>degrees, azimuths </source><translation>graus, azimutes </translation></message>
-<message><source>radians, azimuths </source><translation>radianos, azimutes </translation></message>
-<message><source>counter-clockwise from x</source><translation>no sentido anti-horário desde x</translation></message>
-<message><source>clockwise from y</source><translation>no sentido horário desde y</translation></message>
-<message><source> and heights from the zenith.</source><translation> e alturas desde o zênite.</translation></message>
-<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Os ângulos dos feixes foram tomados do cabeçalho: de %1 a %2 graus.</translation></message>
-<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Os ângulos das linhas foram tomados da primeira coluna: de %1 a %2 graus.</translation></message>
-<message><source>The table does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>A tabela não diz os seus ângulos: foram tomados os de um LMS511 onde nenhum foi indicado (feixes desde -5 graus a cada 1/6 de grau, linhas desde 0 a cada 0.18 grau, eixo spin).</translation></message>
-<message><source>The picture does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>A imagem não diz os seus ângulos: foram tomados os de um LMS511 onde nenhum foi indicado (feixes desde -5 graus a cada 1/6 de grau, linhas desde 0 a cada 0.18 grau, eixo spin).</translation></message>
-<message><source>The array does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>A matriz de numpy não diz os seus ângulos: foram tomados os de um LMS511 onde nenhum foi indicado (feixes desde -5 graus a cada 1/6 de grau, linhas desde 0 a cada 0.18 grau, eixo spin).</translation></message>
-<message><source> columns are not ranges, by the header, and not read: </source><translation> colunas não são de distâncias segundo o cabeçalho e não são lidas: </translation></message>
-<message><source> column is not ranges, by the header, and not read: </source><translation> coluna não é de distâncias segundo o cabeçalho e não é lida: </translation></message>
-<message><source> bytes behind the points were not read.</source><translation> bytes depois dos pontos não foram lidos.</translation></message>
-<message><source> byte behind the points was not read.</source><translation> byte depois dos pontos não foi lido.</translation></message>
-<message><source> bytes behind the picture were not read.</source><translation> bytes depois da imagem não foram lidos.</translation></message>
-<message><source> byte behind the picture was not read.</source><translation> byte depois da imagem não foi lido.</translation></message>
-<message><source> bytes behind the array were not read.</source><translation> bytes depois da matriz não foram lidos.</translation></message>
-<message><source> byte behind the array was not read.</source><translation> byte depois da matriz não foi lido.</translation></message>
-<message><source> bytes behind the last record were not read.</source><translation> bytes depois do último registro não foram lidos.</translation></message>
-<message><source> byte behind the last record was not read.</source><translation> byte depois do último registro não foi lido.</translation></message>
-<message><source> bytes behind the end that the header gives were not read.</source><translation> bytes depois do fim que o cabeçalho dá não foram lidos.</translation></message>
-<message><source> byte behind the end that the header gives was not read.</source><translation> byte depois do fim que o cabeçalho dá não foi lido.</translation></message>
-<message><source> bytes behind the end of the database were not read.</source><translation> bytes depois do fim do banco de dados não foram lidos.</translation></message>
-<message><source> byte behind the end of the database was not read.</source><translation> byte depois do fim do banco de dados não foi lido.</translation></message>
-<message><source> bytes behind the end of the recording were not read</source><translation> bytes depois do fim da gravação não foram lidos</translation></message>
-<message><source> behind the %1 points that the header promises were not read.</source><translation> depois dos %1 pontos que o cabeçalho anuncia não foram lidos.</translation></message>
-<message><source>The first %1 scans of the file hold no points.</source><translation>As primeiras %1 varreduras do arquivo não contêm pontos.</translation></message>
-<message><source>The first scan of the file holds no points.</source><translation>A primeira varredura do arquivo não contém pontos.</translation></message>
-<message><source>The file holds %1 scans; this is number %2, %3 chooses another.</source><translation>O arquivo contém %1 varreduras; esta é a número %2, %3 escolhe outra.</translation></message>
-<message><source>The first %1 of these scans hold no point with a return.</source><translation>As primeiras %1 destas varreduras não têm nenhum ponto com retorno.</translation></message>
-<message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>As fileiras e colunas que o arquivo dá aos seus pontos não formam uma grade e não foram usadas.</translation></message>
-<message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>O arquivo não diz em que sentido vão as linhas: as suas colunas foram tomadas como linhas, as suas fileiras como feixes.</translation></message>
-<message><source> points are marked as invalid in the file and count as no return.</source><translation> pontos estão marcados como inválidos no arquivo e contam como sem retorno.</translation></message>
-<message><source> point is marked as invalid in the file and counts as no return.</source><translation> ponto está marcado como inválido no arquivo e conta como sem retorno.</translation></message>
-<message><source> points are marked as withheld in the file and count as no return.</source><translation> pontos estão marcados como excluídos no arquivo e contam como sem retorno.</translation></message>
-<message><source> point is marked as withheld in the file and counts as no return.</source><translation> ponto está marcado como excluído no arquivo e conta como sem retorno.</translation></message>
-<message><source>What else a point of this file has is not read: </source><translation>O resto que um ponto deste arquivo tem não é lido: </translation></message>
-<message><source>The pictures of this file (%1) are not read.</source><translation>As imagens deste arquivo (%1) não são lidas.</translation></message>
-<message><source>The picture is animated; the first frame was read.</source><translation>A imagem é animada; foi lido o primeiro quadro.</translation></message>
-<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>A imagem não termina com IEND: o arquivo foi cortado depois dos seus pixels.</translation></message>
-<message><source> pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation> pixels não contêm distância (negativos, não numéricos ou longe demais) e foram tomados como sem retorno.</translation></message>
-<message><source> pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation> pixel não contém distância (negativo, não numérico ou longe demais) e foi tomado como sem retorno.</translation></message>
-<message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>A imagem pede para ser girada ou espelhada ao ser mostrada (orientação %1): as suas fileiras foram tomadas como linhas tal como estão gravadas.</translation></message>
-<message><source>The file holds %1 pictures (pages); the first was read.</source><translation>O arquivo contém %1 imagens (páginas); foi lida a primeira.</translation></message>
-<message><source>The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. A grid, cell states or a place in the mine that they held are lost; copy the file again.</source><translation>O fim do arquivo está danificado ou falta: %1 de %2 registros depois dos pontos não podem ser lidos. Uma grade, estados de células ou um lugar na mina que continham estão perdidos; copie de novo o arquivo.</translation></message>
-<message><source>The waveforms of this file were not read.</source><translation>As formas de onda deste arquivo não foram lidas.</translation></message>
-<message><source>The first three of %1 columns were taken as x, y and z; the others are not read.</source><translation>As três primeiras de %1 colunas foram tomadas como x, y e z; as outras não são lidas.</translation></message>
-<message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>O arquivo contém mais de uma matriz (numpy.save mais de uma vez); foi lida a primeira.</translation></message>
-<message><source> lines hold no words of OBJ and were not read, the first is line </source><translation> linhas não têm palavras de OBJ e não foram lidas, a primeira é a linha </translation></message>
-<message><source> line holds no words of OBJ and was not read, the first is line </source><translation> linha não tem palavras de OBJ e não foi lida, a primeira é a linha </translation></message>
-<message><source>The lists that each vertex of this file has were not read.</source><translation>As listas que cada vértice deste arquivo tem não foram lidas.</translation></message>
-<message><source>Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.</source><translation>Cada vértice tem um byte que o cabeçalho não nomeia, como o PCL o escreve depois das cores: foi saltado.</translation></message>
-<message><source>Only the vertices were read, not what follows them: </source><translation>Só foram lidos os vértices, não o que os segue: </translation></message>
-<message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>A matriz do cabeçalho tem o lugar do scanner na última coluna e não na última fileira: foi lida por colunas.</translation></message>
-<message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>A linha 3 do cabeçalho põe o scanner a %1 m do lugar que a sua matriz dá: foi usada a matriz.</translation></message>
-<message><source>Behind the last of these scans there is text that is none.</source><translation>Depois da última destas varreduras há texto que não é uma.</translation></message>
-<message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta o arquivo de dados %1; em seu lugar foi lido %2.</translation></message>
-<message><source>The file does not end with END: it may have been cut off; compare it with the original.</source><translation>O arquivo não termina com END: pode estar cortado; compare-o com o original.</translation></message>
-<message><source>Descriptions of points (D1 and further) are not read.</source><translation>As descrições dos pontos (D1 e seguintes) não são lidas.</translation></message>
-<message><source> lines behind END were not read.</source><translation> linhas depois de END não foram lidas.</translation></message>
-<message><source> line behind END was not read.</source><translation> linha depois de END não foi lida.</translation></message>
-<message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>O texto tem dois bytes por caractere (UTF-16) e foi lido assim.</translation></message>
-<message><source> bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> bytes zero (NUL) seguem a última fileira, como os deixa uma queda de energia: faltam as fileiras que não foram escritas.</translation></message>
-<message><source> byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation> byte zero (NUL) segue a última fileira, como os deixa uma queda de energia: faltam as fileiras que não foram escritas.</translation></message>
-<message><source>The capture was cut off: everything up to the cut is here.</source><translation>A captura foi cortada: tudo até o corte está aqui.</translation></message>
-<message><source>The recording was cut off: everything up to the cut is here.</source><translation>A gravação foi cortada: tudo até o corte está aqui.</translation></message>
-<message><source>The bag was cut off: everything up to the cut is here.</source><translation>O bag foi cortado: tudo até o corte está aqui.</translation></message>
-<message><source> packets have a time before 1970 or after 2262 and count as of 1970.</source><translation> pacotes têm uma hora antes de 1970 ou depois de 2262 e contam como de 1970.</translation></message>
-<message><source> packet has a time before 1970 or after 2262 and count as of 1970.</source><translation> pacote tem uma hora antes de 1970 ou depois de 2262 e conta como de 1970.</translation></message>
-<message><source> bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost.</source><translation> bytes que o scanner enviou faltam na captura (%1): os telegramas ali estão perdidos.</translation></message>
-<message><source> byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.</source><translation> byte que o scanner enviou falta na captura (%1): os telegramas ali estão perdidos.</translation></message>
-<message><source> bytes that the scanner sent belong to no whole telegram.</source><translation> bytes que o scanner enviou não pertencem a nenhum telegrama inteiro.</translation></message>
-<message><source> byte that the scanner sent belongs to no whole telegram.</source><translation> byte que o scanner enviou não pertence a nenhum telegrama inteiro.</translation></message>
-<message><source> bytes of the stream belong to no whole telegram.</source><translation> bytes do fluxo não pertencem a nenhum telegrama inteiro.</translation></message>
-<message><source> byte of the stream belongs to no whole telegram.</source><translation> byte do fluxo não pertence a nenhum telegrama inteiro.</translation></message>
-<message><source> packets came out of order and %1 brought bytes again; they were put in order.</source><translation> pacotes chegaram fora de ordem e %1 trouxeram bytes de novo; foram postos em ordem.</translation></message>
-<message><source> packet came out of order and %1 brought bytes again; they were put in order.</source><translation> pacote chegou fora de ordem e %1 trouxeram bytes de novo; foram postos em ordem.</translation></message>
-<message><source> fragments of IP packets were not put together.</source><translation> fragmentos de pacotes IP não foram juntados.</translation></message>
-<message><source> fragment of IP packets were not put together.</source><translation> fragmento de pacotes IP não foi juntado.</translation></message>
-<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened, and </source><translation>A captura contém %1 fluxos; foi aberto o de %2 com %3 telegramas de varredura, e </translation></message>
-<message><source>The capture holds %1 streams; that of %2 with %3 scan telegrams was opened.</source><translation>A captura contém %1 fluxos; foi aberto o de %2 com %3 telegramas de varredura.</translation></message>
-<message><source> other senders have some too.</source><translation> outros emissores também têm.</translation></message>
-<message><source> other sender has some too.</source><translation> outro emissor também tem.</translation></message>
-<message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>A gravação descreve outra grade que a dos seus telegramas: contam os telegramas.</translation></message>
-<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» da gravação é «%2», que não pode ser usado</translation></message>
-<message><source> readings of inclinometer or TALIN cannot be used.</source><translation> leituras do inclinômetro ou de TALIN não podem ser usadas.</translation></message>
-<message><source> reading of inclinometer or TALIN cannot be used.</source><translation> leitura do inclinômetro ou de TALIN não pode ser usada.</translation></message>
-<message><source>The recording holds readings of TALIN and does not say where the boom pointed (boom_azimuth_deg).</source><translation>A gravação contém leituras de TALIN e não diz para onde apontava a lança (boom_azimuth_deg).</translation></message>
-<message><source>The recording holds poses and not how the robot is built: %1 places the scan.</source><translation>A gravação contém poses mas não como o robô é construído: %1 posiciona a varredura.</translation></message>
-<message><source>The recording's pose cannot be used: </source><translation>A pose da gravação não pode ser usada: </translation></message>
-<message><source> times in the recording are after %1 and were read as this time.</source><translation> horas da gravação são posteriores a %1 e foram lidas como essa hora.</translation></message>
-<message><source> scan telegrams could not be decoded: </source><translation> telegramas de varredura não puderam ser decodificados: </translation></message>
-<message><source> scan telegrams since the start could not be decoded, so their lines are lost: </source><translation> telegramas de varredura desde o início não puderam ser decodificados, portanto as suas linhas estão perdidas: </translation></message>
-<message><source> bytes since the start were not a telegram and were skipped.</source><translation> bytes desde o início não eram um telegrama e foram saltados.</translation></message>
-<message><source> messages hold bytes that are not a whole telegram: what was in them is lost.</source><translation> mensagens contêm bytes que não são um telegrama inteiro: o seu conteúdo está perdido.</translation></message>
-<message><source> message holds bytes that are not a whole telegram: what was in it is lost.</source><translation> mensagem contém bytes que não são um telegrama inteiro: o seu conteúdo está perdido.</translation></message>
-<message><source> more places are damaged or were left out</source><translation> outros lugares estão danificados ou foram deixados de fora</translation></message>
-<message><source>bytes %1 to %2 are damaged and were left out</source><translation>os bytes %1 a %2 estão danificados e foram deixados de fora</translation></message>
-<message><source>the chunk at byte %1 was left out: </source><translation>o bloco no byte %1 foi deixado de fora: </translation></message>
-<message><source>the file says that it holds %1 messages and %2 could be read</source><translation>o arquivo diz que contém %1 mensagens e foi possível ler %2</translation></message>
-<message><source>The bag is cut off or damaged at byte %1: the last %2 bytes were not read.</source><translation>O bag está cortado ou danificado no byte %1: os últimos %2 bytes não foram lidos.</translation></message>
-<message><source>The bag is cut off or damaged at byte %1: the last %2 byte was not read.</source><translation>O bag está cortado ou danificado no byte %1: o último byte (%2) não foi lido.</translation></message>
-<message><source> chunks are damaged and were left out (</source><translation> blocos estão danificados e foram deixados de fora (</translation></message>
-<message><source> chunk is damaged and was left out (</source><translation> bloco está danificado e foi deixado de fora (</translation></message>
-<message><source> messages belong to no topic of the bag and were left out.</source><translation> mensagens não pertencem a nenhum tópico do bag e foram deixadas de fora.</translation></message>
-<message><source> message belongs to no topic of the bag and was left out.</source><translation> mensagem não pertence a nenhum tópico do bag e foi deixada de fora.</translation></message>
-<message><source> messages are compressed and damaged and were left out.</source><translation> mensagens estão comprimidas e danificadas e foram deixadas de fora.</translation></message>
-<message><source> message is compressed and damaged and was left out.</source><translation> mensagem está comprimida e danificada e foi deixada de fora.</translation></message>
-<message><source>The database is cut off or damaged (%1): messages behind the first %2 were not read.</source><translation>O banco de dados está cortado ou danificado (%1): as mensagens depois das primeiras %2 não foram lidas.</translation></message>
-<message><source>The log %1 of the recorder could not be read: its messages are not in the scan.</source><translation>O registro %1 do gravador não pôde ser lido: as suas mensagens não estão na varredura.</translation></message>
-<message><source>The recorder was not ended: its newest messages were read from </source><translation>O gravador não foi encerrado: as suas mensagens mais recentes foram lidas de </translation></message>
-<message><source>The recorder was ended within a change: the database was read as it was before it, by </source><translation>O gravador foi encerrado no meio de uma alteração: o banco de dados foi lido como estava antes, por </translation></message>
-<message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>O registro %1 do gravador termina com %2 páginas incompletas: as suas mensagens não estão na varredura.</translation></message>
-<message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>O registro %1 pertence a vários bancos de dados e não foi lido: a última alteração pode estar pela metade.</translation></message>
-<message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>A parte %1 do bag não pôde ser lida (%2): as suas mensagens não estão na varredura.</translation></message>
-<message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta a parte %1 do bag: as suas mensagens não estão na varredura.</translation></message>
-<message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nomeia %1, cujo nome não é o de um arquivo de mensagens (.mcap, .db3, .bag): não foi lido.</translation></message>
-<message><source> messages of the topic %1 are in the bag twice: each was read once.</source><translation> mensagens do tópico %1 estão duas vezes no bag: cada uma foi lida uma vez.</translation></message>
-<message><source> messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.</source><translation> mensagens do tópico estão duas vezes no bag, com a mesma hora e as mesmas distâncias: cada uma foi lida uma vez.</translation></message>
-<message><source> message of the topic is in the bag twice, with the same stamp and ranges: it was read once.</source><translation> mensagem do tópico está duas vezes no bag, com a mesma hora e as mesmas distâncias: foi lida uma vez.</translation></message>
-<message><source> messages of the topic were left out: </source><translation> mensagens do tópico foram deixadas de fora: </translation></message>
-<message><source> message of the topic was left out: </source><translation> mensagem do tópico foi deixada de fora: </translation></message>
-<message><source>GUESS: the topic %1 was taken; %2 chooses another: </source><translation>SUPOSIÇÃO: foi tomado o tópico %1; %2 escolhe outro: </translation></message>
-<message><source>GUESS: the angle of each line comes from the transform of the frame %1 in </source><translation>SUPOSIÇÃO: o ângulo de cada linha vem da transformação do referencial %1 em </translation></message>
-<message><source>GUESS: the angle of each line comes from the joint </source><translation>SUPOSIÇÃO: o ângulo de cada linha vem da junta </translation></message>
-<message><source>GUESS: the angle of each line comes from </source><translation>SUPOSIÇÃO: o ângulo de cada linha vem de </translation></message>
-<message><source>GUESS: the poses of the topic %1 are those of the frame </source><translation>SUPOSIÇÃO: as poses do tópico %1 são as do referencial </translation></message>
-<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSIÇÃO: o referencial %1 do bag é tomado como grade da mina, com x para leste, y para norte e z para cima.</translation></message>
-<message><source>The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.</source><translation>O bag não contém a definição das suas mensagens: foi SUPOSTA a do ROS 2 de 2022.</translation></message>
-<message><source> messages have a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> mensagens têm um time_increment impossível: os feixes de uma linha contam como medidos ao mesmo tempo.</translation></message>
-<message><source> message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation> mensagem tem um time_increment impossível: os feixes de uma linha contam como medidos ao mesmo tempo.</translation></message>
-<message><source> lines came out of order and were put in the order of their stamps</source><translation> linhas chegaram fora de ordem e foram postas na ordem das suas horas</translation></message>
-<message><source> line came out of order and was put in the order of its stamp</source><translation> linha chegou fora de ordem e foi posta na ordem da sua hora</translation></message>
-<message><source>angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>angle_max não está onde angle_min e angle_increment põem o último feixe: foi usado angle_increment, e os feixes podem estar espelhados ou girados.</translation></message>
-<message><source> messages of joints are damaged and were left out.</source><translation> mensagens de juntas estão danificadas e foram deixadas de fora.</translation></message>
-<message><source> message of joints is damaged and was left out.</source><translation> mensagem de juntas está danificada e foi deixada de fora.</translation></message>
-<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (</source><translation>Uma junta não diz como o laser está montado nela. SUPOSTO: o eixo (</translation></message>
-<message><source>sweep, by the name of the joint)</source><translation>sweep, pelo nome da junta)</translation></message>
-<message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>O eixo está %1 graus fora do plano do leque: os pontos estão desviados outro tanto.</translation></message>
-<message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>O laser está a %1 mm do seu eixo: as distâncias são as medidas, e os pontos como se estivesse no eixo.</translation></message>
-<message><source> lines were measured before the first or after the last angle and were left out.</source><translation> linhas foram medidas antes do primeiro ângulo ou depois do último e foram deixadas de fora.</translation></message>
-<message><source> line was measured before the first or after the last angle and was left out.</source><translation> linha foi medida antes do primeiro ângulo ou depois do último e foi deixada de fora.</translation></message>
-<message><source> lines were measured while the laser did not turn and were left out.</source><translation> linhas foram medidas enquanto o laser não girava e foram deixadas de fora.</translation></message>
-<message><source> line was measured while the laser did not turn and was left out.</source><translation> linha foi medida enquanto o laser não girava e foi deixada de fora.</translation></message>
-<message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. %3 chooses another.</source><translation>O tópico contém %1 varreduras; foi aberta a varredura %2, contada a partir de 0. %3 escolhe outra.</translation></message>
-<message><source>The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. %3 chooses another.</source><translation>O tópico %1 contém uma nuvem em cada mensagem; foi aberta a mensagem %2, contada a partir de 0. %3 escolhe outra.</translation></message>
-<message><source>The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.</source><translation>A nuvem é de um scanner de vários feixes: os seus anéis são os feixes, e os seus disparos as linhas.</translation></message>
-<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>As transformações põem o scanner em %1, %2, %3 m, onde não há nada na terra: a varredura fica no referencial do scanner.</translation></message>
-<message><source> messages of transforms are damaged and were left out.</source><translation> mensagens de transformações estão danificadas e foram deixadas de fora.</translation></message>
-<message><source> transforms of the bag have no rotation, no name or no finite numbers and were left out.</source><translation> transformações do bag não têm rotação, nome ou números finitos e foram deixadas de fora.</translation></message>
-<message><source> transforms name another parent for their frame than the first one and were left out.</source><translation> transformações nomeiam outro pai do seu referencial que a primeira e foram deixadas de fora.</translation></message>
-<message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformações do bag são de mais referenciais do que um robô tem e foram deixadas de fora.</translation></message>
-<message><source>The transforms of the bag form a loop at the frame </source><translation>As transformações do bag formam um laço no referencial </translation></message>
-<message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>As transformações do bag formam uma cadeia de mais de %1 referenciais: os de cima não são usados.</translation></message>
-<message><source>The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. %3 chooses another.</source><translation>A captura contém %1 voltas do scanner; foi aberta a volta %2, contada a partir de 0. %3 escolhe outra.</translation></message>
-<message><source> packets came out of order and were put in the order of the scanner's clock.</source><translation> pacotes chegaram fora de ordem e foram postos na ordem do relógio do scanner.</translation></message>
-<message><source> packet came out of order and was put in the order of the scanner's clock.</source><translation> pacote chegou fora de ordem e foi posto na ordem do relógio do scanner.</translation></message>
-<message><source> packets are missing in part in the capture: their lines are lost.</source><translation> pacotes faltam em parte na captura: as suas linhas estão perdidas.</translation></message>
-<message><source> packet is missing in part in the capture: its lines are lost.</source><translation> pacote falta em parte na captura: as suas linhas estão perdidas.</translation></message>
-<message><source> packets are in the capture twice: each was read once.</source><translation> pacotes estão duas vezes na captura: cada um foi lido uma vez.</translation></message>
-<message><source> packet is in the capture twice: it was read once.</source><translation> pacote está duas vezes na captura: foi lido uma vez.</translation></message>
-<message><source>The capture holds packets of %1 scanners; the one with most of them was opened.</source><translation>A captura contém pacotes de %1 scanners; foi aberto o que tem mais.</translation></message>
-<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 others of the capture were left out.</source><translation>O scanner enviou dois retornos por feixe: os mais fortes estão aqui, e %1 outros da captura foram deixados de fora.</translation></message>
-<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 other of the capture was left out.</source><translation>O scanner enviou dois retornos por feixe: os mais fortes estão aqui, e %1 outro da captura foi deixado de fora.</translation></message>
-<message><source>The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.</source><translation>Os feixes de um VLP-16 começam até 11 mm acima e abaixo do seu meio: os pontos estão desviados outro tanto.</translation></message>
-<message><source>The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.</source><translation>Os feixes de um Ouster começam a alguns centímetros do seu eixo, e as distâncias são as medidas: os pontos estão desviados outro tanto.</translation></message>
-<message><source> lines of the turn are missing in the capture and are shown as lost.</source><translation> linhas da volta faltam na captura e são mostradas como perdidas.</translation></message>
-<message><source> line of the turn is missing in the capture and is shown as lost.</source><translation> linha da volta falta na captura e é mostrada como perdida.</translation></message>
-<message><source> telegrams came late and were put into their lines</source><translation> telegramas chegaram tarde e foram postos nas suas linhas</translation></message>
-<message><source>A telegram came late and was put into its line</source><translation>Um telegrama chegou tarde e foi posto na sua linha</translation></message>
-<message><source> telegrams came after their sweep had ended</source><translation> telegramas chegaram depois do fim da sua varredura</translation></message>
-<message><source>A telegram came after its sweep had ended</source><translation>Um telegrama chegou depois do fim da sua varredura</translation></message>
-<message><source> telegrams had other beams than the sweep, or were of another layer of the scanner</source><translation> telegramas tinham outros feixes que a varredura, ou eram de outra camada do scanner</translation></message>
-<message><source>A telegram had other beams than the sweep, or was of another layer of the scanner</source><translation>Um telegrama tinha outros feixes que a varredura, ou era de outra camada do scanner</translation></message>
-<message><source> telegrams held no ranges</source><translation> telegramas não continham distâncias</translation></message>
-<message><source>A telegram held no ranges</source><translation>Um telegrama não continha distâncias</translation></message>
-<message><source> times the scanner's counters jumped ahead</source><translation> vezes os contadores do scanner saltaram para a frente</translation></message>
-<message><source>The scanner's counters jumped ahead once</source><translation>Os contadores do scanner saltaram para a frente uma vez</translation></message>
-<message><source> times one of the scanner's counters was set back</source><translation> vezes um dos contadores do scanner foi atrasado</translation></message>
-<message><source>One of the scanner's counters was set back</source><translation>Um dos contadores do scanner foi atrasado</translation></message>
-<message><source> times the scanner's counters stood still from line to line</source><translation> vezes os contadores do scanner pararam de uma linha para outra</translation></message>
-<message><source>The scanner's counters stood still for a line</source><translation>Os contadores do scanner pararam durante uma linha</translation></message>
-<message><source> times the scanner's clock was set while its counters ran on</source><translation> vezes o relógio do scanner foi ajustado enquanto os seus contadores seguiam</translation></message>
-<message><source>The scanner's clock was set while its counters ran on</source><translation>O relógio do scanner foi ajustado enquanto os seus contadores seguiam</translation></message>
-<message><source> times the scanner's clock stood still from line to line</source><translation> vezes o relógio do scanner parou de uma linha para outra</translation></message>
-<message><source>The scanner's clock stood still for a line</source><translation>O relógio do scanner parou durante uma linha</translation></message>
-<message><source> times the scanner paused for more than a second</source><translation> vezes o scanner fez uma pausa de mais de um segundo</translation></message>
-<message><source>The scanner paused for more than a second</source><translation>O scanner fez uma pausa de mais de um segundo</translation></message>
-<message><source> times the scanner restarted</source><translation> vezes o scanner reiniciou</translation></message>
-<message><source>The scanner restarted</source><translation>O scanner reiniciou</translation></message>
-<message><source> telegrams brought other echoes than the first one</source><translation> telegramas trouxeram outros ecos que o primeiro</translation></message>
-<message><source>A telegram brought other echoes than the first one</source><translation>Um telegrama trouxe outros ecos que o primeiro</translation></message>
-<message><source> times the telegrams came from another scanner</source><translation> vezes os telegramas vieram de outro scanner</translation></message>
-<message><source>The telegrams come from another scanner</source><translation>Os telegramas vêm de outro scanner</translation></message>
-<message><source> lines were lost between two sweeps</source><translation> linhas perderam-se entre duas varreduras</translation></message>
-<message><source>A line was lost between two sweeps</source><translation>Uma linha perdeu-se entre duas varreduras</translation></message>
-<message><source> (first at line </source><translation> (primeiro na linha </translation></message>
-<message><source> (line </source><translation> (linha </translation></message>
-<message><source>: no lines of this sweep.</source><translation>: não são linhas desta varredura.</translation></message>
-<message><source>: their lines are lost.</source><translation>: as suas linhas estão perdidas.</translation></message>
-<message><source>, by more lines than its clock allows: whether lines were lost there is not known (%1 by the counters).</source><translation>, em mais linhas do que o seu relógio permite: não se sabe se ali se perderam linhas (%1 segundo os contadores).</translation></message>
-<message><source>: lost lines there are counted by the other one and the clock.</source><translation>: as linhas perdidas ali são contadas pelo outro e pelo relógio.</translation></message>
-<message><source>: lost lines cannot be counted there.</source><translation>: ali não se podem contar as linhas perdidas.</translation></message>
-<message><source>: the times of lines there are reckoned.</source><translation>: as horas das linhas ali são calculadas.</translation></message>
-<message><source>, and its counters know of no lost line.</source><translation>, e os seus contadores não conhecem nenhuma linha perdida.</translation></message>
-<message><source>: lines lost meanwhile are counted by this computer's clock.</source><translation>: as linhas perdidas entretanto são contadas pelo relógio deste computador.</translation></message>
-<message><source>: their ranges may be of another echo.</source><translation>: as suas distâncias podem ser de outro eco.</translation></message>
-<message><source>: the sweep is not of one device.</source><translation>: a varredura não é de um só aparelho.</translation></message>
-<message><source>this is a GIF picture, not a scan</source><translation>isto é uma imagem GIF, não uma varredura</translation></message>
-<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>isto é uma imagem, um som ou um filme (RIFF), não uma varredura</translation></message>
-<message><source>this is a Photoshop picture, not a scan</source><translation>isto é uma imagem do Photoshop, não uma varredura</translation></message>
-<message><source>this is a gzip archive in another one, not a scan</source><translation>isto é um arquivo gzip dentro de outro, não uma varredura</translation></message>
-<message><source>this is an xz archive, not a scan</source><translation>isto é um arquivo xz, não uma varredura</translation></message>
-<message><source>this is a bzip2 archive, not a scan</source><translation>isto é um arquivo bzip2, não uma varredura</translation></message>
-<message><source>this is a zstd archive, not a scan</source><translation>isto é um arquivo zstd, não uma varredura</translation></message>
-<message><source>this is a 7-Zip archive, not a scan</source><translation>isto é um arquivo 7-Zip, não uma varredura</translation></message>
-<message><source>this is a RAR archive, not a scan</source><translation>isto é um arquivo RAR, não uma varredura</translation></message>
-<message><source>this is an old Office document, not a scan</source><translation>isto é um documento antigo do Office, não uma varredura</translation></message>
-<message><source>this is a STEP model, not a scan</source><translation>isto é um modelo STEP, não uma varredura</translation></message>
-<message><source>this is an SVG picture, not a scan</source><translation>isto é uma imagem SVG, não uma varredura</translation></message>
-<message><source>this is an XML document, not a scan</source><translation>isto é um documento XML, não uma varredura</translation></message>
-<message><source>this is a text document (RTF), not a scan</source><translation>isto é um documento de texto (RTF), não uma varredura</translation></message>
-<message><source>this is a PostScript document, not a scan</source><translation>isto é um documento PostScript, não uma varredura</translation></message>
-<message><source>this is a table of rocks, not a scan</source><translation>isto é uma tabela de rochas, não uma varredura</translation></message>
-<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>isto é um raster de alturas (grade ASCII da Esri), não uma varredura</translation></message>
-<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>isto é um raster de alturas (grade do Surfer), não uma varredura</translation></message>
-<message><source>this is a BMP picture, not a scan</source><translation>isto é uma imagem BMP, não uma varredura</translation></message>
-<message><source>this is an HDF5 file, which is not read</source><translation>isto é um arquivo HDF5, que não é lido</translation></message>
-<message><source>this is a MATLAB file, which is not read</source><translation>isto é um arquivo do MATLAB, que não é lido</translation></message>
-<message><source>this is a Parquet table, which is not read</source><translation>isto é um arquivo Parquet, que não é lido</translation></message>
-<message><source>this is an Arrow table, which is not read</source><translation>isto é um arquivo Arrow, que não é lido</translation></message>
-<message><source>this is a glTF model, which is not read</source><translation>isto é um modelo glTF, que não é lido</translation></message>
-<message><source>this is an FBX model, which is not read</source><translation>isto é um modelo FBX, que não é lido</translation></message>
-<message><source>this is a file of VTK, which is not read</source><translation>isto é um arquivo do VTK, que não é lido</translation></message>
-<message><source>this is an OFF mesh, which is not read</source><translation>isto é um modelo OFF, que não é lido</translation></message>
-<message><source>this is a drawing (DXF), which is not read</source><translation>isto é um desenho (DXF), que não é lido</translation></message>
-<message><source>this is a FARO scan (FLS), which is not read</source><translation>isto é um arquivo FARO (FLS), que não é lido</translation></message>
-<message><source>this is a FARO workspace, which is not read</source><translation>isto é um espaço de trabalho FARO, que não é lido</translation></message>
-<message><source>this is a FARO project, which is not read</source><translation>isto é um projeto FARO, que não é lido</translation></message>
-<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>isto é um fluxo RIEGL (RXP), que não é lido</translation></message>
-<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>isto é um arquivo RIEGL (3DD), que não é lido</translation></message>
-<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>isto é um arquivo Z+F (ZFS), que não é lido</translation></message>
-<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>isto é um projeto Z+F (ZFPRJ), que não é lido</translation></message>
-<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>isto é um arquivo Z+F (ZFC), que não é lido</translation></message>
-<message><source>this is a Leica LGS project, which is not read</source><translation>isto é um projeto Leica LGS, que não é lido</translation></message>
-<message><source>this is a Leica LGSx project, which is not read</source><translation>isto é um projeto Leica LGSx, que não é lido</translation></message>
-<message><source>this is an Autodesk ReCap project, which is not read</source><translation>isto é um projeto Autodesk ReCap, que não é lido</translation></message>
-<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>isto é um arquivo Autodesk ReCap, que não é lido</translation></message>
-<message><source>this is a Trimble scan (TZF), which is not read</source><translation>isto é um arquivo Trimble (TZF), que não é lido</translation></message>
-<message><source>this is a Topcon scan (CL3), which is not read</source><translation>isto é um arquivo Topcon (CL3), que não é lido</translation></message>
-<message><source>this is a Topcon scan (CLR), which is not read</source><translation>isto é um arquivo Topcon (CLR), que não é lido</translation></message>
-<message><source>this is a Pointools cloud (POD), which is not read</source><translation>isto é um arquivo Pointools (POD), que não é lido</translation></message>
-<message><source>this is a VRML scene, which is not read</source><translation>isto é uma cena VRML, que não é lida</translation></message>
-<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>isto é uma base de dados RIEGL (RDBX), que não é lida</translation></message>
-<message><source>this is a RIEGL database, which is not read</source><translation>isto é uma base de dados RIEGL, que não é lida</translation></message>
-<message><source>this is a Leica Cyclone database, which is not read</source><translation>isto é uma base de dados Leica Cyclone, que não é lida</translation></message>
-<message><source>this is a numpy archive, which is not read</source><translation>isto é uma coleção numpy, que não é lida</translation></message>
-<message><source>this is an Excel workbook, not a table of text</source><translation>isto é uma pasta do Excel, não uma tabela de texto</translation></message>
-<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>isto é uma planilha OpenDocument, não uma tabela de texto</translation></message>
-<message><source>this is a Python pickle, which only Python can open</source><translation>isto é um pickle do Python, que só o Python pode abrir</translation></message>
-<message><source>this is a ROS bag that does not begin like one</source><translation>isto é um bag do ROS que não começa como tal</translation></message>
-<message><source>this is a ROS 2 bag that does not begin like one</source><translation>isto é um bag do ROS 2 que não começa como tal</translation></message>
-<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>isto é um arquivo binário sem telegrama de um scanner SICK</translation></message>
-<message><source>this is a ROS bag, and </source><translation>isto é um bag do ROS, e </translation></message>
-<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>esta versão não tem robôs: não lê bags do ROS, nem VLP-16, nem Ouster, nem ponte Foxglove</translation></message>
-<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>use uma versão com robôs (EDGESCAN_ROBOTS)</translation></message>
-<message><source>unpack it (%1) and open the scan in it</source><translation>descompacte-o (%1) e abra a varredura que contém</translation></message>
-<message><source>save its points as PLY in MeshLab</source><translation>salve os seus pontos como PLY no MeshLab</translation></message>
-<message><source>choose the scan that it was made from</source><translation>escolha a varredura da qual foi feito</translation></message>
-<message><source>save the ranges as .npy or .csv</source><translation>salve as distâncias como .npy ou .csv</translation></message>
-<message><source>save the ranges with writematrix(</source><translation>salve as distâncias com writematrix(</translation></message>
-<message><source>save the table as .csv</source><translation>salve a tabela como .csv</translation></message>
-<message><source>save the sheet as .csv</source><translation>salve a planilha como .csv</translation></message>
-<message><source>save it as PLY in Blender or MeshLab</source><translation>salve-o como PLY no Blender ou MeshLab</translation></message>
-<message><source>save it as PLY in Blender</source><translation>salve-o como PLY no Blender</translation></message>
-<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>salve os seus pontos como PLY, ou como CSV da tabela do ParaView</translation></message>
-<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>exporte-o como E57 ou LAS com RiSCAN PRO, ou com rdbconvert da RIEGL</translation></message>
-<message><source>export it as E57 or PTX with </source><translation>exporte-o como E57 ou PTX com </translation></message>
-<message><source>export it as E57 with </source><translation>exporte-o como E57 com </translation></message>
-<message><source>export it as LAS with Bentley's program</source><translation>exporte-o como LAS com o programa da Bentley</translation></message>
-<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>salve os pontos como PCD ou PLY; uma captura de telegramas contém os bytes tal como vieram do scanner</translation></message>
-<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>escolha a varredura, ou salve os pontos do desenho como CSV, LAS ou PLY</translation></message>
-<message><source>save the array of ranges or points as .npy</source><translation>salve a matriz de distâncias ou pontos como .npy</translation></message>
-<message><source>the file is empty</source><translation>o arquivo está vazio</translation></message>
-<message><source>copy it again or choose another</source><translation>copie-o de novo ou escolha outro</translation></message>
-<message><source>the file holds no points</source><translation>o arquivo não contém pontos</translation></message>
-<message><source>the file holds 0 points with a return, out of </source><translation>o arquivo contém 0 pontos com retorno, de </translation></message>
-<message><source>choose another file, or copy it again</source><translation>escolha outro arquivo, ou copie-o de novo</translation></message>
-<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>a última linha da varredura está incompleta e a última fileira não tem fim de linha: o arquivo foi cortado</translation></message>
-<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>o cabeçalho anuncia %1 pontos de %2 bytes e o arquivo contém %3 bytes deles, o que é mais</translation></message>
-<message><source>the header promises %1 points of %2 bytes and the file holds %3 bytes of them</source><translation>o cabeçalho anuncia %1 pontos de %2 bytes e o arquivo contém %3 bytes deles</translation></message>
-<message><source>the header promises %1 vertices and the file holds %2 bytes of them</source><translation>o cabeçalho anuncia %1 vértices e o arquivo contém %2 bytes deles</translation></message>
-<message><source>the header promises %1 vertices and the file ends after </source><translation>o cabeçalho anuncia %1 vértices e o arquivo termina depois de </translation></message>
-<message><source>the header promises %1 points and the file ends after </source><translation>o cabeçalho anuncia %1 pontos e o arquivo termina depois de </translation></message>
-<message><source>the header promises %1 points and the file holds </source><translation>o cabeçalho anuncia %1 pontos e o arquivo contém </translation></message>
-<message><source>the header promises %1 points, more than a file of %2 holds of a scan</source><translation>o cabeçalho anuncia %1 pontos, mais do que um arquivo de %2 contém de uma varredura</translation></message>
-<message><source>the header promises more points than any file holds</source><translation>o cabeçalho anuncia mais pontos do que qualquer arquivo contém</translation></message>
-<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>a imagem anuncia mais pixels do que um arquivo de %1 contém de uma varredura</translation></message>
-<message><source>the file ends within its LAS header</source><translation>o arquivo termina dentro do seu cabeçalho LAS</translation></message>
-<message><source>the file ends within its numpy header</source><translation>o arquivo termina dentro do seu cabeçalho numpy</translation></message>
-<message><source>the file ends before its vertices</source><translation>o arquivo termina antes dos seus vértices</translation></message>
-<message><source>the file ends before its compressed points</source><translation>o arquivo termina antes dos seus pontos comprimidos</translation></message>
-<message><source>the file is cut off in its last vertex</source><translation>o arquivo está cortado no seu último vértice</translation></message>
-<message><source>the compressed points are damaged</source><translation>os pontos comprimidos estão danificados</translation></message>
-<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>este arquivo LAZ não pode ser descompactado: termina cedo demais</translation></message>
-<message><source>this LAZ file cannot be unpacked: </source><translation>este arquivo LAZ não pode ser descompactado: </translation></message>
-<message><source>this LAZ file is damaged or cut off</source><translation>este arquivo LAZ está danificado ou cortado</translation></message>
-<message><source>copy it again, or save it as .las</source><translation>copie-o de novo, ou salve-o como .las</translation></message>
-<message><source>save it as LAS 1.2 or 1.4</source><translation>salve-o como LAS 1.2 ou 1.4</translation></message>
-<message><source>this is LAS version %1, and versions up to 1.4 are known</source><translation>isto é a versão LAS %1, e são conhecidas versões até 1.4</translation></message>
-<message><source>needs %1 of memory, %2 are free</source><translation>precisa de %1 de memória, há %2 livres</translation></message>
-<message><source>holds more points than can be put on a grid</source><translation>contém mais pontos do que cabem numa grade</translation></message>
-<message><source>split the file</source><translation>divida o arquivo</translation></message>
-<message><source>the scan of this PTX file holds 0 points</source><translation>a varredura deste arquivo PTX contém 0 pontos</translation></message>
-<message><source>scan %1 of this PTX file promises %2 columns of %3 points, and the file ends before them</source><translation>a varredura %1 deste arquivo PTX anuncia %2 colunas de %3 pontos, e o arquivo termina antes</translation></message>
-<message><source>holds %1 bytes where %2 need </source><translation>contém %1 bytes onde %2 precisam de </translation></message>
-<message><source>check lines and beams in the .json file</source><translation>verifique linhas e feixes no arquivo .json</translation></message>
-<message><source>check that the file is complete</source><translation>verifique se o arquivo está completo</translation></message>
-<message><source>the PLY header has no end_header line</source><translation>o cabeçalho PLY não tem linha end_header</translation></message>
-<message><source>the PCD header has no DATA line</source><translation>o cabeçalho PCD não tem linha DATA</translation></message>
-<message><source>the PLY file has no vertices</source><translation>o arquivo PLY não tem vértices</translation></message>
-<message><source>this OBJ file has no vertices</source><translation>este arquivo OBJ não tem vértices</translation></message>
-<message><source>this Surpac file has no points</source><translation>este arquivo Surpac não tem pontos</translation></message>
-<message><source>the vertices have no x, y and z</source><translation>os vértices não têm x, y e z</translation></message>
-<message><source>the PCD file has no fields x, y and z</source><translation>o arquivo PCD não tem campos x, y e z</translation></message>
-<message><source>export the file with coordinates</source><translation>exporte o arquivo com coordenadas</translation></message>
-<message><source>this is text without a row of numbers, so no scan</source><translation>isto é texto sem uma fileira de números, portanto não é uma varredura</translation></message>
-<message><source>choose a scan: %1, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>escolha uma varredura: %1, uma grade bruta (.json), uma imagem de distâncias (.png, .tif), uma gravação (.mcap), um bag do ROS ou uma captura de rede (.pcap)</translation></message>
-<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x e y deste arquivo são graus de longitude e latitude, segundo o seu sistema de coordenadas, e os pontos precisam de metros</translation></message>
-<message><source>export it in a projected coordinate system such as UTM</source><translation>exporte-o num sistema de coordenadas projetado como UTM</translation></message>
-<message><source>its heading names %1, and points need x, y and z in metres</source><translation>o seu cabeçalho nomeia %1, e os pontos precisam de x, y e z em metros</translation></message>
-<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escreva x, y e z, ou distâncias como tabela com uma fileira por linha; ou </translation></message>
-<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>o seu cabeçalho nomeia eixos (%1), e nem todos os x, y e z são entendidos</translation></message>
-<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: </source><translation>diga quais colunas são leste (x), norte (y) e elevação (z), por número ou nome: </translation></message>
-<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>há palavras entre os números das suas fileiras, e nenhum cabeçalho nomeia x, y e z</translation></message>
-<message><source>write a first row with the names of the columns, such as </source><translation>escreva uma primeira fileira com os nomes das colunas, como </translation></message>
-<message><source> has a decimal comma</source><translation> tem vírgula decimal</translation></message>
-<message><source>save the file with decimal points</source><translation>salve o arquivo com pontos decimais</translation></message>
-<message><source>" is not a number</source><translation>" não é um número</translation></message>
-<message><source>correct the line or export the file again</source><translation>corrija a linha ou exporte de novo o arquivo</translation></message>
-<message><source> is below x, y or z and is not a number</source><translation> está sob x, y ou z e não é um número</translation></message>
-<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>salve o arquivo com números simples nestas colunas, sem unidades nem sinais</translation></message>
-<message><source>, a number whose thousands are set apart</source><translation>, um número com os milhares separados</translation></message>
-<message><source>save the file with plain numbers, without separators of thousands</source><translation>salve o arquivo com números simples, sem separadores de milhares</translation></message>
-<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contém bytes zero, como um arquivo que não foi escrito até o fim</translation></message>
-<message><source>copy the file or export it again</source><translation>copie ou exporte de novo o arquivo</translation></message>
-<message><source>its numbers are separated by "%1", which separates none here</source><translation>os seus números estão separados por «%1», que aqui não separa nenhum</translation></message>
-<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>salve o arquivo com vírgulas, pontos e vírgulas, tabulações ou espaços entre os seus números</translation></message>
-<message><source>a table of %1 ranges per line does not say its angles</source><translation>uma tabela de %1 distâncias por linha não diz os seus ângulos</translation></message>
-<message><source>a picture of %1 ranges per line does not say its angles</source><translation>uma imagem de %1 distâncias por linha não diz os seus ângulos</translation></message>
-<message><source>a array of %1 ranges per line does not say its angles</source><translation>uma matriz de %1 distâncias por linha não diz os seus ângulos</translation></message>
-<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; ou salve-a com uma fileira por linha: tem tantas fileiras quantos feixes um LMS511</translation></message>
-<message><source> holds %1, which is not a range</source><translation> contém %1, que não é uma distância</translation></message>
-<message><source>check that these are ranges; points need columns x, y and z</source><translation>verifique se são distâncias; os pontos precisam de colunas x, y e z</translation></message>
-<message><source> holds %1, so this is not a table of ranges</source><translation> contém %1, portanto não é uma tabela de distâncias</translation></message>
-<message><source> numbers per line without names are a table of ranges only with its angles; as points, </source><translation> números por linha sem nomes são uma tabela de distâncias só com os seus ângulos; como pontos, </translation></message>
-<message><source>, or name the columns x, y and z</source><translation>, ou nomeie as colunas x, y e z</translation></message>
-<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cinza, e as distâncias precisam de 16 bits em cinza</translation></message>
-<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cores, e as distâncias precisam de 16 bits em cinza</translation></message>
-<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>escolha uma varredura, ou uma imagem de distâncias de 16 bits por pixel</translation></message>
-<message><source>this is a PNG picture that cannot be read: </source><translation>isto é uma imagem PNG que não pode ser lida: </translation></message>
-<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>a imagem TIFF está danificada ou é de um tipo que não pode ser lido</translation></message>
-<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>uma matriz numpy de forma %1 não é nem distâncias (linhas, feixes) nem pontos (n, 3) ou (linhas, feixes, 3)</translation></message>
-<message><source>save it in one of these shapes</source><translation>salve-a numa destas formas</translation></message>
-<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>estes valores precisam da sua descrição %1 ao lado, e ela não pode ser lida</translation></message>
-<message><source>copy it into the same folder</source><translation>copie-a para a mesma pasta</translation></message>
-<message><source> points with a return, too few to find a scanner's grid</source><translation> pontos com retorno, poucos demais para encontrar a grade de um scanner</translation></message>
-<message><source>points have a return, too few to make a grid of them</source><translation>pontos têm retorno, poucos demais para formar uma grade</translation></message>
-<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>os %1 pontos não estão em ângulos feixe x linha em torno da origem:</translation></message>
-<message><source> about z </source><translation> em torno de z </translation></message>
-<message><source> about y </source><translation> em torno de y </translation></message>
-<message><source> about x </source><translation> em torno de x </translation></message>
-<message><source>no scan lines can be recognised</source><translation>nenhuma linha reconhecível</translation></message>
-<message><source> % lie on the best </source><translation> % nos melhores </translation></message>
-<message><source> line angles</source><translation> ângulos de linha</translation></message>
-<message><source> beam angles</source><translation> ângulos de feixe</translation></message>
-<message><source> (99 % are needed)</source><translation> (são precisos 99 %)</translation></message>
-<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra a varredura tal como o scanner a gravou, com a origem no scanner</translation></message>
-<message><source>open the scan as the scanner stored it, or with its record</source><translation>abra a varredura tal como o scanner a gravou, ou com o seu registro</translation></message>
-<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos os pontos estão a menos de %1 m uns dos outros e a pelo menos %2 m do scanner, o que nenhum scanner mede</translation></message>
-<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>os %1 pontos da sua grade estão numa só direção a partir da origem, dentro de %2 graus e até %3: o scanner estava noutro lugar</translation></message>
-<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>os %1 pontos estão todos numa só direção a partir dali, dentro de %2 e a %3 a %4</translation></message>
-<message><source>seen from there the points make no picture: </source><translation>vistos dali, os pontos não formam uma imagem: </translation></message>
-<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>não se seguem em linhas que giram em torno de um eixo noutro lugar</translation></message>
-<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>os seus números foram arredondados a %1 algarismos, e os próximos de %2 avançam em passos de %3: os algarismos que posicionam os pontos perderam-se</translation></message>
-<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escreva de novo as coordenadas com todas as casas decimais, como números e não na forma 1.23E+06</translation></message>
-<message><source>this capture holds no scan telegram of a SICK scanner, and </source><translation>esta captura não contém nenhum telegrama de varredura de um scanner SICK, e </translation></message>
-<message><source>this capture holds %1 packets, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>esta captura contém %1 pacotes, %2 deles TCP, e nenhum telegrama de varredura de um scanner SICK nem pacote de um VLP-16 ou de um Ouster</translation></message>
-<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capture a conexão à porta do scanner (2111 ou 2112) enquanto ele varre</translation></message>
-<message><source>this is not a capture of network packets</source><translation>isto não é uma captura de pacotes de rede</translation></message>
-<message><source>choose a PCAP or PCAPNG file</source><translation>escolha um arquivo PCAP ou PCAPNG</translation></message>
-<message><source>the capture ends within its header</source><translation>a captura termina dentro do seu cabeçalho</translation></message>
-<message><source>copy the capture again</source><translation>copie de novo a captura</translation></message>
-<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este arquivo MCAP não contém nada enviado por um scanner a laser</translation></message>
-<message><source>nothing that a laser scanner sent can be read in this MCAP file</source><translation>nada do que um scanner a laser enviou pode ser lido neste arquivo MCAP</translation></message>
-<message><source>choose a recording of a sweep</source><translation>escolha a gravação de uma varredura</translation></message>
-<message><source>choose another recording</source><translation>escolha outra gravação</translation></message>
-<message><source>this recording holds no scan telegram</source><translation>esta gravação não contém nenhum telegrama de varredura</translation></message>
-<message><source>no scan telegram in this recording can be decoded</source><translation>nenhum telegrama de varredura desta gravação pode ser decodificado</translation></message>
-<message><source>the recording holds one sweep</source><translation>a gravação contém uma varredura</translation></message>
-<message><source>the recording holds %1 sweeps</source><translation>a gravação contém %1 varreduras</translation></message>
-<message><source>a calibration alone gives no place</source><translation>uma calibração sozinha não dá um lugar</translation></message>
-<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>uma pose precisa da calibração do robô, e a gravação não contém nenhuma</translation></message>
-<message><source>a pose needs the robot's calibration</source><translation>uma pose precisa da calibração do robô</translation></message>
-<message><source>give %1 the place in metres that the scan was taken from</source><translation>indique %1, o lugar em metros de onde a varredura foi feita</translation></message>
-<message><source>give «</source><translation>indique «</translation></message>
 <message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
 <message><source>LIVE</source><translation>AO VIVO</translation></message>
 <message><source>STALE</source><translation>DESATUALIZADO</translation></message>
@@ -545,9 +15,6 @@
 <message><source>INCOMPLETE %1 lines</source><translation>INCOMPLETO %1 linhas</translation></message>
 <message><source>%1 lost: %2</source><translation>%1 perdidas: %2</translation></message>
 <message><source>%1 lines</source><translation>%1 linhas</translation></message>
-<message><source>line %1</source><translation>linha %1</translation></message>
-<message><source>lines %1 and others</source><translation>linhas %1 e outras</translation></message>
-<message><source>lines %1</source><translation>linhas %1</translation></message>
 <message><source>no return %1 %</source><translation>sem retorno %1 %</translation></message>
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUVIDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGEM SUPOSTA</translation></message>
@@ -560,18 +27,12 @@
 <message><source>%1 earlier in this sweep</source><translation>%1 antes nesta varredura</translation></message>
 <message><source>WINDOW TOO DIRTY</source><translation>JANELA SUJA DEMAIS</translation></message>
 <message><source>WINDOW DIRTY</source><translation>JANELA SUJA</translation></message>
-<message><source>window clean</source><translation>janela limpa</translation></message>
-<message><source>device ok</source><translation>aparelho em ordem</translation></message>
 <message><source>DEVICE ERROR</source><translation>ERRO DO APARELHO</translation></message>
-<message><source>pose of unknown age</source><translation>pose de idade desconhecida</translation></message>
 <message><source>pose %1 old</source><translation>pose de há %1</translation></message>
-<message><source>sweep complete</source><translation>varredura completa</translation></message>
-<message><source>sweep ended</source><translation>varredura terminada</translation></message>
 <message><source>%1 left</source><translation>faltam %1</translation></message>
 <message><source>%1, %2 ago</source><translation>%1, há %2</translation></message>
 <message><source>recording %1 MB, %2</source><translation>gravação %1 MB, %2</translation></message>
 <message><source>recording %1 MB</source><translation>gravação %1 MB</translation></message>
-<message><source>the disk is %1 s behind (%2 MB)</source><translation>o disco está %1 s atrasado (%2 MB)</translation></message>
 <message><source>RECORDING ENDED: %1</source><translation>GRAVAÇÃO TERMINADA: %1</translation></message>
 <message><source>RECORDING HAS GAPS: %1</source><translation>A GRAVAÇÃO TEM FALHAS: %1</translation></message>
 <message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; outras células: pontos levados para a grade da varredura posterior</translation></message>
@@ -583,43 +44,6 @@
 <message><source>sweep %1</source><translation>varredura %1</translation></message>
 <message><source>demo draw-bell after the blast</source><translation>sino de demonstração após o desmonte</translation></message>
 <message><source>demo draw-bell</source><translation>sino de demonstração</translation></message>
-<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: há %1 linhas, não se sabe quantas eram.</translation></message>
-<message><source>Telegrams were lost: lines </source><translation>Perderam-se telegramas: linhas </translation></message>
-<message><source>Telegrams were lost: line </source><translation>Perdeu-se um telegrama: linha </translation></message>
-<message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Houve telegramas com menos feixes que a varredura, os outros perderam-se: </translation></message>
-<message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
-<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Os telegramas trazem contagens do encoder, mas não se indicou quantas há por grau: os ângulos não as seguem.</translation></message>
-<message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>O scanner perdeu a contagem do encoder ao reiniciar: os ângulos das linhas seguintes são calculados.</translation></message>
-<message><source> (from line %1 on).</source><translation> (a partir da linha %1).</translation></message>
-<message><source>How a motor turned the scanner was not said in full. ASSUMED: </source><translation>Não foi indicado por completo como um motor girou o scanner. SUPOSTO: </translation></message>
-<message><source>the axis (spin)</source><translation>o eixo (spin)</translation></message>
-<message><source>the axis (sweep)</source><translation>o eixo (sweep)</translation></message>
-<message><source>the axis (spin, seen in the ranges)</source><translation>o eixo (spin, visto nas distâncias)</translation></message>
-<message><source>the axis (sweep, seen in the ranges)</source><translation>o eixo (sweep, visto nas distâncias)</translation></message>
-<message><source>the step from line to line (%1 degrees</source><translation>o passo de linha a linha (%1 graus</translation></message>
-<message><source>the motor turning on while a line is measured)</source><translation>o motor continua a girar enquanto uma linha é medida)</translation></message>
-<message><source>the angle of the first line (%1 degrees)</source><translation>o ângulo da primeira linha (%1 graus)</translation></message>
-<message><source>Give %1 where that is wrong.</source><translation>Indique %1 se não for assim.</translation></message>
-<message><source>The first line received is taken as line 0 of the sweep.</source><translation>A primeira linha recebida é tomada como linha 0 da varredura.</translation></message>
-<message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>A contagem do encoder na primeira linha recebida é tomada como primeiro ângulo da varredura.</translation></message>
-<message><source>The scanner reported an error or was not ready</source><translation>O scanner comunicou um erro ou não estava pronto</translation></message>
-<message><source>The scanner reported a window too dirty to measure through</source><translation>O scanner comunicou uma janela suja demais para medir</translation></message>
-<message><source>The scanner reported a dirty window</source><translation>O scanner comunicou uma janela suja</translation></message>
-<message><source> in all)</source><translation> no total)</translation></message>
-<message><source>Trying again in %1 s.</source><translation>Nova tentativa em %1 s.</translation></message>
-<message><source>Connecting to %1.</source><translation>Conectando a %1.</translation></message>
-<message><source> accepts the connection; asking what it is.</source><translation> aceita a conexão; pergunta-se o que é.</translation></message>
-<message><source> is sending again.</source><translation> envia de novo.</translation></message>
-<message><source> is sending.</source><translation> envia.</translation></message>
-<message><source>: no scan for %1 s.</source><translation>: sem varredura há %1 s.</translation></message>
-<message><source>: disconnected.</source><translation>: desconectado.</translation></message>
-<message><source>The sweep has ended; no line has come since.</source><translation>A varredura terminou; nenhuma linha chegou desde então.</translation></message>
-<message><source>there is no such file</source><translation>esse arquivo não existe</translation></message>
-<message><source>check the spelling and the folder</source><translation>verifique o nome e a pasta</translation></message>
-<message><source>reading this file is not allowed</source><translation>não é permitido ler este arquivo</translation></message>
-<message><source>ask its owner for the right to read it</source><translation>peça ao dono permissão para o ler</translation></message>
-<message><source>this is a folder, not a file</source><translation>é uma pasta, não um arquivo</translation></message>
-<message><source>choose a file inside it</source><translation>escolha um arquivo dentro dela</translation></message>
 <message><source>there is not enough memory for this scan</source><translation>não há memória suficiente para esta varredura</translation></message>
 <message><source>close other programs or open a smaller scan</source><translation>feche outros programas ou abra uma varredura menor</translation></message>
 <message><source>there is not enough memory to show the scan in its place</source><translation>não há memória suficiente para mostrar a varredura no seu lugar</translation></message>
@@ -627,7 +51,6 @@
 <message><source>there is not enough memory for a second picture</source><translation>não há memória suficiente para uma segunda imagem</translation></message>
 <message><source>there is not enough memory for a second scan</source><translation>não há memória suficiente para uma segunda varredura</translation></message>
 <message><source>there is not enough memory for these scans</source><translation>não há memória suficiente para estas varreduras</translation></message>
-<message><source>there is not enough memory for this cloud</source><translation>não há memória suficiente para esta nuvem</translation></message>
 <message><source>there is not enough memory to play this recording</source><translation>não há memória suficiente para reproduzir esta gravação</translation></message>
 <message><source>hide or remove other layers, or choose a smaller scan</source><translation>oculte ou remova outras camadas, ou escolha uma varredura menor</translation></message>
 <message><source>close other programs or choose a smaller scan</source><translation>feche outros programas ou escolha uma varredura menor</translation></message>
@@ -636,148 +59,18 @@
 <message><source>close other programs or use a smaller scan</source><translation>feche outros programas ou use uma varredura menor</translation></message>
 <message><source>another program has changed this file, so it was not removed</source><translation>outro programa mudou este arquivo, por isso não foi removido</translation></message>
 <message><source>open the scan again to see its edits</source><translation>abra a varredura de novo para ver as suas alterações</translation></message>
-<message><source>the file cannot be removed (%1)</source><translation>o arquivo não pode ser removido (%1)</translation></message>
-<message><source>check the rights of its folder</source><translation>verifique as permissões da sua pasta</translation></message>
 <message><source>it could not be opened (%1)</source><translation>não pôde ser aberto (%1)</translation></message>
 <message><source>auto is not a number</source><translation>auto não é um número</translation></message>
 <message><source>tick auto next to the box</source><translation>marque auto ao lado do campo</translation></message>
 <message><source>the layer has another content than when it was placed</source><translation>a camada tem outro conteúdo do que quando foi colocada</translation></message>
 <message><source>remove it and add it again</source><translation>remova-a e adicione-a de novo</translation></message>
-<message><source>it was cancelled, so nothing was written</source><translation>foi cancelado, por isso nada foi escrito</translation></message>
-<message><source>save it again</source><translation>salve outra vez</translation></message>
-<message><source>the file cannot be read: </source><translation>o arquivo não pode ser lido: </translation></message>
-<message><source>check the disk and the path</source><translation>verifique o disco e o caminho</translation></message>
-<message><source>there is not enough memory for this file</source><translation>não há memória suficiente para este arquivo</translation></message>
-<message><source>close other programs or open a smaller file</source><translation>feche outros programas ou abra um arquivo menor</translation></message>
-<message><source>close other programs</source><translation>feche outros programas</translation></message>
-<message><source>this is a web page (HTML), not a scan</source><translation>é uma página web (HTML), não uma varredura</translation></message>
-<message><source>this is a JPEG picture, not a scan</source><translation>é uma imagem JPEG, não uma varredura</translation></message>
-<message><source>this is a picture or film, not a scan</source><translation>é uma imagem ou um filme, não uma varredura</translation></message>
-<message><source>this is a PDF document, not a scan</source><translation>é um documento PDF, não uma varredura</translation></message>
-<message><source>this is a ZIP archive, not a scan</source><translation>é um arquivo compactado ZIP, não uma varredura</translation></message>
-<message><source>this is a program, not a scan</source><translation>é um programa, não uma varredura</translation></message>
-<message><source>it may be what a site sent instead of the file: download the file again, or choose a scan file</source><translation>talvez um site a tenha enviado no lugar do arquivo: baixe de novo o arquivo ou escolha um arquivo de varredura</translation></message>
-<message><source>choose a scan file</source><translation>escolha um arquivo de varredura</translation></message>
-<message><source>unpack it and open the scan in it</source><translation>descompacte-o e abra a varredura que contém</translation></message>
-<message><source>copy the file again, it may be cut off</source><translation>copie de novo o arquivo, pode estar cortado</translation></message>
-<message><source>copy the file again</source><translation>copie de novo o arquivo</translation></message>
-<message><source>export the file again</source><translation>exporte de novo o arquivo</translation></message>
-<message><source>the folder to write into does not exist</source><translation>a pasta de destino não existe</translation></message>
-<message><source>make the folder or choose another</source><translation>crie a pasta ou escolha outra</translation></message>
-<message><source>the folder to write into is not a folder</source><translation>a pasta de destino não é uma pasta</translation></message>
-<message><source>writing here is not allowed</source><translation>não é permitido escrever aqui</translation></message>
-<message><source>choose another folder or ask for the right to write</source><translation>escolha outra pasta ou peça permissão para escrever</translation></message>
-<message><source>the disk can only be read</source><translation>o disco é somente leitura</translation></message>
-<message><source>the disk is full, so this file was not written</source><translation>o disco está cheio, por isso este arquivo não foi escrito</translation></message>
-<message><source>free some space or choose another disk</source><translation>libere espaço ou escolha outro disco</translation></message>
-<message><source>the file cannot be written: </source><translation>o arquivo não pode ser escrito: </translation></message>
-<message><source>choose another folder or disk</source><translation>escolha outra pasta ou outro disco</translation></message>
-<message><source>choose another folder</source><translation>escolha outra pasta</translation></message>
-<message><source>the file name is too long</source><translation>o nome do arquivo é longo demais</translation></message>
-<message><source>choose a shorter name</source><translation>escolha um nome mais curto</translation></message>
-<message><source>give a file name</source><translation>indique um nome de arquivo</translation></message>
-<message><source>this file is read-only, so it was not replaced</source><translation>este arquivo é somente leitura, por isso não foi substituído</translation></message>
-<message><source>allow writing with chmod u+w, or choose another name</source><translation>permita a escrita com chmod u+w ou escolha outro nome</translation></message>
-<message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>este arquivo pertence a outro usuário, que não permite escrever nele; por isso não foi substituído</translation></message>
-<message><source>choose another name, or ask its owner</source><translation>escolha outro nome ou pergunte ao seu proprietário</translation></message>
 <message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>não é um arquivo comum: os ajustes não são lidos e nada desta janela é guardado</translation></message>
 <message><source>remove it and start again</source><translation>remova-o e inicie de novo</translation></message>
-<message><source>this file was read as an input</source><translation>este arquivo foi lido como entrada</translation></message>
-<message><source>this is the file that was read as an input under the name </source><translation>é o arquivo que foi lido como entrada com o nome </translation></message>
-<message><source>choose another name</source><translation>escolha outro nome</translation></message>
-<message><source>nothing answers there</source><translation>nada responde nesse endereço</translation></message>
-<message><source>check power, cable and the address, and that this computer is in the scanner's network</source><translation>verifique a alimentação, o cabo e o endereço, e se este computador está na rede do scanner</translation></message>
-<message><source>the connection is refused</source><translation>a conexão é recusada</translation></message>
-<message><source>check the port (2111 or 2112) and that no other program holds the scanner</source><translation>verifique a porta (2111 ou 2112) e se nenhum outro programa ocupa o scanner</translation></message>
-<message><source>there is no way to this address</source><translation>não há caminho para este endereço</translation></message>
-<message><source>check the cable and the network settings of this computer</source><translation>verifique o cabo e as configurações de rede deste computador</translation></message>
-<message><source>check the address and the network settings of this computer</source><translation>verifique o endereço e as configurações de rede deste computador</translation></message>
-<message><source>cannot connect (%1)</source><translation>não é possível conectar (%1)</translation></message>
-<message><source>no scanner is given</source><translation>nenhum scanner foi indicado</translation></message>
-<message><source>give its IP address or host name</source><translation>indique o seu endereço IP ou nome de host</translation></message>
-<message><source>the host name is not known</source><translation>o nome de host é desconhecido</translation></message>
-<message><source>check its spelling or use the scanner's IP address</source><translation>verifique como está escrito ou use o endereço IP do scanner</translation></message>
-<message><source>the name server does not answer</source><translation>o servidor de nomes não responde</translation></message>
-<message><source>use the scanner's IP address</source><translation>use o endereço IP do scanner</translation></message>
-<message><source>the scanner closed the connection</source><translation>o scanner fechou a conexão</translation></message>
-<message><source>the connection broke (%1)</source><translation>a conexão foi interrompida (%1)</translation></message>
-<message><source>no line was received</source><translation>nenhuma linha foi recebida</translation></message>
-<message><source>check cable, address and port</source><translation>verifique o cabo, o endereço e a porta</translation></message>
-<message><source>check the cable and whether the scanner's mirror turns</source><translation>verifique o cabo e se o espelho do scanner roda</translation></message>
-<message><source>the scanner refuses to send scans: </source><translation>o scanner recusa enviar varreduras: </translation></message>
-<message><source>check what else uses it</source><translation>verifique o que mais o usa</translation></message>
-<message><source>a recording is being written already</source><translation>uma gravação já está em andamento</translation></message>
-<message><source>stop it first</source><translation>pare-a primeiro</translation></message>
-<message><source>the file ends within its E57 header</source><translation>o arquivo termina dentro do cabeçalho E57</translation></message>
-<message><source>this is E57 version %1, and version 1 is known</source><translation>esta é a versão %1 do E57, e a versão 1 é conhecida</translation></message>
-<message><source>export it as E57 version 1.0</source><translation>exporte-o como E57 versão 1.0</translation></message>
-<message><source>the E57 header says that pages have %1 bytes</source><translation>o cabeçalho E57 indica páginas de %1 bytes</translation></message>
-<message><source>the E57 header promises %1 bytes and the file holds </source><translation>o cabeçalho E57 anuncia %1 bytes e o arquivo contém </translation></message>
-<message><source>the columns of points in this E57 file are nested too deep</source><translation>as colunas de pontos deste arquivo E57 estão aninhadas demais</translation></message>
-<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>os limites da coluna %1 deste arquivo E57 não são possíveis</translation></message>
-<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>a varredura %1 deste arquivo E57 não indica onde estão seus pontos nem quantos são</translation></message>
-<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>segundo o cabeçalho E57, a parte XML está no byte %1 e tem </translation></message>
-<message><source>the XML part of this E57 file cannot be read: </source><translation>não é possível ler a parte XML deste arquivo E57: </translation></message>
-<message><source>the XML part of this E57 file has no e57Root</source><translation>a parte XML deste arquivo E57 não tem e57Root</translation></message>
-<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>a página %1 de %2 deste arquivo E57 está danificada: a soma de verificação não confere</translation></message>
-<message><source>this E57 file ends before something that it names</source><translation>este arquivo E57 termina antes de algo que nomeia</translation></message>
-<message><source>this E57 file holds no scan</source><translation>este arquivo E57 não contém nenhuma varredura</translation></message>
-<message><source>the file holds one scan</source><translation>o arquivo contém uma varredura</translation></message>
-<message><source>the file holds %1 scans</source><translation>o arquivo contém %1 varreduras</translation></message>
-<message><source>scan %1 of this E57 file holds no points</source><translation>a varredura %1 deste arquivo E57 não contém pontos</translation></message>
-<message><source>choose another scan or file</source><translation>escolha outra varredura ou arquivo</translation></message>
 <message><source>choose another scan</source><translation>escolha outra varredura</translation></message>
-<message><source>choose another file</source><translation>escolha outro arquivo</translation></message>
-<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>os pontos começariam no byte %1, que não está no arquivo</translation></message>
-<message><source>no list of points begins where the E57 file says</source><translation>nenhuma lista de pontos começa onde o arquivo E57 indica</translation></message>
-<message><source>the header of the points does not fit the file</source><translation>o cabeçalho dos pontos não corresponde ao arquivo</translation></message>
-<message><source>a packet of points </source><translation>um pacote de pontos </translation></message>
-<message><source>the file promises %1 points and </source><translation>o arquivo anuncia %1 pontos e </translation></message>
-<message><source>this ZIP archive has no directory at its end</source><translation>este arquivo ZIP não tem diretório no final</translation></message>
-<message><source>the directory of this ZIP archive is damaged</source><translation>o diretório deste arquivo ZIP está danificado</translation></message>
-<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este arquivo ZIP não começa onde seu diretório indica: há outros bytes antes ou dentro dele</translation></message>
-<message><source>this part of the archive is encrypted</source><translation>esta parte do arquivo está criptografada</translation></message>
-<message><source>save it without a password</source><translation>salve-o sem senha</translation></message>
-<message><source>this part of the archive is packed by method %1</source><translation>esta parte do arquivo está compactada com o método %1</translation></message>
-<message><source>pack it with DEFLATE, as usual</source><translation>compacte-o com DEFLATE, como de costume</translation></message>
-<message><source>this part of the archive is not where its directory says</source><translation>esta parte do arquivo não está onde seu diretório indica</translation></message>
-<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descompactado são %1, muito mais do que uma varredura desse tamanho pode ter</translation></message>
-<message><source>unpack it by hand and look at it</source><translation>descompacte-o à mão e verifique-o</translation></message>
-<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte do arquivo está danificada: o comprimento ou a soma de verificação não confere</translation></message>
-<message><source>it is a ROS bag of another version than 2.0</source><translation>é um bag do ROS de versão diferente de 2.0</translation></message>
-<message><source>convert it with "rosbag migrate"</source><translation>converta-o com "rosbag migrate"</translation></message>
-<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada ou danificada: não é possível ler suas tabelas</translation></message>
-<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite não é um bag do ROS: não tem tabela de tópicos</translation></message>
-<message><source>this SQLite database cannot be opened</source><translation>não é possível abrir esta base SQLite</translation></message>
-<message><source>copy it again</source><translation>copie-a novamente</translation></message>
-<message><source>this is not an MCAP recording of a known version</source><translation>não é uma gravação MCAP de versão conhecida</translation></message>
-<message><source>choose a recording</source><translation>escolha uma gravação</translation></message>
-<message><source>this folder holds %1 files of a bag</source><translation>esta pasta contém %1 arquivos de um bag</translation></message>
-<message><source>open one of them, as </source><translation>abra um deles, por exemplo </translation></message>
-<message><source>no topic of this %1 is a laser's</source><translation>nenhum tópico deste %1 é de um laser</translation></message>
-<message><source>choose another bag</source><translation>escolha outro bag</translation></message>
-<message><source>the bag has no topic </source><translation>o bag não tem o tópico </translation></message>
-<message><source>the topic %1 holds no scan</source><translation>o tópico %1 não contém nenhuma varredura</translation></message>
-<message><source>choose one of them with </source><translation>escolha um com </translation></message>
-<message><source>choose one of </source><translation>escolha um de </translation></message>
-<message><source>the laser did not turn while it measured</source><translation>o laser não girou enquanto media</translation></message>
-<message><source>choose another topic, or give the joint that turns it</source><translation>escolha outro tópico ou indique a junta que o gira</translation></message>
-<message><source>no line of the topic %1 could be placed</source><translation>não foi possível posicionar nenhuma linha do tópico %1</translation></message>
-<message><source>no message of the topic %1 is a line of ranges</source><translation>nenhuma mensagem do tópico %1 é uma linha de distâncias</translation></message>
-<message><source>The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.</source><translation>A gravação contém %1 varreduras; foi aberta a varredura %2; nenhuma outra tem mais linhas.</translation></message>
-<message><source>no transform turns the laser's frame %1 while it measures</source><translation>nenhuma transformação gira o referencial %1 do laser enquanto mede</translation></message>
-<message><source>no joint turned while the laser measured</source><translation>nenhuma junta girou enquanto o laser media</translation></message>
-<message><source>there is no joint called </source><translation>não há nenhuma junta chamada </translation></message>
-<message><source>choose another topic</source><translation>escolha outro tópico</translation></message>
-<message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>a varredura não tem pose, portanto o seu lugar na grade da mina não é conhecido</translation></message>
-<message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>dê uma pose e a calibração do robô, ou salve no referencial do scanner</translation></message>
-<message><source>The pose carries no time, so its age is not known.</source><translation>A pose não tem hora, portanto a sua idade não é conhecida.</translation></message>
-<message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>O início da varredura não é conhecido, portanto a idade da pose também não.</translation></message>
-<message><source>OUT OF SPEC: the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>FORA DE TOLERÂNCIA: os ângulos do motor de passo são supostos, portanto E, N e RL podem estar errados: indique montagem, passo e ângulo da primeira linha.</translation></message>
-<message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>A calibração não dá %1; 0 é usado: acrescente o que falta (Varredura &gt; Pose e montagem, página Montagem).</translation></message>
-<message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FORA DE TOLERÂNCIA: a pose é %1 s mais antiga que o início da varredura.</translation></message>
-<message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FORA DE TOLERÂNCIA: a inclinação da cabeça mudou %1 graus durante a varredura, mais de </translation></message>
-<message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>FORA DE TOLERÂNCIA: %1 de %2 linhas foram medidas antes da primeira pose ou depois da última e receberam a mais próxima.</translation></message>
+<message><source> (line </source><translation> (linha </translation></message>
+<message><source>Both are one scan: the files are the same.</source><translation>Ambos são uma só varredura: os arquivos são iguais.</translation></message>
+<message><source>Near and far leave no depth between them: the gray image is blank and has no edge.</source><translation>Perto e longe não deixam profundidade entre si: a imagem cinza está vazia e não tem arestas.</translation></message>
+<message><source> edge cells lie on filled ranges and are not in this file; %1 writes them.</source><translation> células de aresta estão em distâncias preenchidas e não estão neste arquivo; %1 as escreve.</translation></message>
 <message><source>OUT OF SPEC: whether the surfaces of "%1" fit cannot be seen.</source><translation>FORA DE TOLERÂNCIA: não se pode ver se as superfícies de "%1" encaixam.</translation></message>
 <message><source>OUT OF SPEC: the surfaces of "%1" are %2 mm from those of the first scan at best.</source><translation>FORA DE TOLERÂNCIA: as superfícies de "%1" estão, no melhor caso, a %2 mm das da primeira varredura.</translation></message>
 <message><source>OUT OF SPEC: the base moved while "%1" was taken: one place fits it badly.</source><translation>FORA DE TOLERÂNCIA: a base moveu-se enquanto "%1" era medida: um só lugar encaixa mal.</translation></message>
@@ -786,9 +79,6 @@
 <message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place. No areas of change are given.</source><translation>FORA DE TOLERÂNCIA: as superfícies das duas varreduras estão, no melhor caso, a %1: quase tudo mudou ou não são varreduras de um mesmo lugar. Não se dão áreas de mudança.</translation></message>
 <message><source>OUT OF SPEC: whether the poses fit cannot be seen, </source><translation>FORA DE TOLERÂNCIA: não se pode ver se as poses encaixam, </translation></message>
 <message><source>OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by </source><translation>FORA DE TOLERÂNCIA: as poses não encaixam nas superfícies, portanto a varredura anterior foi movida pelas suas superfícies, por </translation></message>
-<message><source>The file lists only points: %1 lines, %2 beams and mounting </source><translation>O arquivo contém só pontos: %1 linhas, %2 feixes e a montagem </translation></message>
-<message><source>were found from them.</source><translation>foram achados a partir deles.</translation></message>
-<message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Este arquivo é uma exportação de pontos de aresta, não uma varredura: todas as outras células contam como sem retorno. Abra a varredura para procurar arestas.</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Varredura &gt; Endireitar os feixes</translation></message>
 <message><source>Scan &gt; Keep Repeated Values</source><translation>Varredura &gt; Manter os valores repetidos</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>as coordenadas na caixa de exportação</translation></message>
@@ -938,7 +228,6 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
-<message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
 <message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
 <message><source>could not be computed:
 %1</source><translation>não pôde ser calculada:
@@ -964,7 +253,6 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>Não foi possível determinar a razão (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>Finding the reason …</source><translation>À procura da razão …</translation></message>
-<message><source>line %1, beam %2</source><translation>linha %1, feixe %2</translation></message>
 <message><source>under the pointer</source><translation>sob o ponteiro</translation></message>
 <message><source>the pinned target, under the pointer</source><translation>o alvo fixado, sob o ponteiro</translation></message>
 <message><source>under the pointer, not the pinned target</source><translation>sob o ponteiro, não o alvo fixado</translation></message>
@@ -1054,7 +342,6 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>File</source><translation>Arquivo</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>Grid</source><translation>Grade</translation></message>
-<message><source>%1 lines x %2 beams</source><translation>%1 linhas x %2 feixes</translation></message>
 <message><source>Distances</source><translation>Distâncias</translation></message>
 <message><source>%1 to %2 measured; gray levels from %3 to %4</source><translation>medidas de %1 a %2; níveis de cinza de %3 a %4</translation></message>
 <message><source>none was measured</source><translation>nenhuma foi medida</translation></message>
@@ -1063,7 +350,6 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>%1 (as the pose says)</source><translation>%1 (segundo a pose)</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>serial %1</source><translation>número de série %1</translation></message>
-<message><source>firmware %1</source><translation>firmware %1</translation></message>
 <message><source>Uncertainty</source><translation>Incerteza</translation></message>
 <message><source>ranges ± %1 m at %2 m, ± %3 m at %4 m (two standard deviations)</source><translation>distâncias ± %1 m a %2 m, ± %3 m a %4 m (dois desvios-padrão)</translation></message>
 <message><source>%1; the pose does not say its own</source><translation>%1; a pose não indica a sua</translation></message>
@@ -1134,7 +420,6 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Parameter</source><translation>Parâmetro</translation></message>
 <message><source>Value</source><translation>Valor</translation></message>
 <message><source>auto: %1</source><translation>auto: %1</translation></message>
-<message><source>%1 degrees</source><translation>%1 graus</translation></message>
 <message><source>%1 cells</source><translation>%1 células</translation></message>
 <message><source>%1 steps</source><translation>%1 passos</translation></message>
 <message><source>%1 % of range</source><translation>%1 % da distância</translation></message>
@@ -1530,16 +815,8 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>being cancelled</source><translation>cancelando</translation></message>
 <message><source>opened</source><translation>aberto</translation></message>
 <message><source>reading</source><translation>leitura</translation></message>
-<message><source>reading points</source><translation>leitura dos pontos</translation></message>
-<message><source>reading ranges</source><translation>leitura das distâncias</translation></message>
-<message><source>reading the picture</source><translation>leitura da imagem</translation></message>
 <message><source>unpacking</source><translation>descompressão</translation></message>
-<message><source>finding telegrams</source><translation>busca de telegramas</translation></message>
-<message><source>putting packets together</source><translation>junção dos pacotes</translation></message>
 <message><source>grid</source><translation>grade</translation></message>
-<message><source>finding the grid</source><translation>busca da grade</translation></message>
-<message><source>finding the axis</source><translation>busca do eixo</translation></message>
-<message><source>projecting the points</source><translation>projeção dos pontos</translation></message>
 <message><source>placing the points</source><translation>colocação dos pontos</translation></message>
 <message><source>finding edges</source><translation>busca de arestas</translation></message>
 <message><source>drawing</source><translation>desenho</translation></message>
@@ -1735,7 +1012,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>without a cell</source><translation>sem célula</translation></message>
 <message><source>Scanner at [m]</source><translation>Scanner em [m]</translation></message>
 <message><source>Origin E, N, RL [m]</source><translation>Origem E, N, RL [m]</translation></message>
-<message><source>Scale of the grid</source><translation>Escala da grade</translation></message>
 <message><source>Source</source><translation>Origem</translation></message>
 <message><source>Begin of the scan</source><translation>Início da varredura</translation></message>
 <message><source>End of the scan</source><translation>Fim da varredura</translation></message>
@@ -1746,7 +1022,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Boom</source><translation>Lança</translation></message>
 <message><source>Pivot [m]</source><translation>Pivô [m]</translation></message>
 <message><source>Head [m]</source><translation>Cabeça [m]</translation></message>
-<message><source>mine grid</source><translation>coordenadas da mina</translation></message>
 <message><source>scanner</source><translation>scanner</translation></message>
 <message><source>beam x line angles</source><translation>ângulos de feixes x linhas</translation></message>
 <message><source>organised points</source><translation>pontos organizados</translation></message>
@@ -1948,7 +1223,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Demo before and after a blast</source><translation>Demonstração antes e depois de um desmonte</translation></message>
 <message><source>both, and what changed between them</source><translation>ambos, e o que mudou entre eles</translation></message>
 <message><source>Recent</source><translation>Recentes</translation></message>
-<message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
+<message><source>Scans that were open are listed here.</source><translation>Aqui são listadas as varreduras que estiveram abertas.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas numa varredura laser de distâncias</translation></message>
 <message><source>Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lê grades brutas, gravações (.mcap), bags do ROS, PCD, PLY, E57, LAS, PTX, CSV, XYZ e outros.</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>Envia ao scanner apenas leituras e uma assinatura.</translation></message>
@@ -2424,8 +1699,6 @@ Clique duplo: voltar à predefinição</translation></message>
 </translation></message>
 <message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>O passeio terminou; Ajuda &gt; Passeio começa-o de novo.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>A janela não tem espaço para as imagens ao lado deste painel: elas voltam quando você o recolhe.</translation></message>
-<message><source>Network capture</source><translation>Captura de rede</translation></message>
-<message><source>CoLa stream</source><translation>Fluxo CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Desenho com as linhas das bordas</translation></message>
 <message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Imagem de distâncias</translation></message>
@@ -2441,7 +1714,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Range or point table</source><translation>Tabela de distâncias ou de pontos</translation></message>
 <message><source>Raw grid</source><translation>Grade bruta</translation></message>
 <message><source>Recording</source><translation>Gravação</translation></message>
-<message><source>Surpac strings</source><translation>Linhas do Surpac</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Como as bordas são encontradas: saltos e dobras da superfície, partes destes, ou Canny em níveis de cinza como na tese, ou um dos outros detectores que a tese compara.</translation></message>
 <message><source>Edges shown</source><translation>Bordas mostradas</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Só se mostram e exportam as bordas que provavelmente são o contorno de uma rocha; as dobras dentro de uma rocha ficam de fora.</translation></message>
@@ -2455,7 +1727,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>% of range</source><translation>% dist.</translation></message>
 <message><source>What the smallest step grows by with the distance.</source><translation>Quanto o menor degrau cresce com a distância.</translation></message>
 <message><source>Crease angle</source><translation>Ângulo de dobra</translation></message>
-<message><source>degrees</source><translation>graus</translation></message>
 <message><source>Smallest fold of the surface that is an edge.</source><translation>Menor dobra da superfície que é uma borda.</translation></message>
 <message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
 <message><source>Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.</source><translation>As cadeias mais curtas de células de borda são descartadas. Num vazio, cada classe forma as suas próprias cadeias: uma borda em duas classes são duas cadeias.</translation></message>
@@ -2558,58 +1829,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Os pedaços mais longos precisam de melhores sinais de ser uma rocha e não uma parede. O comprimento é aproximadamente o comprimento visível a.</translation></message>
 <message><source>Oversize</source><translation>Sobretamanho</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>É indicada a proporção de rochas cuja largura visível é maior; 0 não indica nenhuma.</translation></message>
-<message><source>Angle of the first beam [degrees]</source><translation>Ângulo do primeiro feixe [graus]</translation></message>
-<message><source>Angle from beam to beam [degrees]</source><translation>Ângulo de um feixe ao seguinte [graus]</translation></message>
-<message><source>Angle of the first line [degrees]</source><translation>Ângulo da primeira linha [graus]</translation></message>
-<message><source>Angle from line to line [degrees]</source><translation>Ângulo de uma linha à seguinte [graus]</translation></message>
-<message><source>Unit of the numbers in the file; replaces the one that the file gives</source><translation>Unidade dos números do arquivo; substitui a que o arquivo dá</translation></message>
-<message><source>Millimetres per number in the file</source><translation>Milímetros por número do arquivo</translation></message>
-<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Células de uma nuvem que é projetada [graus]; senão, pelo espaçamento dos seus pontos</translation></message>
-<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Em torno de que gira o motor de passo: spin (direção de visada) ou sweep (linha 0/180 graus)</translation></message>
-<message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar do scanner para uma nuvem sem grade, como X,Y,Z [m]</translation></message>
-<message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Pontos que não estão em nenhuma grade de scanner: projetá-los em torno do sensor (auto), fazê-lo sem procurar uma grade (always), ou recusá-los (never)</translation></message>
-<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corrigir os ângulos dos feixes entrelaçados de duas passagens, e das linhas em que o motor de passo escorregou</translation></message>
-<message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
-<message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tópico de um bag do ROS que é a varredura; senão um laser que gira</translation></message>
-<message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Junta (joint) de um bag do ROS que gira o laser; senão, as transformações a dão</translation></message>
-<message><source>Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3</source><translation>Colunas de x, y e z em uma lista de pontos, por número a partir de 1 ou por nome: 2,1,3</translation></message>
-<message><source>Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return</source><translation>Tomar um valor ou ponto que se repete exatamente, longe do resto, como medido e não como sem retorno</translation></message>
-<message><source>Pose file of the scan; a recording may hold its own</source><translation>Arquivo de pose da varredura; uma gravação pode conter o seu</translation></message>
-<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
-<message><source>RL, positive up [m]</source><translation>RL, positivo para cima [m]</translation></message>
-<message><source>Heading, clockwise from north [degrees]</source><translation>Rumo, do norte em sentido horário [graus]</translation></message>
-<message><source>North of the heading</source><translation>Norte do rumo</translation></message>
-<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinação: arfagem, nariz para cima [graus]</translation></message>
-<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinação: rolagem, lado direito para baixo [graus]</translation></message>
-<message><source>Zone or EPSG code</source><translation>Zona ou código EPSG</translation></message>
 <message><source>Datum</source><translation>Datum</translation></message>
-<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Azimute da lança, positivo para a esquerda [graus]</translation></message>
-<message><source>Robot's pitch, nose up [degrees]</source><translation>Arfagem do robô, nariz para cima [graus]</translation></message>
-<message><source>Robot's roll, right side down [degrees]</source><translation>Rolagem do robô, lado direito para baixo [graus]</translation></message>
-<message><source>Name of robot or scanner</source><translation>Nome do robô ou do scanner</translation></message>
-<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Alinhamento: rolagem, arfagem, guinada [graus]</translation></message>
-<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Braço de alavanca do TALIN no robô: frente, esquerda, cima [m]</translation></message>
-<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Braço de alavanca da cabeça no robô: frente, esquerda, cima [m]</translation></message>
-<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivô de uma lança no robô, em lugar da cabeça [m]</translation></message>
-<message><source>From pivot to head [m]</source><translation>Do pivô à cabeça [m]</translation></message>
-<message><source>The boom's azimuth turns about</source><translation>O azimute da lança gira em torno de</translation></message>
-<message><source>The scanner looks</source><translation>O scanner olha</translation></message>
-<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Direção do olhar: rolagem, arfagem, guinada [graus]</translation></message>
-<message><source>Looking direction: nine numbers by rows</source><translation>Direção do olhar: nove números por linhas</translation></message>
-<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Eixo do motor a partir do inclinômetro [m]</translation></message>
-<message><source>Tilt is given as</source><translation>A inclinação é dada como</translation></message>
-<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Scanner sobre o motor: rolagem, arfagem, guinada [graus]</translation></message>
-<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Scanner sobre o motor: x, y, z [m]</translation></message>
-<message><source>Axis of the stepper</source><translation>Eixo do motor</translation></message>
-<message><source>Zero of the stepper [degrees]</source><translation>Zero do motor [graus]</translation></message>
-<message><source>Direction of the stepper, 1 or -1</source><translation>Sentido do motor, 1 ou -1</translation></message>
-<message><source>Step from line to line [degrees]</source><translation>Passo de linha a linha [graus]</translation></message>
-<message><source>Beam at the time stamp of a line [degrees]</source><translation>Feixe no instante de uma linha [graus]</translation></message>
-<message><source>Grid convergence [degrees]</source><translation>Convergência da grade [graus]</translation></message>
-<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Maior mudança de inclinação durante uma passagem [graus]</translation></message>
-<message><source>Largest age of a pose [s]</source><translation>Maior idade de uma pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them</source><translation>XYZ e CSV com todas as colunas, e a grade e o registro em linhas de comentário: os SIG e as planilhas podem recusá-los</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD em coordenadas da mina com números de 8 bytes, que PCL e Open3D não leem; senão, em metros a partir de uma origem num comentário</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF da versão 2000 em vez da versão 12</translation></message>
@@ -2807,5 +2029,1507 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Along the Surface</source><translation>Ao longo da superfície</translation></message>
 <message><source>Throat Width</source><translation>Largura da garganta</translation></message>
 <message><source>Length in a Section</source><translation>Comprimento numa secção</translation></message>
+</context>
+<context>
+<name>core</name>
+<message><source>the JSON holds too many keys</source><translation>o JSON contém chaves demais</translation></message>
+<message><source>the key "%1" appears twice in the same object of the JSON</source><translation>a chave «%1» aparece duas vezes no mesmo objeto do JSON</translation></message>
+<message><source>the JSON holds a number that no computer can store</source><translation>o JSON contém um número que nenhum computador pode guardar</translation></message>
+<message><source>the JSON is damaged or cut off here</source><translation>o JSON está danificado ou cortado aqui</translation></message>
+<message><source>correct the file or choose another</source><translation>corrija o arquivo ou escolha outro</translation></message>
+<message><source>%1: byte %2</source><translation>%1: byte %2</translation></message>
+<message><source>check it around this place</source><translation>verifique-o em torno deste lugar</translation></message>
+<message><source>this JSON is nested too deep</source><translation>este JSON está aninhado fundo demais</translation></message>
+<message><source>this JSON is too large: %1, and %2 are read</source><translation>este JSON é grande demais: %1, e são lidos %2</translation></message>
+<message><source>choose another file</source><translation>escolha outro arquivo</translation></message>
+<message><source>the file is empty</source><translation>o arquivo está vazio</translation></message>
+<message><source>copy it again or choose another</source><translation>copie-o de novo ou escolha outro</translation></message>
+<message><source>%n byte behind %1 was not read.</source><translation>%n byte depois de %1 não foi lido.</translation></message>
+<message><source>%n bytes behind %1 were not read.</source><translation>%n bytes depois de %1 não foram lidos.</translation></message>
+<message><source>this is the address of a file on another computer, %1</source><translation>este é o endereço de um arquivo em outro computador, %1</translation></message>
+<message><source>copy the file to this one, or give its path in a folder that is shared</source><translation>copie o arquivo para este, ou dê seu caminho numa pasta compartilhada</translation></message>
+<message><source>this address has a % without the two digits of a byte</source><translation>este endereço tem um % sem os dois algarismos de um byte</translation></message>
+<message><source>write % as %25, or give the path</source><translation>escreva % como %25, ou dê o caminho</translation></message>
+<message><source>this address names no file</source><translation>este endereço não nomeia arquivo algum</translation></message>
+<message><source>give its path</source><translation>dê seu caminho</translation></message>
+<message><source>this file was read as an input</source><translation>este arquivo foi lido como entrada</translation></message>
+<message><source>this is the file that was read as an input under the name %1</source><translation>este é o arquivo que foi lido como entrada com o nome %1</translation></message>
+<message><source>choose another name</source><translation>escolha outro nome</translation></message>
+<message><source>nothing (null)</source><translation>nada (null)</translation></message>
+<message><source>a list [...]</source><translation>uma lista [...]</translation></message>
+<message><source>an object {...}</source><translation>um objeto {...}</translation></message>
+<message><source>holds %1 where a number is needed</source><translation>contém %1 onde é necessário um número</translation></message>
+<message><source>holds a number out of all reason</source><translation>contém um número fora de toda razão</translation></message>
+<message><source>%1 or more</source><translation>%1 ou mais</translation></message>
+<message><source>%1 or less</source><translation>%1 ou menos</translation></message>
+<message><source>from %1 to %2</source><translation>de %1 a %2</translation></message>
+<message><source>is %1 and must be %2</source><translation>é %1 e deve ser %2</translation></message>
+<message><source>is missing</source><translation>falta</translation></message>
+<message><source>must be a whole number from %1 to %2</source><translation>deve ser um número inteiro de %1 a %2</translation></message>
+<message><source>must be true or false</source><translation>deve ser true ou false</translation></message>
+<message><source>must be text</source><translation>deve ser texto</translation></message>
+<message><source>must be %1</source><translation>deve ser %1</translation></message>
+<message><source>must be a list of numbers</source><translation>deve ser uma lista de números</translation></message>
+<message><source>must hold %1 numbers</source><translation>deve conter %1 números</translation></message>
+<message><source>must hold three numbers</source><translation>deve conter três números</translation></message>
+<message><source>must hold three rows of three numbers</source><translation>deve conter três linhas de três números</translation></message>
+<message><source>is not a rotation: its rows are not perpendicular and of length 1</source><translation>não é uma rotação: suas linhas não são perpendiculares e de comprimento 1</translation></message>
+<message><source>mirrors instead of turning: its determinant is -1</source><translation>espelha em vez de girar: seu determinante é -1</translation></message>
+<message><source>must be a time in UTC like "2026-11-20T10:15:30.250Z"</source><translation>deve ser uma hora UTC como "2026-11-20T10:15:30.250Z"</translation></message>
+<message><source>must be a list of texts</source><translation>deve ser uma lista de textos</translation></message>
+<message><source>must be an object {...}</source><translation>deve ser um objeto {...}</translation></message>
+<message><source>must be a list of objects {...}</source><translation>deve ser uma lista de objetos {...}</translation></message>
+<message><source>is not a key here, but "%1" is: units belong to the name</source><translation>não é uma chave aqui, mas «%1» é: as unidades fazem parte do nome</translation></message>
+<message><source>is not a key here; known are %1</source><translation>não é uma chave aqui; são conhecidas %1</translation></message>
+<message><source>"format": "%1"</source><translation>"format": "%1"</translation></message>
+<message><source>the JSON holds no object</source><translation>o JSON não contém objeto algum</translation></message>
+<message><source>choose a file with %1</source><translation>escolha um arquivo com %1</translation></message>
+<message><source>"format" is missing</source><translation>falta "format"</translation></message>
+<message><source>"format" is "%1", not "%2"</source><translation>"format" é «%1», não «%2»</translation></message>
+<message><source>%n byte</source><translation>%n byte</translation></message>
+<message><source>%n bytes</source><translation>%n bytes</translation></message>
+<message><source>needs %1 of memory, %2 are free</source><translation>precisa de %1 de memória, há %2 livres</translation></message>
+<message><source>close other programs or open a smaller file</source><translation>feche outros programas ou abra um arquivo menor</translation></message>
+<message><source>no scanner reaches farther than 1,000 km</source><translation>nenhum scanner alcança mais de 1,000 km</translation></message>
+<message><source>unit of counts and numbers</source><translation>unidade das contagens e dos números</translation></message>
+<message><source>from a nanometre to a kilometre</source><translation>de um nanômetro a um quilômetro</translation></message>
+<message><source>angle of a beam, a heading or a mounting</source><translation>ângulo de um feixe, de um rumo ou de uma montagem</translation></message>
+<message><source>degrees</source><translation>graus</translation></message>
+<message><source>one turn</source><translation>uma volta</translation></message>
+<message><source>angle of a line</source><translation>ângulo de uma linha</translation></message>
+<message><source>a stepper that turns on for days</source><translation>um motor de passo que gira durante dias</translation></message>
+<message><source>step from beam to beam or line to line</source><translation>passo de feixe a feixe ou de linha a linha</translation></message>
+<message><source>not 0: two beams never look the same way</source><translation>não 0: dois feixes nunca olham na mesma direção</translation></message>
+<message><source>cell of a projected cloud</source><translation>célula de uma nuvem projetada</translation></message>
+<message><source>finer than any scanner, coarser than any use</source><translation>mais fina que a de qualquer scanner, mais grossa que para qualquer uso</translation></message>
+<message><source>tilt, pitch</source><translation>inclinação, arfagem</translation></message>
+<message><source>beyond it, it is the other way round</source><translation>além disso está ao contrário</translation></message>
+<message><source>roll, convergence</source><translation>rolagem, convergência</translation></message>
+<message><source>half a turn</source><translation>meia volta</translation></message>
+<message><source>easting, northing, place of a sensor</source><translation>este, norte, lugar de um sensor</translation></message>
+<message><source>more than the way round the earth</source><translation>mais que a volta à Terra</translation></message>
+<message><source>deeper than any mine, higher than any mountain</source><translation>mais fundo que qualquer mina, mais alto que qualquer montanha</translation></message>
+<message><source>lever arm on a robot</source><translation>braço de alavanca num robô</translation></message>
+<message><source>nothing on a robot is farther away</source><translation>nada num robô está mais longe</translation></message>
+<message><source>coordinate, in the file's own unit</source><translation>coordenada, na unidade própria do arquivo</translation></message>
+<message><source>the way round the earth in tenths of a millimetre</source><translation>a volta à Terra em décimos de milímetro</translation></message>
+<message><source>scale of a mine grid</source><translation>escala de uma grade de mina</translation></message>
+<message><source>map projections stay within a hundredth</source><translation>as projeções cartográficas ficam dentro de um centésimo</translation></message>
+<message><source>lines, beams</source><translation>linhas, feixes</translation></message>
+<message><source>more than a day of scanning</source><translation>mais de um dia de varredura</translation></message>
+<message><source>this pipe cannot be read: </source><translation>este pipe não pode ser lido: </translation></message>
+<message><source>save what it gives to a file and open that</source><translation>salve o que ele dá num arquivo e abra-o</translation></message>
+<message><source>this is a keyboard, not a scan</source><translation>isto é um teclado, não uma varredura</translation></message>
+<message><source>give a file, or pipe one in</source><translation>dê um arquivo, ou passe-o por um pipe</translation></message>
+<message><source>cancelled</source><translation>cancelado</translation></message>
+<message><source>no program writes into this pipe</source><translation>nenhum programa escreve neste pipe</translation></message>
+<message><source>start the program that fills it, then open it again</source><translation>inicie o programa que o enche e abra-o de novo</translation></message>
+<message><source>this is a device, not a scan</source><translation>isto é um dispositivo, não uma varredura</translation></message>
+<message><source>choose a file</source><translation>escolha um arquivo</translation></message>
+<message><source>the file cannot be opened: </source><translation>o arquivo não pode ser aberto: </translation></message>
+<message><source>check the path</source><translation>verifique o caminho</translation></message>
+<message><source>this is not a regular file</source><translation>isto não é um arquivo comum</translation></message>
+<message><source>the file cannot be read: </source><translation>o arquivo não pode ser lido: </translation></message>
+<message><source>check the disk and the path</source><translation>verifique o disco e o caminho</translation></message>
+<message><source>the folder to write into does not exist</source><translation>a pasta de destino não existe</translation></message>
+<message><source>make the folder or choose another</source><translation>crie a pasta ou escolha outra</translation></message>
+<message><source>the folder to write into is not a folder</source><translation>a pasta de destino não é uma pasta</translation></message>
+<message><source>choose another folder</source><translation>escolha outra pasta</translation></message>
+<message><source>writing here is not allowed</source><translation>não é permitido escrever aqui</translation></message>
+<message><source>choose another folder or ask for the right to write</source><translation>escolha outra pasta ou peça permissão para escrever</translation></message>
+<message><source>the disk can only be read</source><translation>o disco é somente leitura</translation></message>
+<message><source>the disk is full, so this file was not written</source><translation>o disco está cheio, por isso este arquivo não foi escrito</translation></message>
+<message><source>free some space or choose another disk</source><translation>libere espaço ou escolha outro disco</translation></message>
+<message><source>the file would be larger than the limit set for it</source><translation>o arquivo seria maior que o limite fixado para ele</translation></message>
+<message><source>choose another disk or raise the limit</source><translation>escolha outro disco ou aumente o limite</translation></message>
+<message><source>this is a folder, not a file</source><translation>é uma pasta, não um arquivo</translation></message>
+<message><source>give a file name</source><translation>indique um nome de arquivo</translation></message>
+<message><source>this link leads in a circle</source><translation>este link leva em círculo</translation></message>
+<message><source>give the file itself</source><translation>dê o próprio arquivo</translation></message>
+<message><source>the file name is too long</source><translation>o nome do arquivo é longo demais</translation></message>
+<message><source>choose a shorter name</source><translation>escolha um nome mais curto</translation></message>
+<message><source>the file cannot be written: </source><translation>o arquivo não pode ser escrito: </translation></message>
+<message><source>choose another folder or disk</source><translation>escolha outra pasta ou outro disco</translation></message>
+<message><source>what was read back is not what was written, so this file was not written</source><translation>o que foi relido não é o que foi escrito, então este arquivo não foi escrito</translation></message>
+<message><source>check the disk and try again</source><translation>verifique o disco e tente de novo</translation></message>
+<message><source>there is no such file; a name with other bytes than UTF-8 does not come through a file dialog</source><translation>não existe tal arquivo; um nome com outros bytes que não UTF-8 não passa por um diálogo de arquivos</translation></message>
+<message><source>give the name on the command line, drag the file into the window, or rename it</source><translation>dê o nome na linha de comando, arraste o arquivo para a janela ou renomeie-o</translation></message>
+<message><source>there is no such file</source><translation>esse arquivo não existe</translation></message>
+<message><source>check the spelling and the folder</source><translation>verifique o nome e a pasta</translation></message>
+<message><source>reading this file is not allowed</source><translation>não é permitido ler este arquivo</translation></message>
+<message><source>ask its owner for the right to read it</source><translation>peça ao dono permissão para o ler</translation></message>
+<message><source>choose a file inside it</source><translation>escolha um arquivo dentro dela</translation></message>
+<message><source>the file cannot be read: %1</source><translation>o arquivo não pode ser lido: %1</translation></message>
+<message><source>this file is read-only, so it was not replaced</source><translation>este arquivo é somente leitura, por isso não foi substituído</translation></message>
+<message><source>allow writing with chmod u+w, or choose another name</source><translation>permita a escrita com chmod u+w ou escolha outro nome</translation></message>
+<message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>este arquivo pertence a outro usuário, que não permite escrever nele; por isso não foi substituído</translation></message>
+<message><source>choose another name, or ask its owner</source><translation>escolha outro nome ou pergunte ao seu proprietário</translation></message>
+<message><source>; already in place: </source><translation>; já no lugar: </translation></message>
+<message><source>no program reads from this pipe</source><translation>nenhum programa lê deste pipe</translation></message>
+<message><source>start what reads from it first, or choose a file</source><translation>inicie primeiro o que lê dele, ou escolha um arquivo</translation></message>
+<message><source>what reads from this pipe takes nothing</source><translation>o que lê deste pipe não aceita nada</translation></message>
+<message><source>start it again, or choose a file</source><translation>inicie-o de novo, ou escolha um arquivo</translation></message>
+<message><source>what reads from this pipe has ended</source><translation>o que lê deste pipe terminou</translation></message>
+<message><source>there is no file name to write to</source><translation>não há nome de arquivo em que escrever</translation></message>
+<message><source>this is a link that belongs to another user</source><translation>este é um link que pertence a outro usuário</translation></message>
+<message><source>give the file it leads to, or another name</source><translation>dê o arquivo a que ele leva, ou outro nome</translation></message>
+<message><source>two results cannot have one file</source><translation>dois resultados não podem ter um mesmo arquivo</translation></message>
+<message><source>give each a name of its own</source><translation>dê a cada um um nome próprio</translation></message>
+<message><source>it was cancelled, so nothing was written</source><translation>foi cancelado, por isso nada foi escrito</translation></message>
+<message><source>save it again</source><translation>salve outra vez</translation></message>
+<message><source>the file cannot be removed (%1)</source><translation>o arquivo não pode ser removido (%1)</translation></message>
+<message><source>check the rights of its folder</source><translation>verifique as permissões da sua pasta</translation></message>
+<message><source>the folder cannot be made (%1)</source><translation>a pasta não pode ser criada (%1)</translation></message>
+<message><source>this is a device or a pipe, not a file</source><translation>isto é um dispositivo ou um pipe, não um arquivo</translation></message>
+<message><source>the file is too large for what it should be: %1, and at most %2 are read</source><translation>o arquivo é grande demais para o que deveria ser: %1, e são lidos no máximo %2</translation></message>
+<message><source>choose one that can be written to</source><translation>escolha um em que se possa escrever</translation></message>
+<message><source>it is compressed with %1 and damaged or cut off</source><translation>está comprimido com %1 e está danificado ou cortado</translation></message>
+<message><source>copy the file again</source><translation>copie de novo o arquivo</translation></message>
+<message><source>this program was built without %1, which this recording is compressed with</source><translation>este programa foi compilado sem %1, com que esta gravação está comprimida</translation></message>
+<message><source>unpack it with "mcap compress --compression none" or "rosbag decompress", or install lib%1 and build again</source><translation>descompacte-o com "mcap compress --compression none" ou "rosbag decompress", ou instale lib%1 e compile de novo</translation></message>
+<message><source>it is compressed with "%1", which is not known here</source><translation>está comprimido com «%1», que aqui não é conhecido</translation></message>
+<message><source>unpack it with the program that wrote it</source><translation>descompacte-o com o programa que o escreveu</translation></message>
+<message><source>other bytes follow the packed data</source><translation>outros bytes seguem os dados comprimidos</translation></message>
+<message><source>unpacked this is more than %1, far more than a scan of its size can be</source><translation>descompactado isto é mais de %1, muito mais do que pode ser uma varredura de seu tamanho</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>descompacte-o à mão e verifique-o</translation></message>
+<message><source>there is not enough memory for this file</source><translation>não há memória suficiente para este arquivo</translation></message>
+<message><source>the packed data are damaged%1</source><translation>os dados comprimidos estão danificados%1</translation></message>
+<message><source>the packed data end too early</source><translation>os dados comprimidos terminam cedo demais</translation></message>
+<message><source>copy the file again, it may be cut off</source><translation>copie de novo o arquivo, pode estar cortado</translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>este arquivo ZIP não tem diretório no final</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>o diretório deste arquivo ZIP está danificado</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este arquivo ZIP não começa onde seu diretório indica: há outros bytes antes ou dentro dele</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>esta parte do arquivo está criptografada</translation></message>
+<message><source>save it without a password</source><translation>salve-o sem senha</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>esta parte do arquivo está compactada com o método %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>compacte-o com DEFLATE, como de costume</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>esta parte do arquivo não está onde seu diretório indica</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descompactado são %1, muito mais do que uma varredura desse tamanho pode ter</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte do arquivo está danificada: o comprimento ou a soma de verificação não confere</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>os pontos começariam no byte %1, que não está no arquivo</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>nenhuma lista de pontos começa onde o arquivo E57 indica</translation></message>
+<message><source>export the file again</source><translation>exporte de novo o arquivo</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>o cabeçalho dos pontos não corresponde ao arquivo</translation></message>
+<message><source>a packet of points %1</source><translation>um pacote de pontos %1</translation></message>
+<message><source>is too short</source><translation>é curto demais</translation></message>
+<message><source>holds %1 and the file describes %2</source><translation>contém %1 e o arquivo descreve %2</translation></message>
+<message><source>%n column</source><translation>%n coluna</translation></message>
+<message><source>%n columns</source><translation>%n colunas</translation></message>
+<message><source>ends within its header</source><translation>termina dentro de seu cabeçalho</translation></message>
+<message><source>promises more bytes than it has</source><translation>anuncia mais bytes do que tem</translation></message>
+<message><source>a packet of points is of kind %1, which E57 does not have</source><translation>um pacote de pontos é do tipo %1, que o E57 não tem</translation></message>
+<message><source>a packet of points says that it has %1 bytes, which are not there</source><translation>um pacote de pontos diz que tem %1 bytes, que não estão ali</translation></message>
+<message><source>the file promises %1 and has %2 bytes for them</source><translation>o arquivo anuncia %1 e tem %2 bytes para eles</translation></message>
+<message><source>%n point</source><translation>%n ponto</translation></message>
+<message><source>%n points</source><translation>%n pontos</translation></message>
+<message><source>the file promises %1 and the column %2 ends after %3</source><translation>o arquivo anuncia %1 e a coluna %2 termina depois de %3</translation></message>
+<message><source>the file ends within its E57 header</source><translation>o arquivo termina dentro do cabeçalho E57</translation></message>
+<message><source>this is E57 version %1.%2, and version 1 is known</source><translation>isto é E57 versão %1.%2, e é conhecida a versão 1</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>exporte-o como E57 versão 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>o cabeçalho E57 indica páginas de %1 bytes</translation></message>
+<message><source>%1: byte 40</source><translation>%1: byte 40</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds %2</source><translation>o cabeçalho E57 anuncia %1 bytes e o arquivo contém %2</translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>as colunas de pontos deste arquivo E57 estão aninhadas demais</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>os limites da coluna %1 deste arquivo E57 não são possíveis</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>a varredura %1 deste arquivo E57 não indica onde estão seus pontos nem quantos são</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has %2 bytes, which are not in the file</source><translation>o cabeçalho E57 diz que a parte XML está no byte %1 e tem %2 bytes, que não estão no arquivo</translation></message>
+<message><source>%1: byte 24</source><translation>%1: byte 24</translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>não é possível ler a parte XML deste arquivo E57: </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>a parte XML deste arquivo E57 não tem e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>a página %1 de %2 deste arquivo E57 está danificada: a soma de verificação não confere</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>este arquivo E57 termina antes de algo que nomeia</translation></message>
+<message><source>a file of this name exists already and a recording overwrites nothing</source><translation>já existe um arquivo com este nome e uma gravação não sobrescreve nada</translation></message>
+<message><source>the folder to record into does not exist</source><translation>a pasta em que gravar não existe</translation></message>
+<message><source>recording here is not allowed</source><translation>não é permitido gravar aqui</translation></message>
+<message><source>the disk is full, nothing is recorded</source><translation>o disco está cheio, nada é gravado</translation></message>
+<message><source>the recording cannot be started: </source><translation>a gravação não pode começar: </translation></message>
+<message><source>the disk is full, the recording ends here</source><translation>o disco está cheio, a gravação termina aqui</translation></message>
+<message><source>free some space and start a new recording</source><translation>libere espaço e comece uma nova gravação</translation></message>
+<message><source>the file has reached the limit set for its size, the recording ends here</source><translation>o arquivo atingiu o limite fixado para seu tamanho, a gravação termina aqui</translation></message>
+<message><source>start a new recording</source><translation>comece uma nova gravação</translation></message>
+<message><source>the recording ends here: </source><translation>a gravação termina aqui: </translation></message>
+<message><source>check the disk and start a new recording</source><translation>verifique o disco e comece uma nova gravação</translation></message>
+<message><source>the disk reports that it lost some of what was recorded: </source><translation>o disco informa que perdeu parte do que foi gravado: </translation></message>
+<message><source>check the disk, and start a new recording on another one</source><translation>verifique o disco, e comece uma nova gravação em outro</translation></message>
+<message><source>bytes %1 to %2 are damaged and were left out</source><translation>os bytes %1 a %2 estão danificados e foram deixados de fora</translation></message>
+<message><source>%1 more places are damaged or were left out</source><translation>%1 outros lugares estão danificados ou foram deixados de fora</translation></message>
+<message><source>it is not a whole chunk</source><translation>não é um bloco completo</translation></message>
+<message><source>its checksum does not fit</source><translation>sua soma de verificação não confere</translation></message>
+<message><source>it promises to unpack to %1, more than a file of this size holds</source><translation>anuncia que se descompacta em %1, mais do que um arquivo deste tamanho contém</translation></message>
+<message><source>the chunk at byte %1 was left out: %2</source><translation>o bloco no byte %1 foi deixado de fora: %2</translation></message>
+<message><source>the end of the recording</source><translation>o fim da gravação</translation></message>
+<message><source>the file says that it holds %1 and %2 could be read</source><translation>o arquivo diz que contém %1 e puderam ser lidas %2</translation></message>
+<message><source>%n message</source><translation>%n mensagem</translation></message>
+<message><source>%n messages</source><translation>%n mensagens</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>não é uma gravação MCAP de versão conhecida</translation></message>
+<message><source>choose a recording</source><translation>escolha uma gravação</translation></message>
+<message><source>unknown reason</source><translation>motivo desconhecido</translation></message>
+<message><source>out of memory</source><translation>memória insuficiente</translation></message>
+<message><source>the file ends too early</source><translation>o arquivo termina cedo demais</translation></message>
+<message><source>there are no cells to make a picture of</source><translation>não há células de que fazer uma imagem</translation></message>
+<message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
+<message><source>the picture cannot be made: </source><translation>a imagem não pode ser feita: </translation></message>
+<message><source>free some memory</source><translation>libere memória</translation></message>
+<message><source>the picture cannot be read: </source><translation>a imagem não pode ser lida: </translation></message>
+<message><source>save it again as PNG</source><translation>salve-a de novo como PNG</translation></message>
+<message><source>the picture has %1 x %2 pixels; at most %3 are taken</source><translation>a imagem tem %1 x %2 pixels; são aceitos no máximo %3</translation></message>
+<message><source>make the picture smaller</source><translation>faça a imagem menor</translation></message>
+<message><source>this is not a readable PNG picture: </source><translation>isto não é uma imagem PNG legível: </translation></message>
+<message><source>save the mask again as PNG</source><translation>salve de novo a máscara como PNG</translation></message>
+<message><source>this picture has 16 bits per pixel where 8 are needed</source><translation>esta imagem tem 16 bits por pixel onde são necessários 8</translation></message>
+<message><source>save the mask as 8-bit gray</source><translation>salve a máscara em cinza de 8 bits</translation></message>
+<message><source>the picture promises more pixels than the file can hold</source><translation>a imagem anuncia mais pixels do que o arquivo pode conter</translation></message>
+<message><source>export it again</source><translation>exporte-o de novo</translation></message>
+<message><source>this build has no robots: it reads no ROS bags, no VLP-16, no Ouster and no Foxglove bridge</source><translation>esta versão não tem robôs: não lê bags do ROS, nem VLP-16, nem Ouster, nem ponte Foxglove</translation></message>
+<message><source>use a build with robots (EDGESCAN_ROBOTS)</source><translation>use uma versão com robôs (EDGESCAN_ROBOTS)</translation></message>
+<message><source>this is not a whole DXF group</source><translation>isto não é um grupo DXF completo</translation></message>
+<message><source>this coordinate is not a number</source><translation>esta coordenada não é um número</translation></message>
+<message><source>reading points</source><translation>leitura dos pontos</translation></message>
+<message><source>%n point shares its row and column with a nearer one, which was taken (several returns of one beam).</source><translation>%n ponto partilha a sua fileira e coluna com um mais próximo, que foi tomado (vários retornos de um feixe).</translation></message>
+<message><source>%n points share their row and column with a nearer one, which was taken (several returns of one beam).</source><translation>%n pontos partilham a sua fileira e coluna com um mais próximo, que foi tomado (vários retornos de um feixe).</translation></message>
+<message><source>this E57 file holds no scan, only %1</source><translation>este arquivo E57 não contém varredura alguma, só %1</translation></message>
+<message><source>%n picture</source><translation>%n imagem</translation></message>
+<message><source>%n pictures</source><translation>%n imagens</translation></message>
+<message><source>this E57 file holds no scan</source><translation>este arquivo E57 não contém nenhuma varredura</translation></message>
+<message><source>The first scan of the file holds no points.</source><translation>A primeira varredura do arquivo não contém pontos.</translation></message>
+<message><source>The first %1 scans of the file hold no points.</source><translation>As primeiras %1 varreduras do arquivo não contêm pontos.</translation></message>
+<message><source>The file holds %1 scans; this is number %2, --scan chooses another.</source><translation>O arquivo contém %1 varreduras; esta é a número %2, --scan escolhe outra.</translation></message>
+<message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>As fileiras e colunas que o arquivo dá aos seus pontos não formam uma grade e não foram usadas.</translation></message>
+<message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>O arquivo não diz em que sentido vão as linhas: as suas colunas foram tomadas como linhas, as suas fileiras como feixes.</translation></message>
+<message><source>scan %1 of this E57 file</source><translation>a varredura %1 deste arquivo E57</translation></message>
+<message><source>%1 holds no points</source><translation>%1 não contém pontos</translation></message>
+<message><source>choose another scan or file</source><translation>escolha outra varredura ou arquivo</translation></message>
+<message><source>%1 has neither cartesian nor spherical coordinates, only %2</source><translation>%1 não tem coordenadas cartesianas nem esféricas, só %2</translation></message>
+<message><source>export it with coordinates</source><translation>exporte-o com coordenadas</translation></message>
+<message><source>%n point is marked as invalid in the file and counts as no return.</source><translation>%n ponto está marcado como inválido no arquivo e conta como sem retorno.</translation></message>
+<message><source>%n points are marked as invalid in the file and count as no return.</source><translation>%n pontos estão marcados como inválidos no arquivo e contam como sem retorno.</translation></message>
+<message><source>What else a point of this file has is not read: %1.</source><translation>O mais que um ponto deste arquivo tem não é lido: %1.</translation></message>
+<message><source>The pictures of this file (%1) are not read.</source><translation>As imagens deste arquivo (%1) não são lidas.</translation></message>
+<message><source>the end that the header gives</source><translation>o fim que o cabeçalho dá</translation></message>
+<message><source>The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>A pose do arquivo não é uma rotação e translação, portanto a varredura fica no referencial do scanner.</translation></message>
+<message><source>choose a scan file</source><translation>escolha um arquivo de varredura</translation></message>
+<message><source>it may be what a site sent instead of the file: download the file again, or choose a scan file</source><translation>talvez um site a tenha enviado no lugar do arquivo: baixe de novo o arquivo ou escolha um arquivo de varredura</translation></message>
+<message><source>unpack it and open the scan in it</source><translation>descompacte-o e abra a varredura que contém</translation></message>
+<message><source>save its points as PLY in MeshLab</source><translation>salve os seus pontos como PLY no MeshLab</translation></message>
+<message><source>choose the scan that it was made from</source><translation>escolha a varredura da qual foi feito</translation></message>
+<message><source>save the ranges as .npy or .csv</source><translation>salve as distâncias como .npy ou .csv</translation></message>
+<message><source>this is a JPEG picture, not a scan</source><translation>é uma imagem JPEG, não uma varredura</translation></message>
+<message><source>this is a GIF picture, not a scan</source><translation>isto é uma imagem GIF, não uma varredura</translation></message>
+<message><source>this is a picture, sound or film (RIFF), not a scan</source><translation>isto é uma imagem, um som ou um filme (RIFF), não uma varredura</translation></message>
+<message><source>this is a picture or film, not a scan</source><translation>é uma imagem ou um filme, não uma varredura</translation></message>
+<message><source>this is a Photoshop picture, not a scan</source><translation>isto é uma imagem do Photoshop, não uma varredura</translation></message>
+<message><source>this is a program, not a scan</source><translation>é um programa, não uma varredura</translation></message>
+<message><source>this is a PDF document, not a scan</source><translation>é um documento PDF, não uma varredura</translation></message>
+<message><source>this is a ZIP archive, not a scan</source><translation>é um arquivo compactado ZIP, não uma varredura</translation></message>
+<message><source>this is a gzip archive in another one, not a scan</source><translation>isto é um arquivo gzip dentro de outro, não uma varredura</translation></message>
+<message><source>this is an xz archive, not a scan</source><translation>isto é um arquivo xz, não uma varredura</translation></message>
+<message><source>unpack it (xz -d) and open the scan in it</source><translation>descompacte-o (xz -d) e abra a varredura que ele contém</translation></message>
+<message><source>this is a bzip2 archive, not a scan</source><translation>isto é um arquivo bzip2, não uma varredura</translation></message>
+<message><source>unpack it (bzip2 -d) and open the scan in it</source><translation>descompacte-o (bzip2 -d) e abra a varredura que ele contém</translation></message>
+<message><source>this is a zstd archive, not a scan</source><translation>isto é um arquivo zstd, não uma varredura</translation></message>
+<message><source>unpack it (zstd -d) and open the scan in it</source><translation>descompacte-o (zstd -d) e abra a varredura que ele contém</translation></message>
+<message><source>this is a 7-Zip archive, not a scan</source><translation>isto é um arquivo 7-Zip, não uma varredura</translation></message>
+<message><source>this is a RAR archive, not a scan</source><translation>isto é um arquivo RAR, não uma varredura</translation></message>
+<message><source>this is an HDF5 file, which is not read</source><translation>isto é um arquivo HDF5, que não é lido</translation></message>
+<message><source>this is a MATLAB file, which is not read</source><translation>isto é um arquivo do MATLAB, que não é lido</translation></message>
+<message><source>save the ranges with writematrix(ranges, 'scan.csv')</source><translation>salve as distâncias com writematrix(ranges, 'scan.csv')</translation></message>
+<message><source>this is an old Office document, not a scan</source><translation>isto é um documento antigo do Office, não uma varredura</translation></message>
+<message><source>save the table as .csv</source><translation>salve a tabela como .csv</translation></message>
+<message><source>this is a Parquet table, which is not read</source><translation>isto é um arquivo Parquet, que não é lido</translation></message>
+<message><source>this is an Arrow table, which is not read</source><translation>isto é um arquivo Arrow, que não é lido</translation></message>
+<message><source>this is a glTF model, which is not read</source><translation>isto é um modelo glTF, que não é lido</translation></message>
+<message><source>save it as PLY in Blender or MeshLab</source><translation>salve-o como PLY no Blender ou MeshLab</translation></message>
+<message><source>this is a STEP model, not a scan</source><translation>isto é um modelo STEP, não uma varredura</translation></message>
+<message><source>this is an FBX model, which is not read</source><translation>isto é um modelo FBX, que não é lido</translation></message>
+<message><source>save it as PLY in Blender</source><translation>salve-o como PLY no Blender</translation></message>
+<message><source>this is a web page (HTML), not a scan</source><translation>é uma página web (HTML), não uma varredura</translation></message>
+<message><source>this is an SVG picture, not a scan</source><translation>isto é uma imagem SVG, não uma varredura</translation></message>
+<message><source>this is an XML document, not a scan</source><translation>isto é um documento XML, não uma varredura</translation></message>
+<message><source>this is a text document (RTF), not a scan</source><translation>isto é um documento de texto (RTF), não uma varredura</translation></message>
+<message><source>this is a PostScript document, not a scan</source><translation>isto é um documento PostScript, não uma varredura</translation></message>
+<message><source>this is a file of VTK, which is not read</source><translation>isto é um arquivo do VTK, que não é lido</translation></message>
+<message><source>save its points as PLY, or as CSV from ParaView's table</source><translation>salve os seus pontos como PLY, ou como CSV da tabela do ParaView</translation></message>
+<message><source>this is an OFF mesh, which is not read</source><translation>isto é um modelo OFF, que não é lido</translation></message>
+<message><source>this is a VRML scene, which is not read</source><translation>isto é uma cena VRML, que não é lida</translation></message>
+<message><source>this is a table of rocks, not a scan</source><translation>isto é uma tabela de rochas, não uma varredura</translation></message>
+<message><source>this is a raster of heights (Esri ASCII grid), not a scan</source><translation>isto é um raster de alturas (grade ASCII da Esri), não uma varredura</translation></message>
+<message><source>this is a raster of heights (Surfer grid), not a scan</source><translation>isto é um raster de alturas (grade do Surfer), não uma varredura</translation></message>
+<message><source>export it as E57 with FARO SCENE</source><translation>exporte-o como E57 com o FARO SCENE</translation></message>
+<message><source>export it as E57 or LAS with RiSCAN PRO, or with RIEGL's rdbconvert</source><translation>exporte-o como E57 ou LAS com RiSCAN PRO, ou com rdbconvert da RIEGL</translation></message>
+<message><source>export it as E57 with Z+F LaserControl</source><translation>exporte-o como E57 com o Z+F LaserControl</translation></message>
+<message><source>export it as E57 or PTX with Leica Cyclone</source><translation>exporte-o como E57 ou PTX com o Leica Cyclone</translation></message>
+<message><source>export it as E57 with Autodesk ReCap</source><translation>exporte-o como E57 com o Autodesk ReCap</translation></message>
+<message><source>this is a FARO scan (FLS), which is not read</source><translation>isto é um arquivo FARO (FLS), que não é lido</translation></message>
+<message><source>this is a FARO workspace, which is not read</source><translation>isto é um espaço de trabalho FARO, que não é lido</translation></message>
+<message><source>this is a FARO project, which is not read</source><translation>isto é um projeto FARO, que não é lido</translation></message>
+<message><source>this is a RIEGL stream (RXP), which is not read</source><translation>isto é um fluxo RIEGL (RXP), que não é lido</translation></message>
+<message><source>this is a RIEGL database, which is not read</source><translation>isto é uma base de dados RIEGL, que não é lida</translation></message>
+<message><source>this is a RIEGL database (RDBX), which is not read</source><translation>isto é uma base de dados RIEGL (RDBX), que não é lida</translation></message>
+<message><source>this is a RIEGL scan (3DD), which is not read</source><translation>isto é um arquivo RIEGL (3DD), que não é lido</translation></message>
+<message><source>this is a Z+F scan (ZFS), which is not read</source><translation>isto é um arquivo Z+F (ZFS), que não é lido</translation></message>
+<message><source>this is a Z+F project (ZFPRJ), which is not read</source><translation>isto é um projeto Z+F (ZFPRJ), que não é lido</translation></message>
+<message><source>this is a Z+F scan (ZFC), which is not read</source><translation>isto é um arquivo Z+F (ZFC), que não é lido</translation></message>
+<message><source>this is a Leica LGS project, which is not read</source><translation>isto é um projeto Leica LGS, que não é lido</translation></message>
+<message><source>this is a Leica LGSx project, which is not read</source><translation>isto é um projeto Leica LGSx, que não é lido</translation></message>
+<message><source>this is a Leica Cyclone database, which is not read</source><translation>isto é uma base de dados Leica Cyclone, que não é lida</translation></message>
+<message><source>this is an Autodesk ReCap project, which is not read</source><translation>isto é um projeto Autodesk ReCap, que não é lido</translation></message>
+<message><source>this is an Autodesk ReCap scan, which is not read</source><translation>isto é um arquivo Autodesk ReCap, que não é lido</translation></message>
+<message><source>this is a Trimble scan (TZF), which is not read</source><translation>isto é um arquivo Trimble (TZF), que não é lido</translation></message>
+<message><source>export it as E57 with Trimble RealWorks</source><translation>exporte-o como E57 com o Trimble RealWorks</translation></message>
+<message><source>this is a Topcon scan (CL3), which is not read</source><translation>isto é um arquivo Topcon (CL3), que não é lido</translation></message>
+<message><source>export it as E57 or PTX with Topcon's program</source><translation>exporte-o como E57 ou PTX com o programa da Topcon</translation></message>
+<message><source>this is a Topcon scan (CLR), which is not read</source><translation>isto é um arquivo Topcon (CLR), que não é lido</translation></message>
+<message><source>this is a Pointools cloud (POD), which is not read</source><translation>isto é um arquivo Pointools (POD), que não é lido</translation></message>
+<message><source>export it as LAS with Bentley's program</source><translation>exporte-o como LAS com o programa da Bentley</translation></message>
+<message><source>this is a Python pickle, which only Python can open</source><translation>isto é um pickle do Python, que só o Python pode abrir</translation></message>
+<message><source>this is a ROS bag that does not begin like one</source><translation>isto é um bag do ROS que não começa como tal</translation></message>
+<message><source>copy it again</source><translation>copie-a novamente</translation></message>
+<message><source>this is a ROS 2 bag that does not begin like one</source><translation>isto é um bag do ROS 2 que não começa como tal</translation></message>
+<message><source>this is a binary file without a telegram of a SICK scanner in it</source><translation>isto é um arquivo binário sem telegrama de um scanner SICK</translation></message>
+<message><source>save points as PCD or PLY; a capture of telegrams holds the bytes as they came from the scanner</source><translation>salve os pontos como PCD ou PLY; uma captura de telegramas contém os bytes tal como vieram do scanner</translation></message>
+<message><source>this is a BMP picture, not a scan</source><translation>isto é uma imagem BMP, não uma varredura</translation></message>
+<message><source>this is a drawing (DXF), which is not read</source><translation>isto é um desenho (DXF), que não é lido</translation></message>
+<message><source>choose the scan, or save the points of the drawing as CSV, LAS or PLY</source><translation>escolha a varredura, ou salve os pontos do desenho como CSV, LAS ou PLY</translation></message>
+<message><source>this is an Excel workbook, not a table of text</source><translation>isto é uma pasta do Excel, não uma tabela de texto</translation></message>
+<message><source>save the sheet as .csv</source><translation>salve a planilha como .csv</translation></message>
+<message><source>this is an OpenDocument spreadsheet, not a table of text</source><translation>isto é uma planilha OpenDocument, não uma tabela de texto</translation></message>
+<message><source>this is a numpy archive, which is not read</source><translation>isto é uma coleção numpy, que não é lida</translation></message>
+<message><source>save the array of ranges or points as .npy</source><translation>salve a matriz de distâncias ou pontos como .npy</translation></message>
+<message><source>this is a ROS bag, and %1</source><translation>isto é um bag de ROS, e %1</translation></message>
+<message><source>Network capture</source><translation>Captura de rede</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cinza, e as distâncias precisam de 16 bits em cinza</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cores, e as distâncias precisam de 16 bits em cinza</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>escolha uma varredura, ou uma imagem de distâncias de 16 bits por pixel</translation></message>
+<message><source>The picture is animated; the first frame was read.</source><translation>A imagem é animada; foi lido o primeiro quadro.</translation></message>
+<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>A imagem não termina com IEND: o arquivo foi cortado depois dos seus pixels.</translation></message>
+<message><source>the picture</source><translation>a imagem</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>isto é uma imagem PNG que não pode ser lida: </translation></message>
+<message><source>close other programs</source><translation>feche outros programas</translation></message>
+<message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>A imagem pede para ser girada ou espelhada ao ser mostrada (orientação %1): as suas fileiras foram tomadas como linhas tal como estão gravadas.</translation></message>
+<message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>a imagem anuncia mais pixels do que um arquivo de %1 contém de uma varredura</translation></message>
+<message><source>a pixel</source><translation>um pixel</translation></message>
+<message><source>%n pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation>%n pixel não contém distância (negativo, não numérico ou longe demais) e foi tomado como sem retorno.</translation></message>
+<message><source>%n pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation>%n pixels não contêm distância (negativos, não numéricos ou longe demais) e foram tomados como sem retorno.</translation></message>
+<message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidade tomada como milímetros, como nas imagens de distâncias.</translation></message>
+<message><source>the file ends within its LAS header</source><translation>o arquivo termina dentro do seu cabeçalho LAS</translation></message>
+<message><source>this is LAS version %1.%2, and versions up to 1.4 are known</source><translation>isto é LAS versão %1.%2, e são conhecidas as versões até 1.4</translation></message>
+<message><source>save it as LAS 1.2 or 1.4</source><translation>salve-o como LAS 1.2 ou 1.4</translation></message>
+<message><source>the LAS header says it is %1 bytes long</source><translation>o cabeçalho LAS diz que tem %1 bytes</translation></message>
+<message><source>the scale or offset in the LAS header is not a number that coordinates can have</source><translation>a escala ou o deslocamento do cabeçalho LAS não é um número que coordenadas possam ter</translation></message>
+<message><source>points of format %1 with %2 bytes are none that LAS knows</source><translation>o LAS não conhece pontos do formato %1 com %2 bytes</translation></message>
+<message><source>the file holds no points</source><translation>o arquivo não contém pontos</translation></message>
+<message><source>the points begin at byte %1, which is not in the file</source><translation>os pontos começam no byte %1, que não está no arquivo</translation></message>
+<message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them</source><translation>o cabeçalho anuncia %1 de %2 bytes e o arquivo contém %3 bytes deles</translation></message>
+<message><source>The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. A grid, cell states or a place in the mine that they held are lost; copy the file again.</source><translation>O fim do arquivo está danificado ou falta: %1 de %2 registros depois dos pontos não podem ser lidos. Uma grade, estados de células ou um lugar na mina que continham estão perdidos; copie de novo o arquivo.</translation></message>
+<message><source>the %1 that the header promises</source><translation>os %1 que o cabeçalho anuncia</translation></message>
+<message><source>the last record</source><translation>o último registro</translation></message>
+<message><source>The waveforms of this file were not read.</source><translation>As formas de onda deste arquivo não foram lidas.</translation></message>
+<message><source>describes a scan of %1 valid cells and holds %2</source><translation>descreve uma varredura de %1 células válidas e contém %2</translation></message>
+<message><source>save the scan again</source><translation>salve de novo a varredura</translation></message>
+<message><source>x and y of this file are degrees of longitude and latitude, as its coordinate system says, and points need metres</source><translation>x e y deste arquivo são graus de longitude e latitude, segundo o seu sistema de coordenadas, e os pontos precisam de metros</translation></message>
+<message><source>export it in a projected coordinate system such as UTM</source><translation>exporte-o num sistema de coordenadas projetado como UTM</translation></message>
+<message><source>The coordinate system of the file is %1, without its unit: metres were taken. --unit says another one.</source><translation>O sistema de coordenadas do arquivo é %1, sem a sua unidade: foram tomados metros. --unit indica outra.</translation></message>
+<message><source>The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.</source><translation>O sistema de coordenadas do arquivo dá os comprimentos em %1 de %2 mm: foram convertidos.</translation></message>
+<message><source>Heights of the file have another unit than x and y, %1 mm: they were converted.</source><translation>As alturas do arquivo têm outra unidade que x e y, %1 mm: foram convertidas.</translation></message>
+<message><source>%n point is marked as withheld in the file and counts as no return.</source><translation>%n ponto está marcado como excluído no arquivo e conta como sem retorno.</translation></message>
+<message><source>%n points are marked as withheld in the file and count as no return.</source><translation>%n pontos estão marcados como excluídos no arquivo e contam como sem retorno.</translation></message>
+<message><source>there are no points to save</source><translation>não há pontos para salvar</translation></message>
+<message><source>choose other cells or settings</source><translation>escolha outras células ou outros ajustes</translation></message>
+<message><source>LAS holds 2147 km in whole millimetres, and these points lie farther apart</source><translation>o LAS abrange 2147 km em milímetros inteiros, e estes pontos estão mais afastados entre si</translation></message>
+<message><source>save them as .pcd or .ply</source><translation>salve-os como .pcd ou .ply</translation></message>
+<message><source>LASzip gives no reason</source><translation>o LASzip não dá motivo</translation></message>
+<message><source>this LAZ file cannot be unpacked: %1</source><translation>este arquivo LAZ não pode ser descompactado: %1</translation></message>
+<message><source>the header promises %1, more than a file of %2 holds of a scan</source><translation>o cabeçalho anuncia %1, mais do que um arquivo de %2 contém de uma varredura</translation></message>
+<message><source>copy it again, or save it as .las</source><translation>copie-o de novo, ou salve-o como .las</translation></message>
+<message><source>the header promises %1 and the file ends after %2 (%3)</source><translation>o cabeçalho anuncia %1 e o arquivo termina depois de %2 (%3)</translation></message>
+<message><source>this LAZ file is damaged or cut off</source><translation>este arquivo LAZ está danificado ou cortado</translation></message>
+<message><source>this LAZ file cannot be unpacked: </source><translation>este arquivo LAZ não pode ser descompactado: </translation></message>
+<message><source>this LAZ file cannot be unpacked: it ends too early</source><translation>este arquivo LAZ não pode ser descompactado: termina cedo demais</translation></message>
+<message><source>this LAS file is compressed (LAZ), and this build of the program was made without LASzip</source><translation>este arquivo LAS está comprimido (LAZ), e esta versão do programa foi compilada sem LASzip</translation></message>
+<message><source>save it uncompressed as .las, with CloudCompare or "laszip -i IN.laz -o OUT.las"</source><translation>salve-o sem compressão como .las, com o CloudCompare ou "laszip -i IN.laz -o OUT.las"</translation></message>
+<message><source>reading ranges</source><translation>leitura das distâncias</translation></message>
+<message><source>the array at [%1, %2]</source><translation>a matriz em [%1, %2]</translation></message>
+<message><source>The first three of %1 columns were taken as x, y and z; the others are not read.</source><translation>As três primeiras de %1 colunas foram tomadas como x, y e z; as outras não são lidas.</translation></message>
+<message><source>the records of this numpy array have no x, y and z, only %1</source><translation>os registros desta matriz numpy não têm x, y e z, só %1</translation></message>
+<message><source>save points with fields x, y and z</source><translation>salve os pontos com campos x, y e z</translation></message>
+<message><source>the fields of this numpy array have different byte orders</source><translation>os campos desta matriz numpy têm ordens de bytes diferentes</translation></message>
+<message><source>save it again with one</source><translation>salve-a de novo com uma só</translation></message>
+<message><source>a numpy array of shape %1 is larger than any scan</source><translation>uma matriz numpy de forma %1 é maior que qualquer varredura</translation></message>
+<message><source>split it</source><translation>divida-a</translation></message>
+<message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>uma matriz numpy de forma %1 podem ser pontos com os eixos trocados, ou três linhas de distâncias</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>salve os pontos como (n, 3), que é points.T, ou indique os ângulos: --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>uma matriz numpy de forma %1 não é nem distâncias (linhas, feixes) nem pontos (n, 3) ou (linhas, feixes, 3)</translation></message>
+<message><source>save it in one of these shapes</source><translation>salve-a numa destas formas</translation></message>
+<message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>O arquivo contém mais de uma matriz (numpy.save mais de uma vez); foi lida a primeira.</translation></message>
+<message><source>the array</source><translation>a matriz</translation></message>
+<message><source>Python objects, which only Python can open</source><translation>objetos de Python, que só o Python pode abrir</translation></message>
+<message><source>true and false</source><translation>verdadeiro e falso</translation></message>
+<message><source>complex numbers</source><translation>números complexos</translation></message>
+<message><source>dates or times</source><translation>datas ou horas</translation></message>
+<message><source>values of type %1</source><translation>valores do tipo %1</translation></message>
+<message><source>save the array again with numpy.save</source><translation>salve de novo a matriz com numpy.save</translation></message>
+<message><source>the file ends within its numpy header</source><translation>o arquivo termina dentro do seu cabeçalho numpy</translation></message>
+<message><source>this is version %1 of numpy's format</source><translation>esta é a versão %1 do formato do numpy</translation></message>
+<message><source>the numpy header does not say type, order and shape</source><translation>o cabeçalho numpy não diz tipo, ordem e forma</translation></message>
+<message><source>the numpy header promises an array of shape %1</source><translation>o cabeçalho numpy anuncia uma matriz de forma %1</translation></message>
+<message><source>this numpy array holds %1</source><translation>esta matriz numpy contém %1</translation></message>
+<message><source>save it as an array of numbers (ranges.astype(numpy.float32))</source><translation>salve-a como matriz de números (ranges.astype(numpy.float32))</translation></message>
+<message><source>this numpy array of shape %1 is empty</source><translation>esta matriz numpy de forma %1 está vazia</translation></message>
+<message><source>the numpy header promises an array of shape %1, %2 of %3 bytes, and the file holds %4 bytes of them</source><translation>o cabeçalho numpy anuncia uma matriz de forma %1, %2 de %3 bytes, e o arquivo contém %4 bytes deles</translation></message>
+<message><source>%n item</source><translation>%n elemento</translation></message>
+<message><source>%n items</source><translation>%n elementos</translation></message>
+<message><source>this vertex does not hold three numbers</source><translation>este vértice não contém três números</translation></message>
+<message><source>copy the file again, it may be cut off here</source><translation>copie de novo o arquivo, ele pode estar cortado aqui</translation></message>
+<message><source>this OBJ file has no vertices</source><translation>este arquivo OBJ não tem vértices</translation></message>
+<message><source>%n line holds no words of OBJ and was not read, the first is line %1.</source><translation>%n linha não tem palavras de OBJ e não foi lida, a primeira é a linha %1.</translation></message>
+<message><source>%n lines hold no words of OBJ and were not read, the first is line %1.</source><translation>%n linhas não têm palavras de OBJ e não foram lidas, a primeira é a linha %1.</translation></message>
+<message><source>this header line of the PCD file is not understood</source><translation>esta linha do cabeçalho do arquivo PCD não é entendida</translation></message>
+<message><source>compare it with a PCD file of version 0.7</source><translation>compare-o com um arquivo PCD de versão 0.7</translation></message>
+<message><source>the PCD header has no DATA line</source><translation>o cabeçalho PCD não tem linha DATA</translation></message>
+<message><source>the PCD header names %1 and gives %2, %3 and %4</source><translation>o cabeçalho PCD nomeia %1 e dá %2, %3 e %4</translation></message>
+<message><source>%n field</source><translation>%n campo</translation></message>
+<message><source>%n fields</source><translation>%n campos</translation></message>
+<message><source>%n size</source><translation>%n tamanho</translation></message>
+<message><source>%n sizes</source><translation>%n tamanhos</translation></message>
+<message><source>%n type</source><translation>%n tipo</translation></message>
+<message><source>%n types</source><translation>%n tipos</translation></message>
+<message><source>%n count</source><translation>%n contagem</translation></message>
+<message><source>%n counts</source><translation>%n contagens</translation></message>
+<message><source>the header promises more points than any file holds</source><translation>o cabeçalho anuncia mais pontos do que qualquer arquivo contém</translation></message>
+<message><source>the header promises %1 and %2 x %3 of them</source><translation>o cabeçalho anuncia %1 e %2 x %3 deles</translation></message>
+<message><source>the field %1 has a type or size that PCD does not know</source><translation>o campo %1 tem um tipo ou um tamanho que o PCD não conhece</translation></message>
+<message><source>one point would take more than a megabyte</source><translation>um ponto ocuparia mais de um megabyte</translation></message>
+<message><source>the PCD file has no fields x, y and z</source><translation>o arquivo PCD não tem campos x, y e z</translation></message>
+<message><source>export the file with coordinates</source><translation>exporte o arquivo com coordenadas</translation></message>
+<message><source>the file ends before its compressed points</source><translation>o arquivo termina antes dos seus pontos comprimidos</translation></message>
+<message><source>promises %1 compressed bytes and holds %2</source><translation>anuncia %1 bytes comprimidos e contém %2</translation></message>
+<message><source>promises that %1 unpack to %2, which no scan does</source><translation>anuncia que %1 se descompactam em %2, o que nenhuma varredura faz</translation></message>
+<message><source>export the file again, uncompressed</source><translation>exporte de novo o arquivo, sem compressão</translation></message>
+<message><source>the compressed points are damaged</source><translation>os pontos comprimidos estão danificados</translation></message>
+<message><source>the points</source><translation>os pontos</translation></message>
+<message><source>the encoding "%1" is not ascii, binary or binary_compressed</source><translation>a codificação «%1» não é ascii, binary nem binary_compressed</translation></message>
+<message><source>this header line of the PLY file is not understood</source><translation>esta linha do cabeçalho do arquivo PLY não é entendida</translation></message>
+<message><source>the PLY header has no end_header line</source><translation>o cabeçalho PLY não tem linha end_header</translation></message>
+<message><source>the file ends before its vertices</source><translation>o arquivo termina antes dos seus vértices</translation></message>
+<message><source>the header promises %1</source><translation>o cabeçalho anuncia %1</translation></message>
+<message><source>check the file</source><translation>verifique o arquivo</translation></message>
+<message><source>the PLY file has no vertices</source><translation>o arquivo PLY não tem vértices</translation></message>
+<message><source>The lists that each vertex of this file has were not read.</source><translation>As listas que cada vértice deste arquivo tem não foram lidas.</translation></message>
+<message><source>the header promises %1 and the file ends after %2</source><translation>o cabeçalho anuncia %1 e o arquivo termina depois de %2</translation></message>
+<message><source>%n vertex</source><translation>%n vértice</translation></message>
+<message><source>%n vertices</source><translation>%n vértices</translation></message>
+<message><source>the format "%1" is none that PLY knows</source><translation>o PLY não conhece o formato «%1»</translation></message>
+<message><source>the header promises %1 and the file holds %2 bytes of them</source><translation>o cabeçalho anuncia %1 e o arquivo contém %2 bytes deles</translation></message>
+<message><source>the file is cut off in its last vertex</source><translation>o arquivo está cortado no seu último vértice</translation></message>
+<message><source>Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.</source><translation>Cada vértice tem um byte que o cabeçalho não nomeia, como o PCL o escreve depois das cores: foi saltado.</translation></message>
+<message><source>the vertices have no x, y and z</source><translation>os vértices não têm x, y e z</translation></message>
+<message><source>Only the vertices were read, not what follows them: %1.</source><translation>Só os vértices foram lidos, não o que vem depois: %1.</translation></message>
+<message><source>say which columns are easting (x), northing (y) and elevation (z), by number or name: --columns 2,1,3</source><translation>diga quais colunas são este (x), norte (y) e elevação (z), por número ou nome: --columns 2,1,3</translation></message>
+<message><source>--columns %1 does not name three different ones of its %2%3</source><translation>--columns %1 não nomeia três diferentes das suas %2%3</translation></message>
+<message><source>give three numbers from 1, or three names, such as --columns 2,1,3</source><translation>dê três números a partir de 1, ou três nomes, como --columns 2,1,3</translation></message>
+<message><source>holds %1 where a point needs three</source><translation>contém %1 onde um ponto precisa de três</translation></message>
+<message><source>%n number</source><translation>%n número</translation></message>
+<message><source>%n numbers</source><translation>%n números</translation></message>
+<message><source>choose a point list or a table of ranges</source><translation>escolha uma lista de pontos ou uma tabela de distâncias</translation></message>
+<message><source>its heading names %1 (%2), and points need x, y and z in metres</source><translation>seu título nomeia %1 (%2), e os pontos precisam de x, y e z em metros</translation></message>
+<message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escreva x, y e z, ou distâncias como tabela com uma fileira por linha; ou </translation></message>
+<message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>o seu cabeçalho nomeia eixos (%1), e nem todos os x, y e z são entendidos</translation></message>
+<message><source>the second to the fourth</source><translation>da segunda à quarta</translation></message>
+<message><source>the third to the fifth</source><translation>da terceira à quinta</translation></message>
+<message><source>the fourth to the sixth</source><translation>da quarta à sexta</translation></message>
+<message><source>the fifth to the seventh</source><translation>da quinta à sétima</translation></message>
+<message><source>the first holds</source><translation>a primeira contém</translation></message>
+<message><source>the first two hold</source><translation>as duas primeiras contêm</translation></message>
+<message><source>the first three hold</source><translation>as três primeiras contêm</translation></message>
+<message><source>the first four hold</source><translation>as quatro primeiras contêm</translation></message>
+<message><source>No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and z.</source><translation>Nenhum cabeçalho nomeia as colunas: as duas primeiras foram tomadas como fileira e coluna da grade, da terceira à quinta como x, y e z.</translation></message>
+<message><source>No heading names the columns: %1 were taken for x, y and z, as %2 whole numbers only.</source><translation>Nenhum título nomeia as colunas: como x, y e z foram tomadas %1, pois %2 só números inteiros.</translation></message>
+<message><source>The header names no x, y and z: the first three columns were taken for them (%1, %2, %3).</source><translation>O cabeçalho não nomeia x, y nem z: foram tomadas as três primeiras colunas (%1, %2, %3).</translation></message>
+<message><source>The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.</source><translation>O cabeçalho não nomeia tantas colunas quantas há (%1): as três primeiras foram tomadas como x, y e z.</translation></message>
+<message><source>this is neither text nor any scan format that is known</source><translation>isto não é texto nem um formato de varredura conhecido</translation></message>
+<message><source>begins a further list, behind the %1 of the first</source><translation>começa outra lista, depois dos %1 da primeira</translation></message>
+<message><source>save each scan in a file of its own</source><translation>salve cada varredura num arquivo próprio</translation></message>
+<message><source>holds %1 where a point needs %2</source><translation>contém %1 onde um ponto precisa de %2</translation></message>
+<message><source>the file may be cut off here, copy it again</source><translation>o arquivo pode estar cortado aqui, copie-o de novo</translation></message>
+<message><source>promises %1 and holds %2</source><translation>anuncia %1 e contém %2</translation></message>
+<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidade tomada de um comentário do arquivo: %1 mm por unidade.</translation></message>
+<message><source>scan %1 of this PTX file promises %2 of %3, and the file ends before them</source><translation>a varredura %1 deste arquivo PTX anuncia %2 de %3, e o arquivo termina antes</translation></message>
+<message><source>behind the %1 of %2 that the header promises there are more</source><translation>depois dos %1 de %2 que o cabeçalho anuncia há mais</translation></message>
+<message><source>scan %1 has no PTX header here</source><translation>a varredura %1 não tem cabeçalho PTX aqui</translation></message>
+<message><source>the scan of this PTX file holds 0 points</source><translation>a varredura deste arquivo PTX contém 0 pontos</translation></message>
+<message><source>the %1 scans of this PTX file hold 0 points</source><translation>as %1 varreduras deste arquivo PTX contêm 0 pontos</translation></message>
+<message><source>the header promises %1 and the file holds %2</source><translation>o cabeçalho anuncia %1 e o arquivo contém %2</translation></message>
+<message><source>The first %1 of these scans hold no point with a return.</source><translation>As primeiras %1 destas varreduras não têm nenhum ponto com retorno.</translation></message>
+<message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>A matriz do cabeçalho tem o lugar do scanner na última coluna e não na última fileira: foi lida por colunas.</translation></message>
+<message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>A linha 3 do cabeçalho põe o scanner a %1 m do lugar que a sua matriz dá: foi usada a matriz.</translation></message>
+<message><source>Behind the last of these scans there is text that is none.</source><translation>Depois da última destas varreduras há texto que não é uma.</translation></message>
+<message><source>PTX holds one point per cell, and points behind the nearest of their cell were asked for</source><translation>o PTX contém um ponto por célula, e foram pedidos também os pontos atrás do mais próximo de sua célula</translation></message>
+<message><source>use .pcd, .ply, .csv, .xyz, .las or .obj for them</source><translation>use para eles .pcd, .ply, .csv, .xyz, .las ou .obj</translation></message>
+<message><source>column %1 holds %2, so this is not a table of ranges</source><translation>a coluna %1 contém %2, então isto não é uma tabela de distâncias</translation></message>
+<message><source>for a list of points call its columns x, y and z in a first row, and leave out --beam-step and --line-step</source><translation>para uma lista de pontos chame suas colunas de x, y e z numa primeira linha, e deixe de fora --beam-step e --line-step</translation></message>
+<message><source>; or save it with a row per scan line: it has as many rows as an LMS511 has beams</source><translation>; ou salve-a com uma fileira por linha: tem tantas fileiras quantos feixes um LMS511</translation></message>
+<message><source>holds %1 where the first line holds %2</source><translation>contém %1 onde a primeira linha contém %2</translation></message>
+<message><source>%n range</source><translation>%n distância</translation></message>
+<message><source>%n ranges</source><translation>%n distâncias</translation></message>
+<message><source>copy or export the file again</source><translation>copie ou exporte de novo o arquivo</translation></message>
+<message><source>%n column is not ranges, by the header, and not read: %1.</source><translation>%n coluna não é de distâncias, segundo o cabeçalho, e não foi lida: %1.</translation></message>
+<message><source>%n columns are not ranges, by the header, and not read: %1.</source><translation>%n colunas não são de distâncias, segundo o cabeçalho, e não foram lidas: %1.</translation></message>
+<message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Os ângulos dos feixes foram tomados do cabeçalho: de %1 a %2 graus.</translation></message>
+<message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Os ângulos das linhas foram tomados da primeira coluna: de %1 a %2 graus.</translation></message>
+<message><source>line %1, beam %2</source><translation>linha %1, feixe %2</translation></message>
+<message><source> infinite ranges were taken as no return.</source><translation> distâncias infinitas foram tomadas como sem retorno.</translation></message>
+<message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distâncias abaixo de 0, todas o mesmo número, foram tomadas como sem retorno.</translation></message>
+<message><source> ranges longer than any scanner reaches were taken as no return.</source><translation> distâncias mais longas que o alcance de qualquer scanner foram tomadas como sem retorno.</translation></message>
+<message><source>%1 holds %2, which is not a range</source><translation>%1 contém %2, que não é uma distância</translation></message>
+<message><source>check that these are ranges; points need columns x, y and z</source><translation>verifique se são distâncias; os pontos precisam de colunas x, y e z</translation></message>
+<message><source>cells hold %1 in the numbers of the file</source><translation>células contêm %1 nos números do arquivo</translation></message>
+<message><source>give %1</source><translation>indique %1</translation></message>
+<message><source>: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>: onde não foram dados, foram tomados os de um LMS511 (feixes desde -5 graus a cada 1/6 de grau, linhas desde 0 a cada 0.18 graus, eixo spin).</translation></message>
+<message><source>a table of %1 per line does not say its angles</source><translation>uma tabela de %1 por linha não diz seus ângulos</translation></message>
+<message><source>The table does not say its angles</source><translation>A tabela não diz seus ângulos</translation></message>
+<message><source>a picture of %1 per line does not say its angles</source><translation>uma imagem de %1 por linha não diz seus ângulos</translation></message>
+<message><source>The picture does not say its angles</source><translation>A imagem não diz seus ângulos</translation></message>
+<message><source>a numpy array of %1 per line does not say its angles</source><translation>uma matriz numpy de %1 por linha não diz seus ângulos</translation></message>
+<message><source>The numpy array does not say its angles</source><translation>A matriz numpy não diz seus ângulos</translation></message>
+<message><source>this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats</source><translation>esta imagem TIFF tem %1 de %2 bits, e as distâncias precisam de um de 16 bits ou de números de 4 bytes</translation></message>
+<message><source>%n channel</source><translation>%n canal</translation></message>
+<message><source>%n channels</source><translation>%n canais</translation></message>
+<message><source>this TIFF picture is stored in tiles</source><translation>esta imagem TIFF está salva em blocos</translation></message>
+<message><source>save it in strips</source><translation>salve-a em faixas</translation></message>
+<message><source>the picture has no pixels</source><translation>a imagem não tem pixels</translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>a imagem TIFF está danificada ou é de um tipo que não pode ser lido</translation></message>
+<message><source>reading the picture</source><translation>leitura da imagem</translation></message>
+<message><source>The file holds %1 (pages); the first was read.</source><translation>O arquivo contém %1 (páginas); foi lida a primeira.</translation></message>
+<message><source>this is a TIFF picture, and this build of the program cannot read TIFF</source><translation>isto é uma imagem TIFF, e esta versão do programa não pode ler TIFF</translation></message>
+<message><source>save the ranges as PNG of 16 bits</source><translation>salve as distâncias como PNG de 16 bits</translation></message>
+<message><source>%1 lines x %2 beams</source><translation>%1 linhas x %2 feixes</translation></message>
+<message><source>holds %1 bytes where %2 need %3</source><translation>contém %1 bytes onde %2 precisam de %3</translation></message>
+<message><source>check lines and beams in the .json file</source><translation>verifique linhas e feixes no arquivo .json</translation></message>
+<message><source>"beam_deg" is missing</source><translation>falta "beam_deg"</translation></message>
+<message><source>"line_deg" is missing</source><translation>falta "line_deg"</translation></message>
+<message><source>"axis" is missing</source><translation>falta "axis"</translation></message>
+<message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>acrescente-o ao arquivo .json, ou indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta o arquivo de dados %1; em seu lugar foi lido %2.</translation></message>
+<message><source>counts alone are not a raw grid</source><translation>contagens sozinhas não são uma grade bruta</translation></message>
+<message><source>give the description before them</source><translation>dê a descrição antes delas</translation></message>
+<message><source>these counts need their description %1 next to them, and it cannot be read</source><translation>estes valores precisam da sua descrição %1 ao lado, e ela não pode ser lida</translation></message>
+<message><source>copy it into the same folder</source><translation>copie-a para a mesma pasta</translation></message>
+<message><source>save it as PCD, which carries every scan</source><translation>salve-a como PCD, que admite qualquer varredura</translation></message>
+<message><source>a raw grid needs beam and line angles and this cloud has none</source><translation>uma grade bruta precisa de ângulos de feixes e de linhas e esta nuvem não os tem</translation></message>
+<message><source>a raw grid holds whole counts of its unit up to 65535, and the range at %1 is none or means no return</source><translation>uma grade bruta contém contagens inteiras de sua unidade até 65535, e a distância em %1 não é uma ou significa sem retorno</translation></message>
+<message><source>%1, and %2</source><translation>%1, e %2</translation></message>
+<message><source>a point of a string needs its number, northing, easting and elevation</source><translation>um ponto de uma cadeia precisa de seu número, norte, este e elevação</translation></message>
+<message><source>copy the file again, it may be cut off or damaged here</source><translation>copie de novo o arquivo, ele pode estar cortado ou danificado aqui</translation></message>
+<message><source>a Surpac string file is text, and this is none</source><translation>um arquivo de cadeias do Surpac é texto, e este não é</translation></message>
+<message><source>Surpac strings</source><translation>Linhas do Surpac</translation></message>
+<message><source>this Surpac file has no points</source><translation>este arquivo Surpac não tem pontos</translation></message>
+<message><source>The file does not end with END: it may have been cut off; compare it with the original.</source><translation>O arquivo não termina com END: pode estar cortado; compare-o com o original.</translation></message>
+<message><source>Descriptions of points (D1 and further) are not read.</source><translation>As descrições dos pontos (D1 e seguintes) não são lidas.</translation></message>
+<message><source>%n line behind END was not read.</source><translation>%n linha depois de END não foi lida.</translation></message>
+<message><source>%n lines behind END were not read.</source><translation>%n linhas depois de END não foram lidas.</translation></message>
+<message><source>open the scan as the scanner stored it, or with its record</source><translation>abra a varredura tal como o scanner a gravou, ou com o seu registro</translation></message>
+<message><source>finding the axis</source><translation>busca do eixo</translation></message>
+<message><source>they do not follow each other in scan lines that turn about an axis elsewhere</source><translation>não se seguem em linhas que giram em torno de um eixo noutro lugar</translation></message>
+<message><source>Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.</source><translation>Cada linha só tem um feixe em cada %1, por turno: %2 linhas seguidas foram postas lado a lado.</translation></message>
+<message><source>the %1 points do not lie on beam x line angles about the origin:</source><translation>os %1 pontos não estão em ângulos feixe x linha em torno da origem:</translation></message>
+<message><source>about %1 no scan lines can be recognised</source><translation>em torno de %1 não se reconhecem linhas de varredura</translation></message>
+<message><source>about %1 %2 % lie on the best %3</source><translation>em torno de %1 %2 % estão nos melhores %3</translation></message>
+<message><source>%n line angles</source><translation>%n ângulos de linha</translation></message>
+<message><source>%n beam angles</source><translation>%n ângulos de feixe</translation></message>
+<message><source> (99 % are needed)</source><translation> (são precisos 99 %)</translation></message>
+<message><source>The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.</source><translation>A lista não era uma grade completa em ordem: %1 linhas x %2 feixes foram recuperados a partir dos ângulos dos seus pontos.</translation></message>
+<message><source> lines repeated the line before and were left out.</source><translation> linhas repetiam a linha anterior e foram deixadas de fora.</translation></message>
+<message><source> points stood in the list before, as when a driver stores lines twice, and were taken once.</source><translation> pontos já estavam na lista, como quando um driver grava linhas duas vezes, e foram tomados uma vez.</translation></message>
+<message><source> lines or beams without any point were put back empty, to keep the steps even.</source><translation> linhas ou feixes sem nenhum ponto foram repostos vazios, para manter passos iguais.</translation></message>
+<message><source> points belong to no single cell of the grid (on the rotation axis, or off the grid) and were left out.</source><translation> pontos não pertencem a uma única célula da grade (no eixo de rotação, ou fora da grade) e foram deixados de fora.</translation></message>
+<message><source> points lay in a cell with a nearer one, which was taken.</source><translation> pontos estavam numa célula com um mais próximo, que foi tomado.</translation></message>
+<message><source>The line angles are uneven: steps from %1 to %2 degrees, kept as they are.</source><translation>Os ângulos das linhas são desiguais: passos de %1 a %2 graus, mantidos como estão.</translation></message>
+<message><source>The lines turn about the file's y axis, which became z: x is the file's z, y its x, z its y.</source><translation>As linhas giram em torno do eixo y do arquivo, que passou a z: x é o z do arquivo, y o seu x, z o seu y.</translation></message>
+<message><source>holds %1 with a return, too few to find a scanner's grid</source><translation>contém %1 com retorno, poucos demais para encontrar a grade de um scanner</translation></message>
+<message><source>check that the file is complete</source><translation>verifique se o arquivo está completo</translation></message>
+<message><source>holds more points than can be put on a grid</source><translation>contém mais pontos do que cabem numa grade</translation></message>
+<message><source>split the file</source><translation>divida o arquivo</translation></message>
+<message><source>finding the grid</source><translation>busca da grade</translation></message>
+<message><source>open the scan as the scanner stored it, with its origin at the scanner</source><translation>abra a varredura tal como o scanner a gravou, com a origem no scanner</translation></message>
+<message><source>%1 x %2 degrees</source><translation>%1 x %2 graus</translation></message>
+<message><source>cells of %1 degrees over %2 would be %3 million cells</source><translation>células de %1 graus sobre %2 seriam %3 milhões de células</translation></message>
+<message><source>give a larger --grid-step</source><translation>indique um --grid-step maior</translation></message>
+<message><source>all %1 points lie in one direction from there, within %2 and %3 to %4 away</source><translation>os %1 pontos estão todos numa só direção a partir dali, dentro de %2 e a %3 a %4</translation></message>
+<message><source>%n point in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n ponto incluído, visto sobre %1 x %2 graus; %3 de %4 células preenchidas (taxa de preenchimento %5 %; das células em torno de uma preenchida %6 %), %7 atribuído a uma célula com outro mais próximo</translation></message>
+<message><source>%n points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells around a filled one %6 %), %7 attached to a cell with a nearer one</source><translation>%n pontos incluídos, vistos sobre %1 x %2 graus; %3 de %4 células preenchidas (taxa de preenchimento %5 %; das células em torno de uma preenchida %6 %), %7 atribuídos a uma célula com outro mais próximo</translation></message>
+<message><source>%n point far from all others left out</source><translation>%n ponto longe de todos os outros deixado de fora</translation></message>
+<message><source>%n points far from all others left out</source><translation>%n pontos longe de todos os outros deixados de fora</translation></message>
+<message><source>a grid step of %1 degrees makes no grid</source><translation>um passo de grade de %1 graus não dá grade</translation></message>
+<message><source>give --grid-step between 0 and 45 degrees</source><translation>indique --grid-step entre 0 e 45 graus</translation></message>
+<message><source>only %1 a return, too few to make a grid of them</source><translation>só %1 retorno, poucos demais para fazer uma grade</translation></message>
+<message><source>%n point has</source><translation>%n ponto tem</translation></message>
+<message><source>%n points have</source><translation>%n pontos têm</translation></message>
+<message><source>projecting the points</source><translation>projeção dos pontos</translation></message>
+<message><source>seen from there the points make no picture: %1</source><translation>vistos dali os pontos não formam uma imagem: %1</translation></message>
+<message><source>give a larger --grid-step, or another --sensor</source><translation>indique um --grid-step maior, ou outro --sensor</translation></message>
+<message><source>The file lists only points: </source><translation>O arquivo contém só pontos: </translation></message>
+<message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from</source><translation>indique --sensor X,Y,Z,, o lugar em metros de onde a varredura foi feita</translation></message>
+<message><source>Unit taken as millimetres</source><translation>Unidade tomada como milímetros</translation></message>
+<message><source>Unit taken as centimetres</source><translation>Unidade tomada como centímetros</translation></message>
+<message><source>Unit taken as metres</source><translation>Unidade tomada como metros</translation></message>
+<message><source>, in which every range is a whole number of millimetres.</source><translation>, unidade em que cada distância é um número inteiro de milímetros.</translation></message>
+<message><source>, from the size of the numbers.</source><translation>, pelo tamanho dos números.</translation></message>
+<message><source>a recording is being written already</source><translation>uma gravação já está em andamento</translation></message>
+<message><source>stop it first</source><translation>pare-a primeiro</translation></message>
+<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distâncias são o range_max das suas mensagens, repetem-se e foram tomadas como sem retorno.</translation></message>
+<message><source>no return </source><translation>sem retorno </translation></message>
+<message><source>sweep complete</source><translation>varredura completa</translation></message>
+<message><source>sweep ended</source><translation>varredura terminada</translation></message>
+<message><source>window clean</source><translation>janela limpa</translation></message>
+<message><source> earlier in this sweep</source><translation> antes nesta varredura</translation></message>
+<message><source> scan telegrams since the start could not be decoded, so their lines are lost: </source><translation> telegramas de varredura desde o início não puderam ser decodificados, portanto as suas linhas estão perdidas: </translation></message>
+<message><source> bytes since the start were not a telegram and were skipped.</source><translation> bytes desde o início não eram um telegrama e foram saltados.</translation></message>
+<message><source>The sweep has ended; no line has come since.</source><translation>A varredura terminou; nenhuma linha chegou desde então.</translation></message>
+<message><source>device ok</source><translation>aparelho em ordem</translation></message>
+<message><source>DEVICE ERROR earlier in this sweep</source><translation>ERRO DO APARELHO antes nesta varredura</translation></message>
+<message><source>pose of unknown age</source><translation>pose de idade desconhecida</translation></message>
+<message><source>beam %1 of %2 would be at %3 degrees</source><translation>o feixe %1 de %2 estaria a %3 graus</translation></message>
+<message><source>line %1 of %2 would be at %3 degrees</source><translation>a linha %1 de %2 estaria a %3 graus</translation></message>
+<message><source>give angles from %1 to %2 degrees</source><translation>indique ângulos de %1 a %2 graus</translation></message>
+<message><source>a calibration alone gives no place</source><translation>uma calibração sozinha não dá um lugar</translation></message>
+<message><source>give --pose POSE.json too</source><translation>indique também --pose POSE.json</translation></message>
+<message><source>the format %1 does not have it</source><translation>o formato %1 não o tem</translation></message>
+<message><source>%1 points lie farther than %2 from the sensor and were taken as no return: --sensor X,Y,Z says where it stood.</source><translation>%1 pontos estão a mais de %2 do sensor e foram tomados como sem retorno: --sensor X,Y,Z diz onde ele estava.</translation></message>
+<message><source>%1 cannot be a measured %2: %3 to %4</source><translation>%1 não pode ser um valor medido de %2: de %3 a %4</translation></message>
+<message><source>%1 at %5 cannot be a measured %2: %3 to %4</source><translation>%1 em %5 não pode ser um valor medido de %2: de %3 a %4</translation></message>
+<message><source>check the unit and the numbers of the file</source><translation>verifique a unidade e os números do arquivo</translation></message>
+<message><source>beam %1</source><translation>feixe %1</translation></message>
+<message><source>line %1</source><translation>linha %1</translation></message>
+<message><source>the skew of beam %1</source><translation>a defasagem do feixe %1</translation></message>
+<message><source>all %1 beams look the same way</source><translation>os %1 feixes olham todos na mesma direção</translation></message>
+<message><source>give the step from beam to beam</source><translation>indique o passo de feixe a feixe</translation></message>
+<message><source>all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures</source><translation>todos os pontos estão a menos de %1 m uns dos outros e a pelo menos %2 m do scanner, o que nenhum scanner mede</translation></message>
+<message><source>give --sensor X,Y,Z, the place in metres that the scan was taken from, or check --unit</source><translation>indique --sensor X,Y,Z, o lugar em metros de onde a varredura foi feita, ou verifique --unit</translation></message>
+<message><source>The sensor's place was found from the ranges that the file holds with its points.</source><translation>O lugar do sensor foi encontrado a partir das distâncias que o arquivo contém com os seus pontos.</translation></message>
+<message><source>The columns of lines and beams hold no grid and were not used.</source><translation>As colunas de linhas e feixes não contêm nenhuma grade e não foram usadas.</translation></message>
+<message><source>too few points</source><translation>pontos de menos</translation></message>
+<message><source>left-handed points</source><translation>pontos de mão esquerda</translation></message>
+<message><source>their scan lines turn about another axis than --axis says</source><translation>suas linhas de varredura giram em torno de outro eixo que o de --axis</translation></message>
+<message><source>their scan lines turn about an axis through the origin</source><translation>suas linhas de varredura giram em torno de um eixo pela origem</translation></message>
+<message><source>another grid</source><translation>outra grade</translation></message>
+<message><source>about the axis of their scan lines they are on no common beams</source><translation>em torno do eixo de suas linhas de varredura não estão em feixes comuns</translation></message>
+<message><source>Lines and beams were exchanged: only that way the lines make fans about one axis.</source><translation>Linhas e feixes foram trocados: só assim as linhas formam leques em torno de um eixo.</translation></message>
+<message><source>The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.</source><translation>As fileiras do arquivo, tal como estão, não formam leques em torno de um eixo: %1, e só assim as linhas formam leques.</translation></message>
+<message><source>they were taken as beams, and the columns as lines</source><translation>foram tomadas como feixes, e as colunas como linhas</translation></message>
+<message><source>its counts of rows and columns were exchanged</source><translation>seus números de linhas e colunas foram trocados</translation></message>
+<message><source>its points were taken row by row, where the header says column by column</source><translation>seus pontos foram tomados linha por linha, onde o cabeçalho diz coluna por coluna</translation></message>
+<message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Nenhuma célula desta varredura tem uma distância medida: verifique o arquivo, o tópico e os limites de distância.</translation></message>
+<message><source>a cell has the state %1, which does not exist</source><translation>uma célula tem o estado %1, que não existe</translation></message>
+<message><source>describes %1 and holds %2</source><translation>descreve %1 e contém %2</translation></message>
+<message><source>describes %1 but has no columns range_mm and state</source><translation>descreve %1 mas não tem as colunas range_mm e state</translation></message>
+<message><source>save the scan again, or remove the comment lines</source><translation>salve de novo a varredura, ou remova as linhas de comentário</translation></message>
+<message><source>--unit does not apply: this program saved the file, in metres</source><translation>--unit não se aplica: este programa salvou o arquivo, em metros</translation></message>
+<message><source>leave --unit out</source><translation>deixe --unit de fora</translation></message>
+<message><source>a valid cell has a number that is not a range</source><translation>uma célula válida tem um número que não é uma distância</translation></message>
+<message><source>the description in the comment lines has no angles</source><translation>a descrição nas linhas de comentário não tem ângulos</translation></message>
+<message><source>%n point was filled and not measured, as filled_sd_mm says: it was taken as no return.</source><translation>%n ponto foi preenchido e não medido, como diz filled_sd_mm: foi tomado como sem retorno.</translation></message>
+<message><source>%n points were filled and not measured, as filled_sd_mm says: they were taken as no return.</source><translation>%n pontos foram preenchidos e não medidos, como diz filled_sd_mm: foram tomados como sem retorno.</translation></message>
+<message><source>the file gives the grid of its cells</source><translation>o arquivo dá a grade de suas células</translation></message>
+<message><source>The matrix of the %1 file was not used: its points are in another frame than the scanner's.</source><translation>A matriz do arquivo %1 não foi usada: os seus pontos estão noutro referencial que o do scanner.</translation></message>
+<message><source>%1 cells hold status codes of an LMS2xx from %2 on instead of a range and were taken as such.</source><translation>%1 células contêm códigos de estado de um LMS2xx a partir de %2 em vez de uma distância e foram tomadas como tais.</translation></message>
+<message><source>The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.</source><translation>As coordenadas estão arredondadas e cada ponto cai num número inteiro de milímetros ao longo do seu feixe: estes foram tomados como distâncias.</translation></message>
+<message><source>The file's coordinates are left-handed and were turned right-handed: y is mirrored.</source><translation>As coordenadas do arquivo são levógiras e foram tornadas dextrógiras: y está espelhado.</translation></message>
+<message><source>%1 of %2 cells of the grid that was found have no point and count as no return.</source><translation>%1 de %2 células da grade encontrada não têm ponto e contam como sem retorno.</translation></message>
+<message><source>the origin, because no sensor position is known (--sensor X,Y,Z gives it)</source><translation>a origem, porque nenhuma posição do sensor é conhecida (--sensor X,Y,Z a dá)</translation></message>
+<message><source>the sensor position given, (%1, %2, %3) m</source><translation>a posição do sensor indicada, (%1, %2, %3) m</translation></message>
+<message><source>the sensor position in the file, (%1, %2, %3) m</source><translation>a posição do sensor no arquivo, (%1, %2, %3) m</translation></message>
+<message><source>The points lie on no scanner grid and were projected about %1: %2.</source><translation>Os pontos não estão em nenhuma grade de scanner e foram projetados tomando como centro %1: %2.</translation></message>
+<message><source>The points were projected about %1: %2.</source><translation>Os pontos foram projetados tomando como centro %1: %2.</translation></message>
+<message><source>The cells have the given %1 degrees</source><translation>As células têm os %1 graus indicados</translation></message>
+<message><source>The cells have %1 degrees, from the spacing of the points</source><translation>As células têm %1 graus, pelo espaçamento dos pontos</translation></message>
+<message><source>, along lines that were recognised in the cloud.</source><translation>, ao longo de linhas que foram reconhecidas na nuvem.</translation></message>
+<message><source>Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, or with its record, has the grid of the scan.</source><translation>As arestas de uma nuvem projetada diferem das da sua varredura: um arquivo com os pontos na ordem do scanner, ou com o seu registro, tem a grade da varredura.</translation></message>
+<message><source>projected about %1: %2</source><translation>projetados tomando como centro %1: %2</translation></message>
+<message><source>The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.</source><translation>O eixo das linhas da varredura está a %1 (nos números do arquivo) da posição conhecida do sensor.</translation></message>
+<message><source>%n point is a later return of a pulse, as the file says: the first returns make the grid</source><translation>%n ponto é um retorno posterior de um pulso, segundo o arquivo: os primeiros retornos formam a grade</translation></message>
+<message><source>%n points are later returns of a pulse, as the file says: the first returns make the grid</source><translation>%n pontos são retornos posteriores de um pulso, segundo o arquivo: os primeiros retornos formam a grade</translation></message>
+<message><source>, and %1</source><translation>, e %1</translation></message>
+<message><source>%n other was attached to its cell</source><translation>%n outro foi ligado à sua célula</translation></message>
+<message><source>%n others were attached to their cells</source><translation>%n outros foram ligados às suas células</translation></message>
+<message><source>%n other has no cell of its own and was left out</source><translation>%n outro não tem célula própria e foi deixado de fora</translation></message>
+<message><source>%n others have no cell of their own and were left out</source><translation>%n outros não têm célula própria e foram deixados de fora</translation></message>
+<message><source>%1 lines, %2 beams and mounting %3 were found from them.</source><translation>%1 linhas, %2 feixes e a montagem %3 foram encontrados a partir deles.</translation></message>
+<message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>a última linha da varredura está incompleta e a última fileira não tem fim de linha: o arquivo foi cortado</translation></message>
+<message><source>the file is in another frame than the scanner's, and %1 of its points share their line and beam with another</source><translation>o arquivo está em outro referencial que o do scanner, e %1 de seus pontos compartilham linha e feixe com outro</translation></message>
+<message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>A grade tem tantas linhas e feixes quantos os pontos nomeiam, %1 x %2: uma linha ou um feixe atrás do último ponto não está no arquivo.</translation></message>
+<message><source>the points have a grid</source><translation>os pontos têm uma grade</translation></message>
+<message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>A lista só contém retornos: uma linha ou um feixe da borda sem nenhum retorno não está nela.</translation></message>
+<message><source>points are one and the same,%1</source><translation>pontos são um e o mesmo,%1</translation></message>
+<message><source>points are %1 (in the numbers of the file) from the sensor</source><translation>pontos estão a %1 (nos números do arquivo) do sensor</translation></message>
+<message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>os seus números foram arredondados a %1 algarismos, e os próximos de %2 avançam em passos de %3: os algarismos que posicionam os pontos perderam-se</translation></message>
+<message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escreva de novo as coordenadas com todas as casas decimais, como números e não na forma 1.23E+06</translation></message>
+<message><source>%1 numbers per line without names are a table of ranges only with its angles; as points, %2</source><translation>%1 números por linha sem nomes são uma tabela de distâncias só com seus ângulos; como pontos, %2</translation></message>
+<message><source>give --beam-start --beam-step --line-start --line-step --axis, or name the columns x, y and z</source><translation>indique --beam-start --beam-step --line-start --line-step --axis, ou nomeie as colunas x, y e z</translation></message>
+<message><source>%1 of the %2 of the file have no cell of their own.</source><translation>%1 dos %2 do arquivo não têm célula própria.</translation></message>
+<message><source>the file holds 0 points with a return, out of %1</source><translation>o arquivo contém 0 pontos com retorno, de %1</translation></message>
+<message><source>choose another file, or copy it again</source><translation>escolha outro arquivo, ou copie-o de novo</translation></message>
+<message><source>Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.</source><translation>Neste arquivo, os números até %1 têm uma resolução de cerca de %2: foi escrito com números flutuantes de 4 bytes.</translation></message>
+<message><source>%n point with infinite or absurdly large coordinates was taken as no return.</source><translation>%n ponto com coordenadas infinitas ou absurdamente grandes foi tomado como sem retorno.</translation></message>
+<message><source>%n points with infinite or absurdly large coordinates were taken as no return.</source><translation>%n pontos com coordenadas infinitas ou absurdamente grandes foram tomados como sem retorno.</translation></message>
+<message><source>the pose could not be removed (%1)</source><translation>não foi possível remover a pose (%1)</translation></message>
+<message><source>remove the file by hand</source><translation>remova o arquivo à mão</translation></message>
+<message><source>the file name has no extension that names a format</source><translation>o nome do arquivo não tem uma extensão que nomeie um formato</translation></message>
+<message><source>"%1" is not a format that can be written</source><translation>«%1» não é um formato que possa ser escrito</translation></message>
+<message><source>use %1</source><translation>use %1</translation></message>
+<message><source>the edge mask has %1 x %2 cells and the scan %3 x %4</source><translation>a máscara de bordas tem %1 x %2 células e a varredura %3 x %4</translation></message>
+<message><source>detect the edges of this scan again</source><translation>detecte de novo as bordas desta varredura</translation></message>
+<message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>a varredura não tem pose, portanto o seu lugar na grade da mina não é conhecido</translation></message>
+<message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>dê uma pose e a calibração do robô, ou salve no referencial do scanner</translation></message>
+<message><source>the scan has no cells</source><translation>a varredura não tem células</translation></message>
+<message><source>a raw grid or a recording holds ranges and no coordinates</source><translation>uma grade bruta ou uma gravação contém distâncias e não coordenadas</translation></message>
+<message><source>save it without a frame, or as %1</source><translation>salve-a sem referencial, ou como %1</translation></message>
+<message><source>%n point behind the nearest of its cell is not in this file: --include-attached saves all points.</source><translation>%n ponto atrás do mais próximo de sua célula não está neste arquivo: --include-attached salva todos os pontos.</translation></message>
+<message><source>%n points behind the nearest of their cell are not in this file: --include-attached saves all points.</source><translation>%n pontos atrás do mais próximo de sua célula não estão neste arquivo: --include-attached salva todos os pontos.</translation></message>
+<message><source>The file holds points and no grid: %1 cells without a range are not in it.</source><translation>O arquivo contém pontos e nenhuma grade: %1 células sem distância não estão nele.</translation></message>
+<message><source>This file knows only points and no returns: %1 cells of other states become no returns.</source><translation>Este arquivo só conhece pontos e células sem retorno: %1 células de outros estados passam a ser sem retorno.</translation></message>
+<message><source>The file holds numbers only: keep %1.provenance.json next to it, which holds the grid, or write it with --comments.</source><translation>O arquivo contém só números: guarde junto dele %1.provenance.json, que contém a grade, ou escreva-o com --comments.</translation></message>
+<message><source>The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.</source><translation>O arquivo não contém as intensidades: .pcd, .ply, .las, .ptx e .csv contêm.</translation></message>
+<message><source>The file rounds the points to whole steps of %1 mm.</source><translation>O arquivo arredonda os pontos a passos inteiros de %1 mm.</translation></message>
+<message><source>The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.</source><translation>O arquivo está no referencial do scanner e não contém o lugar da varredura na mina: --frame mine dá coordenadas de mina.</translation></message>
+<message><source>The file has room for one place of the scanner, and this scanner moved by up to %1 mm: without %2.provenance.json its ranges are as much off; its points are exact.</source><translation>O arquivo tem espaço para um lugar do scanner, e este scanner se moveu até %1 mm: sem %2.provenance.json suas distâncias diferem em igual medida; seus pontos são exatos.</translation></message>
+<message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Este arquivo é uma exportação de pontos de aresta, não uma varredura: todas as outras células contam como sem retorno. Abra a varredura para procurar arestas.</translation></message>
+<message><source>was written for another one</source><translation>foi escrito para outro</translation></message>
+<message><source>describes no grid</source><translation>não descreve grade alguma</translation></message>
+<message><source>does not list the cells of the points</source><translation>não enumera as células dos pontos</translation></message>
+<message><source>has a grid for which there is not enough memory</source><translation>tem uma grade para a qual não há memória suficiente</translation></message>
+<message><source>describes a grid without angles and without a sensor</source><translation>descreve uma grade sem ângulos e sem sensor</translation></message>
+<message><source>lists other cells than the file has points</source><translation>enumera outras células que os pontos que o arquivo tem</translation></message>
+<message><source>does not hold the place of the scan in the mine</source><translation>não contém o lugar da varredura na mina</translation></message>
+<message><source>cannot be read (%1)</source><translation>não pode ser lido (%1)</translation></message>
+<message><source>The record next to the file %1, so the grid in it was not used.</source><translation>O registro junto do arquivo não serve (%1), portanto a sua grade não foi usada.</translation></message>
+<message><source>lists a cell twice</source><translation>enumera uma célula duas vezes</translation></message>
+<message><source>The file puts the sensor %1 away from its points, which are all within %2 of each other (in its own numbers): no scanner measures so, and the place was not used.</source><translation>O arquivo põe o sensor a %1 dos seus pontos, que estão todos a menos de %2 uns dos outros (nos seus próprios números): nenhum scanner mede assim, e esse lugar não foi usado.</translation></message>
+<message><source>the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: the scanner stood elsewhere</source><translation>os %1 pontos da sua grade estão numa só direção a partir da origem, dentro de %2 graus e até %3: o scanner estava noutro lugar</translation></message>
+<message><source>Unit taken as metres, in which the numbers fit the sensor position given.</source><translation>O metro foi tomado como unidade, com o qual os números concordam com a posição do sensor indicada.</translation></message>
+<message><source>Unit taken as millimetres, in which the numbers fit the sensor position given.</source><translation>O milímetro foi tomado como unidade, com o qual os números concordam com a posição do sensor indicada.</translation></message>
+<message><source>numbers up to %1 in this file have a resolution of about %2</source><translation>os números até %1 deste arquivo têm uma resolução de cerca de %2</translation></message>
+<message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>O texto tem dois bytes por caractere (UTF-16) e foi lido assim.</translation></message>
+<message><source>%n byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n byte zero (NUL) segue a última fileira, como os deixa uma queda de energia: faltam as fileiras que não foram escritas.</translation></message>
+<message><source>%n bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n bytes zero (NUL) seguem a última fileira, como os deixa uma queda de energia: faltam as fileiras que não foram escritas.</translation></message>
+<message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>A matriz do arquivo não é uma rotação e translação, portanto a varredura fica no referencial do scanner.</translation></message>
+<message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>O arquivo %1 põe o scanner em %2, %3, %4 m, que não é um lugar na terra, portanto a varredura fica no referencial do scanner.</translation></message>
+<message><source>as the %1 file has it</source><translation>como o tem o arquivo %1</translation></message>
+<message><source>the header of %1</source><translation>o cabeçalho de %1</translation></message>
+<message><source>The place is the one written in the %1 file: whether that is the mine grid, who registered it knows.</source><translation>O lugar é o escrito no arquivo %1: se isso é a grade da mina, sabe-o quem o registrou.</translation></message>
+<message><source>The points are in another frame than the scanner's. Their scan lines turn about one axis, at %1, %2, %3 m, and the mirror is %4 off the axis</source><translation>Os pontos estão em outro referencial que o do scanner. Suas linhas de varredura giram em torno de um eixo, em %1, %2, %3 m, e o espelho está a %4 do eixo</translation></message>
+<message><source>; the grid has the scale %1</source><translation>; a grade tem a escala %1</translation></message>
+<message><source>%1. The points fit lines and beams within %2.</source><translation>%1. Os pontos encaixam em linhas e feixes com um erro de %2.</translation></message>
+<message><source>That is more than the rounding of the numbers explains, %1 mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan as it was measured, has them exactly.</source><translation>É mais do que o arredondamento dos números explica, %1 mm: distâncias podem estar erradas e arestas diferir das da varredura. O registro do arquivo, ou a varredura tal como foi medida, tem-nas exatas.</translation></message>
+<message><source>the scan lines of the points</source><translation>as linhas de varredura dos pontos</translation></message>
+<message><source>The place was found from the scan lines of the points: whether their frame is the mine grid, the file does not say.</source><translation>O lugar foi encontrado a partir das linhas de varredura dos pontos: o arquivo não diz se o referencial deles é a grade da mina.</translation></message>
+<message><source>copy the capture again</source><translation>copie de novo a captura</translation></message>
+<message><source>the capture ends within its header</source><translation>a captura termina dentro do seu cabeçalho</translation></message>
+<message><source>is too short for a packet</source><translation>é curto demais para um pacote</translation></message>
+<message><source>names an interface that the capture does not describe</source><translation>nomeia uma interface que a captura não descreve</translation></message>
+<message><source>promises more bytes of a packet than it has</source><translation>anuncia mais bytes de um pacote do que tem</translation></message>
+<message><source>a block of this PCAPNG capture %1</source><translation>um bloco desta captura PCAPNG %1</translation></message>
+<message><source>says that it has %1 bytes</source><translation>diz que tem %1 bytes</translation></message>
+<message><source>is too short for an interface</source><translation>é curto demais para uma interface</translation></message>
+<message><source>this is not a capture of network packets</source><translation>isto não é uma captura de pacotes de rede</translation></message>
+<message><source>The capture was cut off: everything up to the cut is here.</source><translation>A captura foi cortada: tudo até o corte está aqui.</translation></message>
+<message><source>%n packet has a time before 1970 or after 2262 and count as of 1970.</source><translation>%n pacote tem uma hora antes de 1970 ou depois de 2262 e conta como de 1970.</translation></message>
+<message><source>%n packets have a time before 1970 or after 2262 and count as of 1970.</source><translation>%n pacotes têm uma hora antes de 1970 ou depois de 2262 e contam como de 1970.</translation></message>
+<message><source>%n byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.</source><translation>%n byte que o scanner enviou falta na captura (%1): os telegramas ali estão perdidos.</translation></message>
+<message><source>%n bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost.</source><translation>%n bytes que o scanner enviou faltam na captura (%1): os telegramas ali estão perdidos.</translation></message>
+<message><source>%n place</source><translation>%n lugar</translation></message>
+<message><source>%n places</source><translation>%n lugares</translation></message>
+<message><source>%n byte that the scanner sent belongs to no whole telegram.</source><translation>%n byte que o scanner enviou não pertence a nenhum telegrama inteiro.</translation></message>
+<message><source>%n bytes that the scanner sent belong to no whole telegram.</source><translation>%n bytes que o scanner enviou não pertencem a nenhum telegrama inteiro.</translation></message>
+<message><source>%n packet came out of order and %1 brought bytes again; they were put in order.</source><translation>%n pacote chegou fora de ordem e %1 trouxeram bytes de novo; foram postos em ordem.</translation></message>
+<message><source>%n packets came out of order and %1 brought bytes again; they were put in order.</source><translation>%n pacotes chegaram fora de ordem e %1 trouxeram bytes de novo; foram postos em ordem.</translation></message>
+<message><source>%n fragment of IP packets were not put together.</source><translation>%n fragmento de pacotes IP não foi juntado.</translation></message>
+<message><source>%n fragments of IP packets were not put together.</source><translation>%n fragmentos de pacotes IP não foram juntados.</translation></message>
+<message><source>putting packets together</source><translation>junção dos pacotes</translation></message>
+<message><source>this capture holds no scan telegram of a SICK scanner, and %1</source><translation>esta captura não contém telegrama de varredura de um scanner SICK, e %1</translation></message>
+<message><source>this capture holds %1, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster</source><translation>esta captura contém %1, %2 deles TCP, e nenhum telegrama de varredura de um scanner SICK nem pacote de um VLP-16 ou de um Ouster</translation></message>
+<message><source>%n packet</source><translation>%n pacote</translation></message>
+<message><source>%n packets</source><translation>%n pacotes</translation></message>
+<message><source>capture the connection to the scanner's port (2111 or 2112) while it scans</source><translation>capture a conexão à porta do scanner (2111 ou 2112) enquanto ele varre</translation></message>
+<message><source>%n other sender has some too</source><translation>%n outro emissor também tem</translation></message>
+<message><source>%n other senders have some too</source><translation>%n outros emissores também têm</translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 was opened, and %4.</source><translation>A captura contém %1 fluxos; foi aberto o de %2 com %3, e %4.</translation></message>
+<message><source>The capture holds %1 streams; that of %2 with %3 was opened.</source><translation>A captura contém %1 fluxos; foi aberto o de %2 com %3.</translation></message>
+<message><source>%n scan telegram</source><translation>%n telegrama de varredura</translation></message>
+<message><source>%n scan telegrams</source><translation>%n telegramas de varredura</translation></message>
+<message><source>finding telegrams</source><translation>busca de telegramas</translation></message>
+<message><source>these are %1 of a SICK device and none is a scan</source><translation>estes são %1 de um aparelho SICK e nenhum é uma varredura</translation></message>
+<message><source>%n telegram</source><translation>%n telegrama</translation></message>
+<message><source>%n telegrams</source><translation>%n telegramas</translation></message>
+<message><source>capture while the scanner sends scans (sEN LMDscandata 1)</source><translation>capture enquanto o scanner envia varreduras (sEN LMDscandata 1)</translation></message>
+<message><source>CoLa stream</source><translation>Fluxo CoLa</translation></message>
+<message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n byte do fluxo não pertence a nenhum telegrama inteiro.</translation></message>
+<message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n bytes do fluxo não pertencem a nenhum telegrama inteiro.</translation></message>
+<message><source>save the scan again, or remove "acquisition"</source><translation>salve de novo a varredura, ou remova "acquisition"</translation></message>
+<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" deve ser um objeto {...}</translation></message>
+<message><source>radians</source><translation>radianos</translation></message>
+<message><source>milliradians</source><translation>milirradianos</translation></message>
+<message><source>angles in %1, azimuths %2</source><translation>ângulos em %1, azimutes %2</translation></message>
+<message><source>angles taken as %1, azimuths %2</source><translation>ângulos tomados como %1, azimutes %2</translation></message>
+<message><source>clockwise from y</source><translation>no sentido horário desde y</translation></message>
+<message><source>counter-clockwise from x</source><translation>no sentido anti-horário desde x</translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with %1 and heights from the zenith.</source><translation>Os pontos foram calculados a partir das colunas de ângulos e distâncias, com %1 e alturas desde o zênite.</translation></message>
+<message><source>Points were computed from the columns of angles and ranges, with %1.</source><translation>Os pontos foram calculados a partir das colunas de ângulos e distâncias, com %1.</translation></message>
+<message><source>degrees of latitude and longitude</source><translation>graus de latitude e longitude</translation></message>
+<message><source>angles and no ranges</source><translation>ângulos e não distâncias</translation></message>
+<message><source>angles and ranges</source><translation>ângulos e distâncias</translation></message>
+<message><source>two coordinates of a point and not the third</source><translation>duas coordenadas de um ponto e não a terceira</translation></message>
+<message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compare-o com docs/reference/formats.md, "Raw grid"</translation></message>
+<message><source>this is a preset and not a scan</source><translation>isto é uma predefinição e não uma varredura</translation></message>
+<message><source>choose it in the panel Edges, or give it with --preset</source><translation>escolha-o no painel Bordas, ou indique-o com --preset</translation></message>
+<message><source>this is a pose and not a scan</source><translation>isto é uma pose e não uma varredura</translation></message>
+<message><source>open its scan and give it with --pose</source><translation>abra sua varredura e indique-o com --pose</translation></message>
+<message><source>this is a calibration and not a scan</source><translation>isto é uma calibração e não uma varredura</translation></message>
+<message><source>open its scan and give it with --calibration</source><translation>abra sua varredura e indique-o com --calibration</translation></message>
+<message><source>this is a file of targets and not a scan</source><translation>isto é um arquivo de alvos e não uma varredura</translation></message>
+<message><source>open its scan</source><translation>abra sua varredura</translation></message>
+<message><source>this is edits of rocks and not a scan</source><translation>isto é uma edição de rochas e não uma varredura</translation></message>
+<message><source>open its scan, or give it with --edits</source><translation>abra sua varredura, ou indique-as com --edits</translation></message>
+<message><source>this is a record of an export and not a scan</source><translation>isto é um registro de uma exportação e não uma varredura</translation></message>
+<message><source>open its scan, or check it with edgescan-cli verify</source><translation>abra sua varredura, ou verifique-o com edgescan-cli verify</translation></message>
+<message><source>must hold counts</source><translation>deve conter contagens</translation></message>
+<message><source>holds %1, and there are %2</source><translation>contém %1, e há %2</translation></message>
+<message><source>needs start and step</source><translation>precisa de start e step</translation></message>
+<message><source>holds %1, %2 are needed</source><translation>contém %1, são necessários %2</translation></message>
+<message><source>%n angle</source><translation>%n ângulo</translation></message>
+<message><source>%n angles</source><translation>%n ângulos</translation></message>
+<message><source>must be 1 or -1</source><translation>deve ser 1 ou -1</translation></message>
+<message><source>must be a list</source><translation>deve ser uma lista</translation></message>
+<message><source>must hold ["state", first cell, cells]</source><translation>deve conter ["state", primeira célula, células]</translation></message>
+<message><source>leaves the grid</source><translation>sai da grade</translation></message>
+<message><source>names cell %1 twice</source><translation>nomeia duas vezes a célula %1</translation></message>
+<message><source>must name a file in the same folder</source><translation>deve nomear um arquivo da mesma pasta</translation></message>
+<message><source>must be greater than 0</source><translation>deve ser maior que 0</translation></message>
+<message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>o cabeçalho anuncia %1 de %2 bytes e o arquivo contém %3 bytes deles, o que é mais</translation></message>
+<message><source>holds %1 where the header promises %2</source><translation>contém %1 onde o cabeçalho anuncia %2</translation></message>
+<message><source>the header promises %1, and more text follows them here</source><translation>o cabeçalho anuncia %1, e aqui segue mais texto</translation></message>
+<message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return</source><translation>, que se repete exatamente e está longe do resto, como nada medido está: tomado como sem retorno</translation></message>
+<message><source> (--keep-repeated takes it as measured).</source><translation> (--keep-repeated o toma como medido).</translation></message>
+<message><source>holds decimal commas in quotes between commas</source><translation>contém vírgulas decimais entre aspas e entre vírgulas</translation></message>
+<message><source>save the table with semicolons, or with decimal points</source><translation>salve a tabela com ponto e vírgula, ou com pontos decimais</translation></message>
+<message><source>holds decimal commas between commas</source><translation>contém vírgulas decimais entre vírgulas</translation></message>
+<message><source>The last row has no line end: the file may have been cut off there; compare it with the original.</source><translation>A última fileira não tem fim de linha: o arquivo pode estar cortado ali; compare-o com o original.</translation></message>
+<message><source>save the file with plain numbers, without separators of thousands</source><translation>salve o arquivo com números simples, sem separadores de milhares</translation></message>
+<message><source>holds %1 in a column whose numbers have three digits behind their mark or no mark at all, so that it may separate decimals or thousands</source><translation>contém %1 numa coluna cujos números têm três algarismos depois do sinal ou nenhum sinal, de modo que ele pode separar decimais ou milhares</translation></message>
+<message><source>save the file with the same count of decimals in each number, or without separators of thousands</source><translation>salve o arquivo com a mesma quantidade de decimais em cada número, ou sem separadores de milhares</translation></message>
+<message><source>holds %1, a number whose thousands are set apart</source><translation>contém %1, um número com os milhares separados</translation></message>
+<message><source>holds bytes of zero, as a file does that was not written to its end</source><translation>contém bytes zero, como um arquivo que não foi escrito até o fim</translation></message>
+<message><source>copy the file or export it again</source><translation>copie ou exporte de novo o arquivo</translation></message>
+<message><source>%1 has a decimal comma</source><translation>%1 tem uma vírgula decimal</translation></message>
+<message><source>save the file with decimal points</source><translation>salve o arquivo com pontos decimais</translation></message>
+<message><source>%1 is more than one number between two separators</source><translation>%1 é mais de um número entre dois separadores</translation></message>
+<message><source>correct the line or export the file again</source><translation>corrija a linha ou exporte de novo o arquivo</translation></message>
+<message><source>%1 is not a number</source><translation>%1 não é um número</translation></message>
+<message><source>%1 is below x, y or z and is not a number</source><translation>%1 está sob x, y ou z e não é um número</translation></message>
+<message><source>save the file with plain numbers in these columns, without units or marks</source><translation>salve o arquivo com números simples nestas colunas, sem unidades nem sinais</translation></message>
+<message><source>there are words among the numbers of its rows, and no heading names x, y and z</source><translation>há palavras entre os números das suas fileiras, e nenhum cabeçalho nomeia x, y e z</translation></message>
+<message><source>write a first row with the names of the columns, such as id,x,y,z,code</source><translation>escreva uma primeira linha com os nomes das colunas, como id,x,y,z,code</translation></message>
+<message><source>its numbers are separated by "%1", which separates none here</source><translation>os seus números estão separados por «%1», que aqui não separa nenhum</translation></message>
+<message><source>save the file with commas, semicolons, tabs or blanks between its numbers</source><translation>salve o arquivo com vírgulas, pontos e vírgulas, tabulações ou espaços entre os seus números</translation></message>
+<message><source>this is text without a row of numbers, so no scan</source><translation>isto é texto sem uma fileira de números, portanto não é uma varredura</translation></message>
+<message><source>choose a scan: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>escolha uma varredura: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, uma grade bruta (.json), uma imagem de distâncias (.png, .tif), uma gravação (.mcap), um bag de ROS ou uma captura de rede (.pcap)</translation></message>
+<message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>A gravação descreve outra grade que a dos seus telegramas: contam os telegramas.</translation></message>
+<message><source>the recording's "%1" is "%2", which cannot be used.</source><translation>«%1» da gravação é «%2», que não pode ser usado.</translation></message>
+<message><source>%n reading of inclinometer or TALIN cannot be used.</source><translation>%n leitura do inclinômetro ou de TALIN não pode ser usada.</translation></message>
+<message><source>%n readings of inclinometer or TALIN cannot be used.</source><translation>%n leituras do inclinômetro ou de TALIN não podem ser usadas.</translation></message>
+<message><source>the recording's own readings</source><translation>as leituras próprias da gravação</translation></message>
+<message><source>The recording holds readings of TALIN and does not say where the boom pointed (boom_azimuth_deg).</source><translation>A gravação contém leituras de TALIN e não diz para onde apontava a lança (boom_azimuth_deg).</translation></message>
+<message><source>the recording</source><translation>a gravação</translation></message>
+<message><source> with %1</source><translation> com %1</translation></message>
+<message><source>a pose needs the robot's calibration, and the recording holds none</source><translation>uma pose precisa da calibração do robô, e a gravação não contém nenhuma</translation></message>
+<message><source>give --calibration ROBOT.json too</source><translation>indique também --calibration ROBOT.json</translation></message>
+<message><source>a calibration needs a pose, and the recording holds none that can be used</source><translation>uma calibração precisa de uma pose, e a gravação não contém nenhuma utilizável</translation></message>
+<message><source>The recording holds poses and not how the robot is built: --calibration ROBOT.json places the scan.</source><translation>A gravação contém poses mas não como o robô é construído: --calibration ROBOT.json posiciona a varredura.</translation></message>
+<message><source>The recording's pose cannot be used: %1.</source><translation>A pose da gravação não pode ser usada: %1.</translation></message>
+<message><source>The recording was cut off: everything up to the cut is here.</source><translation>A gravação foi cortada: tudo até o corte está aqui.</translation></message>
+<message><source>%1 times in the recording are after %2 and were read as this time.</source><translation>%1 tempos da gravação são posteriores a %2 e foram lidos como esse tempo.</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este arquivo MCAP não contém nada enviado por um scanner a laser</translation></message>
+<message><source>choose a recording of a sweep</source><translation>escolha a gravação de uma varredura</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>neste arquivo MCAP não se pode ler nada que um scanner a laser tenha enviado%1</translation></message>
+<message><source>, and %1 more</source><translation>, e mais %1</translation></message>
+<message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit não se aplica: os telegramas de uma gravação dizem eles mesmos sua unidade</translation></message>
+<message><source>one sweep</source><translation>uma varredura</translation></message>
+<message><source>%1 sweeps</source><translation>%1 varreduras</translation></message>
+<message><source>the %1 scan telegrams in this recording hold no line of ranges</source><translation>os %1 telegramas de varredura desta gravação não contêm linha de distâncias alguma</translation></message>
+<message><source>no scan telegram in this recording can be decoded%1</source><translation>nenhum telegrama de varredura desta gravação pode ser decodificado%1</translation></message>
+<message><source>this recording holds no scan telegram%1</source><translation>esta gravação não contém telegrama de varredura algum%1</translation></message>
+<message><source>choose another recording</source><translation>escolha outra gravação</translation></message>
+<message><source>The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.</source><translation>A gravação contém %1 varreduras; foi aberta a varredura %2; nenhuma outra tem mais linhas.</translation></message>
+<message><source>%1 scan telegrams could not be decoded: %2.</source><translation>%1 telegramas de varredura não puderam ser decodificados: %2.</translation></message>
+<message><source>%n message holds bytes that are not a whole telegram: what was in it is lost.</source><translation>%n mensagem contém bytes que não são um telegrama inteiro: o seu conteúdo está perdido.</translation></message>
+<message><source>%n messages hold bytes that are not a whole telegram: what was in them is lost.</source><translation>%n mensagens contêm bytes que não são um telegrama inteiro: o seu conteúdo está perdido.</translation></message>
+<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: há %1 linhas, não se sabe quantas eram.</translation></message>
+<message><source>a recording holds whole counts of its unit up to 65535, and the range at line %1, beam %2 is none</source><translation>uma gravação contém contagens inteiras de sua unidade até 65535, e a distância na linha %1, feixe %2 não é uma</translation></message>
+<message><source>a recording needs beam and line angles and this cloud has none</source><translation>uma gravação precisa de ângulos de feixes e de linhas e esta nuvem não os tem</translation></message>
+<message><source>a recording holds at most %1 lines of %2 beams</source><translation>uma gravação contém no máximo %1 linhas de %2 feixes</translation></message>
+<message><source>telegrams cannot describe this scan</source><translation>telegramas não podem descrever esta varredura</translation></message>
+<message><source>the disk is %1 s behind (%2 MB)</source><translation>o disco está %1 s atrasado (%2 MB)</translation></message>
+<message><source>the disk is slower than the scanner, telegrams are missing in the recording</source><translation>o disco é mais lento que o scanner, faltam telegramas na gravação</translation></message>
+<message><source>record on another disk</source><translation>grave em outro disco</translation></message>
+<message><source>the disk did not take the end of the recording, what it has is cut off</source><translation>o disco não aceitou o fim da gravação, o que ele tem está cortado</translation></message>
+<message><source>check the disk; the file opens with what was written</source><translation>verifique o disco; o arquivo abre com o que foi escrito</translation></message>
+<message><source>The bag is cut off or damaged at byte %1: the last %2.</source><translation>O bag está cortado ou danificado no byte %1: os últimos %2.</translation></message>
+<message><source>%n byte was not read</source><translation>%n byte não foi lido</translation></message>
+<message><source>%n bytes were not read</source><translation>%n bytes não foram lidos</translation></message>
+<message><source>%n chunk is damaged and was left out (%1).</source><translation>%n bloco está danificado e foi deixado de fora (%1).</translation></message>
+<message><source>%n chunks are damaged and were left out (%1).</source><translation>%n blocos estão danificados e foram deixados de fora (%1).</translation></message>
+<message><source>%n message belongs to no topic of the bag and was left out.</source><translation>%n mensagem não pertence a nenhum tópico do bag e foi deixada de fora.</translation></message>
+<message><source>%n messages belong to no topic of the bag and were left out.</source><translation>%n mensagens não pertencem a nenhum tópico do bag e foram deixadas de fora.</translation></message>
+<message><source>its records do not end with it</source><translation>seus registros não terminam com ele</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>é um bag do ROS de versão diferente de 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>converta-o com "rosbag migrate"</translation></message>
+<message><source>The bag was cut off: everything up to the cut is here.</source><translation>O bag foi cortado: tudo até o corte está aqui.</translation></message>
+<message><source>%n message is compressed and damaged and was left out.</source><translation>%n mensagem está comprimida e danificada e foi deixada de fora.</translation></message>
+<message><source>%n messages are compressed and damaged and were left out.</source><translation>%n mensagens estão comprimidas e danificadas e foram deixadas de fora.</translation></message>
+<message><source>this SQLite database is damaged: its tables give more than the file can hold</source><translation>este banco de dados SQLite está danificado: suas tabelas dão mais do que o arquivo pode conter</translation></message>
+<message><source>this SQLite database is not a ROS bag: "%1" is not a plain table</source><translation>este banco de dados SQLite não é um bag de ROS: «%1» não é uma tabela simples</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada ou danificada: não é possível ler suas tabelas</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite não é um bag do ROS: não tem tabela de tópicos</translation></message>
+<message><source>The database is cut off or damaged (%1): messages behind the first %2 were not read.</source><translation>O banco de dados está cortado ou danificado (%1): as mensagens depois das primeiras %2 não foram lidas.</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>não é possível abrir esta base SQLite</translation></message>
+<message><source>%n byte behind the end of the database was not read.</source><translation>%n byte depois do fim do banco de dados não foi lido.</translation></message>
+<message><source>%n bytes behind the end of the database were not read.</source><translation>%n bytes depois do fim do banco de dados não foram lidos.</translation></message>
+<message><source>this is a ROS 2 bag in SQLite, and this program was built without SQLite</source><translation>isto é um bag de ROS 2 em SQLite, e este programa foi compilado sem SQLite</translation></message>
+<message><source>convert it with "ros2 bag convert" to MCAP, or install libsqlite3-dev and build again</source><translation>converta-o com "ros2 bag convert" para MCAP, ou instale libsqlite3-dev e compile de novo</translation></message>
+<message><source>The log %1 of the recorder could not be read: its messages are not in the scan.</source><translation>O registro %1 do gravador não pôde ser lido: as suas mensagens não estão na varredura.</translation></message>
+<message><source>The recorder was not ended: its newest messages were read from %1.</source><translation>O gravador não foi encerrado: suas mensagens mais novas foram lidas de %1.</translation></message>
+<message><source>The recorder was ended within a change: the database was read as it was before it, by %1.</source><translation>O gravador terminou no meio de uma alteração: o banco de dados foi lido como estava antes, por meio de %1.</translation></message>
+<message><source>The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.</source><translation>O registro %1 do gravador termina com %2 páginas incompletas: as suas mensagens não estão na varredura.</translation></message>
+<message><source>The log %1 belongs to several databases and was not read: the last change may be in part.</source><translation>O registro %1 pertence a vários bancos de dados e não foi lido: a última alteração pode estar pela metade.</translation></message>
+<message><source>the log %1 cannot be read: the folder for temporary files is missing</source><translation>o registro %1 não pode ser lido: falta a pasta de arquivos temporários</translation></message>
+<message><source>set TMPDIR to a folder</source><translation>ponha uma pasta em TMPDIR</translation></message>
+<message><source>it is longer than a megabyte</source><translation>é mais longa que um megabyte</translation></message>
+<message><source>a line of "=" is not followed by "MSG:"</source><translation>a uma linha de "=" não se segue "MSG:"</translation></message>
+<message><source>it names more than 1000 types</source><translation>nomeia mais de 1000 tipos</translation></message>
+<message><source>the type %1 is not defined</source><translation>o tipo %1 não está definido</translation></message>
+<message><source>a type contains itself, or types are nested more than 32 deep</source><translation>um tipo contém a si mesmo, ou há tipos aninhados em mais de 32 níveis</translation></message>
+<message><source>the definition of the message type %1 cannot be read: %2</source><translation>a definição do tipo de mensagem %1 não pode ser lida: %2</translation></message>
+<message><source>record the bag again, or convert it with the program that wrote it</source><translation>grave de novo o bag, ou converta-o com o programa que o escreveu</translation></message>
+<message><source>a line has a type and no name: "%1"</source><translation>uma linha tem um tipo e não um nome: "%1"</translation></message>
+<message><source>a field has no name: "%1"</source><translation>um campo não tem nome: "%1"</translation></message>
+<message><source>the length of "%1" is not a number</source><translation>o comprimento de «%1» não é um número</translation></message>
+<message><source>a message of type %1 is encoded in a way that is not read (PLAIN_CDR and PLAIN_CDR2 are)</source><translation>uma mensagem do tipo %1 está codificada de um modo que não é lido (PLAIN_CDR e PLAIN_CDR2 são)</translation></message>
+<message><source>record it with another middleware, or convert the bag</source><translation>grave-o com outro middleware, ou converta o bag</translation></message>
+<message><source>a message of type %1 ends too early or does not fit its definition</source><translation>uma mensagem do tipo %1 termina cedo demais ou não corresponde à sua definição</translation></message>
+<message><source>copy the bag again</source><translation>copie de novo o bag</translation></message>
+<message><source>it promises to unpack to more than a bag of this size holds</source><translation>anuncia que se descompacta em mais do que um bag deste tamanho contém</translation></message>
+<message><source>%1 accepts the connection; asking for its topics.</source><translation>%1 aceita a conexão; perguntando por seus tópicos.</translation></message>
+<message><source>the bridge says: %1</source><translation>a ponte diz: %1</translation></message>
+<message><source>check foxglove_bridge on the robot</source><translation>verifique foxglove_bridge no robô</translation></message>
+<message><source>the bridge offers no topics</source><translation>a ponte não oferece tópico algum</translation></message>
+<message><source>check that the robot's programs run</source><translation>verifique que os programas do robô estão rodando</translation></message>
+<message><source>no scan line of %1 for %2</source><translation>nenhuma linha de varredura de %1 em %2</translation></message>
+<message><source>check whether the laser runs and publishes this topic</source><translation>verifique se o laser funciona e publica este tópico</translation></message>
+<message><source>the bridge describes its topics in a text of more than 4 MB</source><translation>a ponte descreve seus tópicos num texto de mais de 4 MB</translation></message>
+<message><source>choose another bridge, or let it offer fewer topics</source><translation>escolha outra ponte, ou faça-a oferecer menos tópicos</translation></message>
+<message><source>what it sends is not the Foxglove WebSocket protocol</source><translation>o que ela envia não é o protocolo WebSocket do Foxglove</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs there</source><translation>verifique a porta (8765) e que foxglove_bridge roda ali</translation></message>
+<message><source>the bridge closed the connection</source><translation>a ponte fechou a conexão</translation></message>
+<message><source>the bridge sends a message of more than 64 MB</source><translation>a ponte envia uma mensagem de mais de 64 MB</translation></message>
+<message><source>choose another topic</source><translation>escolha outro tópico</translation></message>
+<message><source>the connection broke (%1)</source><translation>a conexão foi interrompida (%1)</translation></message>
+<message><source>check power, cable and the address, and that this computer is in the robot's network</source><translation>verifique a alimentação, o cabo e o endereço, e que este computador está na rede do robô</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs on the robot</source><translation>verifique a porta (8765) e que foxglove_bridge roda no robô</translation></message>
+<message><source>what answers there is not a Foxglove bridge</source><translation>o que responde ali não é uma ponte Foxglove</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs there; a scanner of SICK is HOST without ws://</source><translation>verifique a porta (8765) e que foxglove_bridge roda ali; um scanner da SICK é HOST sem ws://</translation></message>
+<message><source>the connection is closed</source><translation>a conexão está fechada</translation></message>
+<message><source>the subscription cannot be sent (%1)</source><translation>a assinatura não pode ser enviada (%1)</translation></message>
+<message><source>check the network</source><translation>verifique a rede</translation></message>
+<message><source>%1 and others</source><translation>%1 e outros</translation></message>
+<message><source>the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)%1</source><translation>a ponte não oferece tópico de um laser (sensor_msgs/LaserScan ou PointCloud2)%1</translation></message>
+<message><source>check that the laser's driver runs</source><translation>verifique que o driver do laser está rodando</translation></message>
+<message><source>the bridge offers no topic of a laser called "%1"</source><translation>a ponte não oferece tópico de um laser chamado «%1»</translation></message>
+<message><source>choose one of %1</source><translation>escolha um de %1</translation></message>
+<message><source>GUESS: the topic %1 was taken; --topic chooses another: %2.</source><translation>SUPOSIÇÃO: foi tomado o tópico %1; --topic escolhe outro: %2.</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>não há memória suficiente para esta nuvem</translation></message>
+<message><source>lines come, but their angle is not known: %1</source><translation>chegam linhas, mas seu ângulo não é conhecido: %1</translation></message>
+<message><source>give the joint that turns the laser (--joint), or the step from line to line (--line-step)</source><translation>indique a junta que gira o laser (--joint), ou o passo de linha a linha (--line-step)</translation></message>
+<message><source>it is not a file of a bag</source><translation>não é um arquivo de um bag</translation></message>
+<message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>A parte %1 do bag não pôde ser lida (%2): as suas mensagens não estão na varredura.</translation></message>
+<message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta a parte %1 do bag: as suas mensagens não estão na varredura.</translation></message>
+<message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nomeia %1, cujo nome não é o de um arquivo de mensagens (.mcap, .db3, .bag): não foi lido.</translation></message>
+<message><source>no part of the bag is there</source><translation>nenhuma parte do bag está ali</translation></message>
+<message><source>this is not the metadata of an Ouster: beam angles or columns of a frame are missing</source><translation>estes não são os metadados de um Ouster: faltam os ângulos dos feixes ou as colunas de um quadro</translation></message>
+<message><source>save the sensor's metadata again</source><translation>salve de novo os metadados do sensor</translation></message>
+<message><source>the capture</source><translation>a captura</translation></message>
+<message><source>%1 turns</source><translation>%1 voltas</translation></message>
+<message><source>The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. --scan chooses another.</source><translation>A captura contém %1 voltas do scanner; foi aberta a volta %2, contada a partir de 0. --scan escolhe outra.</translation></message>
+<message><source>%n packet came out of order and was put in the order of the scanner's clock.</source><translation>%n pacote chegou fora de ordem e foi posto na ordem do relógio do scanner.</translation></message>
+<message><source>%n packets came out of order and were put in the order of the scanner's clock.</source><translation>%n pacotes chegaram fora de ordem e foram postos na ordem do relógio do scanner.</translation></message>
+<message><source>%n packet is missing in part in the capture: its lines are lost.</source><translation>%n pacote falta em parte na captura: as suas linhas estão perdidas.</translation></message>
+<message><source>%n packets are missing in part in the capture: their lines are lost.</source><translation>%n pacotes faltam em parte na captura: as suas linhas estão perdidas.</translation></message>
+<message><source>%n packet is in the capture twice: it was read once.</source><translation>%n pacote está duas vezes na captura: foi lido uma vez.</translation></message>
+<message><source>%n packets are in the capture twice: each was read once.</source><translation>%n pacotes estão duas vezes na captura: cada um foi lido uma vez.</translation></message>
+<message><source>The capture holds packets of %1 scanners; the one with most of them was opened.</source><translation>A captura contém pacotes de %1 scanners; foi aberto o que tem mais.</translation></message>
+<message><source>The scanner sent two returns for each beam: the strongest ones are here, and %1 left out.</source><translation>O scanner enviou dois retornos por feixe: aqui estão os mais fortes, e ficaram de fora %1.</translation></message>
+<message><source>%n other of the capture was</source><translation>%n outro da captura</translation></message>
+<message><source>%n others of the capture were</source><translation>%n outros da captura</translation></message>
+<message><source>The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.</source><translation>Os feixes de um VLP-16 começam até 11 mm acima e abaixo do seu meio: os pontos estão desviados outro tanto.</translation></message>
+<message><source>the packets of an Ouster do not say the angles of its beams</source><translation>os pacotes de um Ouster não dizem os ângulos de seus feixes</translation></message>
+<message><source>save the sensor's metadata as %1 next to the capture</source><translation>salve os metadados do sensor como %1 junto da captura</translation></message>
+<message><source>no packet of the capture fits the sensor of %1</source><translation>nenhum pacote da captura corresponde ao sensor de %1</translation></message>
+<message><source>save the metadata of the sensor that was captured</source><translation>salve os metadados do sensor que foi capturado</translation></message>
+<message><source>The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.</source><translation>Os feixes de um Ouster começam a alguns centímetros do seu eixo, e as distâncias são as medidas: os pontos estão desviados outro tanto.</translation></message>
+<message><source>%n line of the turn is missing in the capture and is shown as lost.</source><translation>%n linha da volta falta na captura e é mostrada como perdida.</translation></message>
+<message><source>%n lines of the turn are missing in the capture and are shown as lost.</source><translation>%n linhas da volta faltam na captura e são mostradas como perdidas.</translation></message>
+<message><source>the capturing computer's clock, carried on by the scanner's</source><translation>o relógio do computador que capturou, continuado pelo do scanner</translation></message>
+<message><source>The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.</source><translation>A nuvem é de um scanner de vários feixes: os seus anéis são os feixes, e os seus disparos as linhas.</translation></message>
+<message><source>the cloud has no fields x, y and z</source><translation>a nuvem não tem campos x, y e z</translation></message>
+<message><source>the cloud promises %1 x %2 points of %3 bytes and holds %4 bytes</source><translation>a nuvem anuncia %1 x %2 pontos de %3 bytes e contém %4 bytes</translation></message>
+<message><source>choose another topic or message</source><translation>escolha outro tópico ou outra mensagem</translation></message>
+<message><source>the topic %1</source><translation>o tópico %1</translation></message>
+<message><source>one cloud</source><translation>uma nuvem</translation></message>
+<message><source>%1 clouds</source><translation>%1 nuvens</translation></message>
+<message><source>The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.</source><translation>O bag não contém a definição das suas mensagens: foi SUPOSTA a do ROS 2 de 2022.</translation></message>
+<message><source>The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. --scan chooses another.</source><translation>O tópico %1 contém uma nuvem em cada mensagem; foi aberta a mensagem %2, contada a partir de 0. --scan escolhe outra.</translation></message>
+<message><source>no file of messages that metadata.yaml names is in this folder: %1%2</source><translation>nenhum arquivo de mensagens que metadata.yaml nomeia está nesta pasta: %1%2</translation></message>
+<message><source> and %1 more</source><translation> e mais %1</translation></message>
+<message><source>copy the files of the bag into it</source><translation>copie para ela os arquivos do bag</translation></message>
+<message><source>this folder holds %1 of several bags</source><translation>esta pasta contém %1 de vários bags</translation></message>
+<message><source>%n file</source><translation>%n arquivo</translation></message>
+<message><source>%n files</source><translation>%n arquivos</translation></message>
+<message><source>open one of them, as %1</source><translation>abra um deles, como %1</translation></message>
+<message><source>This file is part %1 of %2 of a bag. Open %3 for all of it.</source><translation>Este arquivo é a parte %1 de %2 de um bag. Abra %3 para tê-lo inteiro.</translation></message>
+<message><source>%1 x %2 points with %3</source><translation>%1 x %2 pontos com %3</translation></message>
+<message><source>%1turn rates and accelerations, which are not used: transforms and joints turn the laser</source><translation>%1velocidades de giro e acelerações, que não são usadas: as transformações e as juntas giram o laser</translation></message>
+<message><source>scan lines of %1 beams</source><translation>linhas de varredura de %1 feixes</translation></message>
+<message><source>poses in the frame %1</source><translation>poses no referencial %1</translation></message>
+<message><source>GUESS: the poses of the topic %1 are those of the frame %2.</source><translation>SUPOSIÇÃO: as poses do tópico %1 são as do referencial %2.</translation></message>
+<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>As transformações põem o scanner em %1, %2, %3 m, onde não há nada na terra: a varredura fica no referencial do scanner.</translation></message>
+<message><source>the frame %1 of the bag</source><translation>o referencial %1 do bag</translation></message>
+<message><source>the transforms of the bag</source><translation>as transformações do bag</translation></message>
+<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSIÇÃO: o referencial %1 do bag é tomado como grade da mina, com x para leste, y para norte e z para cima.</translation></message>
+<message><source>%n message of the topic was left out: %1.</source><translation>%n mensagem do tópico foi deixada de fora: %1.</translation></message>
+<message><source>%n messages of the topic were left out: %1.</source><translation>%n mensagens do tópico foram deixadas de fora: %1.</translation></message>
+<message><source>%n message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation>%n mensagem tem um time_increment impossível: os feixes de uma linha contam como medidos ao mesmo tempo.</translation></message>
+<message><source>%n messages have a time_increment that cannot be: the beams of a line count as measured at once.</source><translation>%n mensagens têm um time_increment impossível: os feixes de uma linha contam como medidos ao mesmo tempo.</translation></message>
+<message><source>%n line came out of order and was put in the order of its stamp</source><translation>%n linha chegou fora de ordem e foi posta na ordem da sua hora</translation></message>
+<message><source>%n lines came out of order and were put in the order of their stamps</source><translation>%n linhas chegaram fora de ordem e foram postas na ordem das suas horas</translation></message>
+<message><source>%n message of the topic is in the bag twice, with the same stamp and ranges: it was read once.</source><translation>%n mensagem do tópico está duas vezes no bag, com a mesma hora e as mesmas distâncias: foi lida uma vez.</translation></message>
+<message><source>%n messages of the topic are in the bag twice, with the same stamp and ranges: each was read once.</source><translation>%n mensagens do tópico estão duas vezes no bag, com a mesma hora e as mesmas distâncias: cada uma foi lida uma vez.</translation></message>
+<message><source>In %1 angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the beams may be mirrored or turned.</source><translation>Em %1 angle_max não está onde angle_min e angle_increment põem o último feixe: foi usado angle_increment, e os feixes podem estar espelhados ou girados.</translation></message>
+<message><source>%n message of joints is damaged and was left out.</source><translation>%n mensagem de juntas está danificada e foi deixada de fora.</translation></message>
+<message><source>%n messages of joints are damaged and were left out.</source><translation>%n mensagens de juntas estão danificadas e foram deixadas de fora.</translation></message>
+<message><source>GUESS: the angle of each line comes from %1.</source><translation>SUPOSIÇÃO: o ângulo de cada linha tem como origem %1.</translation></message>
+<message><source>A joint does not say how the laser is mounted on it. ASSUMED: the axis (%1). Give --axis where that is wrong.</source><translation>Uma junta não diz como o laser está montado nela. SUPOSTO: o eixo (%1). Indique --axis onde isso estiver errado.</translation></message>
+<message><source>sweep, by the name of the joint</source><translation>sweep, pelo nome da junta</translation></message>
+<message><source>The axis is %1 degrees out of the plane of the fan: points are that far off.</source><translation>O eixo está %1 graus fora do plano do leque: os pontos estão desviados outro tanto.</translation></message>
+<message><source>The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.</source><translation>O laser está a %1 mm do seu eixo: as distâncias são as medidas, e os pontos como se estivesse no eixo.</translation></message>
+<message><source>%n line was measured before the first or after the last angle and was left out.</source><translation>%n linha foi medida antes do primeiro ângulo ou depois do último e foi deixada de fora.</translation></message>
+<message><source>%n lines were measured before the first or after the last angle and were left out.</source><translation>%n linhas foram medidas antes do primeiro ângulo ou depois do último e foram deixadas de fora.</translation></message>
+<message><source>%n line was measured while the laser did not turn and was left out.</source><translation>%n linha foi medida enquanto o laser não girava e foi deixada de fora.</translation></message>
+<message><source>%n lines were measured while the laser did not turn and were left out.</source><translation>%n linhas foram medidas enquanto o laser não girava e foram deixadas de fora.</translation></message>
+<message><source>the laser did not turn while it measured</source><translation>o laser não girou enquanto media</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>escolha outro tópico ou indique a junta que o gira</translation></message>
+<message><source>assembling lines</source><translation>montando linhas</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>não foi possível posicionar nenhuma linha do tópico %1</translation></message>
+<message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. --scan chooses another.</source><translation>O tópico contém %1 varreduras; foi aberta a varredura %2, contada a partir de 0. --scan escolhe outra.</translation></message>
+<message><source>the stamps of the messages</source><translation>as marcas de tempo das mensagens</translation></message>
+<message><source> at %1 Hz</source><translation> a %1 Hz</translation></message>
+<message><source>no topic of this %1 is a laser's%2%3</source><translation>nenhum tópico deste %1 é de um laser%2%3</translation></message>
+<message><source>choose another bag</source><translation>escolha outro bag</translation></message>
+<message><source>the bag has no topic "%1"</source><translation>o bag não tem tópico «%1»</translation></message>
+<message><source>the topic %1 holds no scan</source><translation>o tópico %1 não contém nenhuma varredura</translation></message>
+<message><source> messages of transforms are damaged and were left out.</source><translation> mensagens de transformações estão danificadas e foram deixadas de fora.</translation></message>
+<message><source> transforms of the bag have no rotation, no name or no finite numbers and were left out.</source><translation> transformações do bag não têm rotação, nome ou números finitos e foram deixadas de fora.</translation></message>
+<message><source> transforms name another parent for their frame than the first one and were left out.</source><translation> transformações nomeiam outro pai do seu referencial que a primeira e foram deixadas de fora.</translation></message>
+<message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformações do bag são de mais referenciais do que um robô tem e foram deixadas de fora.</translation></message>
+<message><source>The transforms of the bag form a loop at the frame %1.</source><translation>As transformações do bag formam um laço no referencial %1.</translation></message>
+<message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>As transformações do bag formam uma cadeia de mais de %1 referenciais: os de cima não são usados.</translation></message>
+<message><source>ranges of the topic are %1 m</source><translation>distâncias do tópico são %1 m</translation></message>
+<message><source>it has no beams or no stamp</source><translation>não tem feixes ou não tem marca de tempo</translation></message>
+<message><source>its angle_increment does not give the step between beams</source><translation>seu angle_increment não dá o passo entre feixes</translation></message>
+<message><source>its angle_min or angle_increment puts beams outside of one turn</source><translation>seu angle_min ou angle_increment põe feixes fora de uma volta</translation></message>
+<message><source>no message of the topic %1 is a line of ranges%2</source><translation>nenhuma mensagem do tópico %1 é uma linha de distâncias%2</translation></message>
+<message><source>the transform of the frame %1 in %2</source><translation>a transformação do referencial %1 em %2</translation></message>
+<message><source>%1 turns about more than one axis (%2 degrees off)</source><translation>%1 gira em torno de mais de um eixo (diferença de %2 graus)</translation></message>
+<message><source>choose another topic, or give the joint that turns the laser</source><translation>escolha outro tópico, ou indique a junta que gira o laser</translation></message>
+<message><source>%1 turns the laser in the plane of its own fan: that is not a sweep</source><translation>%1 gira o laser no plano de seu próprio leque: isso não é uma varredura</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>nenhuma transformação gira o referencial %1 do laser enquanto mede</translation></message>
+<message><source>give the joint that turns it (--joint), or the step from line to line (--line-step) and the axis (--axis)</source><translation>indique a junta que o gira (--joint), ou o passo de linha a linha (--line-step) e o eixo (--axis)</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>nenhuma junta girou enquanto o laser media</translation></message>
+<message><source>there is no joint called %1</source><translation>não há junta chamada %1</translation></message>
+<message><source>give the step from line to line (--line-step), or choose another topic</source><translation>indique o passo de linha a linha (--line-step), ou escolha outro tópico</translation></message>
+<message><source>the joint %1</source><translation>a junta %1</translation></message>
+<message><source>there are too many topics</source><translation>há tópicos demais</translation></message>
+<message><source>a line came out of order</source><translation>uma linha chegou fora de ordem</translation></message>
+<message><source>the angle of a line is not known</source><translation>o ângulo de uma linha não é conhecido</translation></message>
+<message><source>the laser did not turn yet</source><translation>o laser ainda não girou</translation></message>
+<message><source>%1 messages of the topic %2 are in the bag twice: each was read once.</source><translation>%1 mensagens do tópico %2 estão duas vezes no bag: cada uma foi lida uma vez.</translation></message>
+<message><source>%1 degrees</source><translation>%1 graus</translation></message>
+<message><source>, %1 times its uncertainty</source><translation>, %1 vezes sua incerteza</translation></message>
+<message><source>odd beams lie %1 ahead of even ones%2</source><translation>os feixes ímpares estão %1 à frente dos pares%2</translation></message>
+<message><source>odd beams lie %1 behind even ones%2</source><translation>os feixes ímpares estão %1 atrás dos pares%2</translation></message>
+<message><source>, %1 times the usual unevenness of its steps</source><translation>, %1 vezes a irregularidade habitual de seus passos</translation></message>
+<message><source>the stepper slipped at %1 (first at line %2, by up to %3%4)</source><translation>o motor de passo escorregou em %1 (primeiro na linha %2, até %3%4)</translation></message>
+<message><source>%n line</source><translation>%n linha</translation></message>
+<message><source>%n lines</source><translation>%n linhas</translation></message>
+<message><source>the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be%4</source><translation>os feixes de %1 linhas estão por vez %2 e %3 graus à frente de onde deveriam%4</translation></message>
+<message><source> At %1 of the first and last lines the stepper still swung back: folds there are left out.</source><translation> Em %1 das primeiras e últimas linhas o motor de passo ainda oscilava: as dobras ali são deixadas de fora.</translation></message>
+<message><source>Not measured at the angles that the file gives: </source><translation>Não medido nos ângulos que o arquivo dá: </translation></message>
+<message><source>Not straightened: the scan has no lines with angles.</source><translation>Não endireitado: a varredura não tem linhas com ângulos.</translation></message>
+<message><source>Straightened: %1, and were put side by side: %2 lines make one.</source><translation>Endireitado: %1, e foram postas lado a lado: %2 linhas formam uma.</translation></message>
+<message><source>Straightened: no interlaced beams and no slips were found; the angles stay.</source><translation>Endireitado: não se acharam feixes entrelaçados nem escorregamentos; os ângulos ficam.</translation></message>
+<message><source>%n slip was seen in every second beam only, and is left as it is.</source><translation>%n escorregamento foi visto só num feixe em cada dois e fica como está.</translation></message>
+<message><source>%n slips were seen in every second beam only, and are left as they are.</source><translation>%n escorregamentos foram vistos só num feixe em cada dois e ficam como estão.</translation></message>
+<message><source>; edges across the lines are combed: --straighten (Scan &gt; Straighten Beams) puts these lines side by side as one.</source><translation>; as arestas que cruzam as linhas ficam dentadas: --straighten (Scan &gt; Straighten Beams) põe estas linhas lado a lado como uma.</translation></message>
+<message><source>; EdgeScan+ allows for it, but the cloud does not: --straighten (Scan &gt; Straighten Beams) corrects the angles.</source><translation>; EdgeScan+ leva isso em conta, mas a nuvem não: --straighten (Scan &gt; Straighten Beams) corrige os ângulos.</translation></message>
+<message><source>has no direction</source><translation>não tem direção</translation></message>
+<message><source>and "head_in_robot_m" exclude each other</source><translation>e "head_in_robot_m" se excluem</translation></message>
+<message><source>compare it with the example in docs/reference/coordinates.md</source><translation>compare-o com o exemplo de docs/reference/coordinates.md</translation></message>
+<message><source>the inclinometer's two axes cannot be raised by %1 and %2 degrees at once</source><translation>os dois eixos do inclinômetro não podem se levantar %1 e %2 graus ao mesmo tempo</translation></message>
+<message><source>check whether it reads pitch and roll instead of the elevations of its axes</source><translation>verifique se ele lê arfagem e rolagem em vez das elevações de seus eixos</translation></message>
+<message><source>a boom slewed by %1 degrees on this robot cannot be raised by %2</source><translation>uma lança girada %1 graus neste robô não pode se levantar %2</translation></message>
+<message><source>check the slew angle and the inclinometer</source><translation>verifique o ângulo de giro e o inclinômetro</translation></message>
+<message><source>RL, positive up [m]</source><translation>RL, positivo para cima [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Rumo, do norte em sentido horário [graus]</translation></message>
+<message><source>North of the heading</source><translation>Norte do rumo</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinação: arfagem, nariz para cima [graus]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinação: rolagem, lado direito para baixo [graus]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zona ou código EPSG</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Azimute da lança, positivo para a esquerda [graus]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Arfagem do robô, nariz para cima [graus]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Rolagem do robô, lado direito para baixo [graus]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nome do robô ou do scanner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Alinhamento: rolagem, arfagem, guinada [graus]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Braço de alavanca do TALIN no robô: frente, esquerda, cima [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Braço de alavanca da cabeça no robô: frente, esquerda, cima [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivô de uma lança no robô, em lugar da cabeça [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Do pivô à cabeça [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>O azimute da lança gira em torno de</translation></message>
+<message><source>The scanner looks</source><translation>O scanner olha</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Direção do olhar: rolagem, arfagem, guinada [graus]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Direção do olhar: nove números por linhas</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Eixo do motor a partir do inclinômetro [m]</translation></message>
+<message><source>Tilt is given as</source><translation>A inclinação é dada como</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Scanner sobre o motor: rolagem, arfagem, guinada [graus]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Scanner sobre o motor: x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Eixo do motor</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Zero do motor [graus]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sentido do motor, 1 ou -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Passo de linha a linha [graus]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Feixe no instante de uma linha [graus]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergência da grade [graus]</translation></message>
+<message><source>Scale of the grid</source><translation>Escala da grade</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Maior mudança de inclinação durante uma passagem [graus]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Maior idade de uma pose [s]</translation></message>
+<message><source>%1 is missing.</source><translation>%1 falta.</translation></message>
+<message><source>%1: "%2" is not a number.</source><translation>%1: «%2» não é um número.</translation></message>
+<message><source>%1: "%2" is not three numbers.</source><translation>%1: «%2» não são três números.</translation></message>
+<message><source>%1: "%2" is not nine numbers.</source><translation>%1: «%2» não são nove números.</translation></message>
+<message><source>the file must hold an object {...}</source><translation>o arquivo deve conter um objeto {...}</translation></message>
+<message><source>choose a pose or calibration file</source><translation>escolha um arquivo de pose ou de calibração</translation></message>
+<message><source>the pose is of robot "%1" and the calibration of "%2"</source><translation>a pose é do robô «%1» e a calibração de «%2»</translation></message>
+<message><source>give the calibration of the robot that made the scan</source><translation>indique a calibração do robô que fez a varredura</translation></message>
+<message><source>the scan turns about %1 and the stepper of the calibration about another axis, %2 degrees away</source><translation>a varredura gira em torno de %1 e o motor de passo da calibração em torno de outro eixo, a %2 graus</translation></message>
+<message><source>x (sweep)</source><translation>x (sweep)</translation></message>
+<message><source>z (spin)</source><translation>z (spin)</translation></message>
+<message><source>open the scan with the right --axis, or correct "stepper.axis" of the calibration: [0, 0, 1] for a spin, [1, 0, 0] for a sweep</source><translation>abra a varredura com o --axis correto, ou corrija "stepper.axis" da calibração: [0, 0, 1] para spin, [1, 0, 0] para sweep</translation></message>
+<message><source>%1 line times do not fit a scan of %2 lines</source><translation>%1 tempos de linha não correspondem a uma varredura de %2 linhas</translation></message>
+<message><source>give the times of this scan</source><translation>indique os tempos desta varredura</translation></message>
+<message><source>OUT OF SPEC: </source><translation>FORA DE TOLERÂNCIA: </translation></message>
+<message><source>The pose carries no time, so its age is not known.</source><translation>A pose não tem hora, portanto a sua idade não é conhecida.</translation></message>
+<message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>O início da varredura não é conhecido, portanto a idade da pose também não.</translation></message>
+<message><source>the pose is %1 s older than the start of the scan.</source><translation>a pose é %1 s mais antiga que o início da varredura.</translation></message>
+<message><source>the tilt of the head changed by %1 degrees while it scanned, more than %2.</source><translation>a inclinação da cabeça mudou %1 graus durante a varredura, mais de %2.</translation></message>
+<message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>A calibração não dá %1; 0 é usado: acrescente o que falta (Varredura &gt; Pose e montagem, página Montagem).</translation></message>
+<message><source>%1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>%1 de %2 linhas foram medidas antes da primeira ou depois da última pose e receberam a mais próxima.</translation></message>
+<message><source>the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>as poses movem a base a %1 m/s entre duas linhas, mais rápido que qualquer máquina subterrânea.</translation></message>
+<message><source>there is no pose</source><translation>não há pose</translation></message>
+<message><source>give readings of inclinometer and TALIN</source><translation>indique leituras de inclinômetro e TALIN</translation></message>
+<message><source>the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>os ângulos do motor de passo são supostos, então E, N e RL podem estar errados: indique a montagem, o passo e o ângulo da primeira linha.</translation></message>
+<message><source>the base moved and the times of the lines are not known</source><translation>a base se moveu e os tempos das linhas não são conhecidos</translation></message>
+<message><source>add "scan_start" and "scan_end" to the pose file</source><translation>acrescente "scan_start" e "scan_end" ao arquivo de pose</translation></message>
+<message><source>a pose needs the robot's calibration</source><translation>uma pose precisa da calibração do robô</translation></message>
+<message><source>--calibration replaces the calibration in %1.</source><translation>--calibration substitui a calibração de %1.</translation></message>
+<message><source>mine grid</source><translation>coordenadas da mina</translation></message>
+<message><source>local metres from the mine grid origin</source><translation>metros locais desde a origem da grade da mina</translation></message>
+<message><source>save the scan again, or remove "placement"</source><translation>salve de novo a varredura, ou remova "placement"</translation></message>
+<message><source>must not be where the pivot is</source><translation>não deve estar onde está o pivô</translation></message>
+<message><source>"placement" must be an object {...}</source><translation>"placement" deve ser um objeto {...}</translation></message>
+<message><source>must be a rotation and a translation, twelve numbers</source><translation>deve ser uma rotação e uma translação, doze números</translation></message>
+<message><source>must hold one pose or %1, one per line</source><translation>deve conter uma pose ou %1, uma por linha</translation></message>
+<message><source>must hold rotations and translations, twelve numbers each</source><translation>deve conter rotações e translações, doze números cada uma</translation></message>
+<message><source>and "%1" exclude each other</source><translation>e «%1» se excluem</translation></message>
+<message><source>needs a "time" in every reading when "sweep" is "moving"</source><translation>precisa de um "time" em cada leitura quando "sweep" é "moving"</translation></message>
+<message><source>must be in the order of time</source><translation>deve estar na ordem do tempo</translation></message>
+<message><source>comes before "scan_start"</source><translation>vem antes de "scan_start"</translation></message>
+<message><source>; a scanner that hangs has "viewing": "down" in its calibration</source><translation>; um scanner pendurado tem "viewing": "down" em sua calibração</translation></message>
+<message><source>write easting, northing and level, such as 498765.432; 5150123.456; 287.654</source><translation>escreva este, norte e nível, como 498765.432; 5150123.456; 287.654</translation></message>
+<message><source>the line holds %1 and a place has three, with a heading four, with pitch and roll six</source><translation>a linha contém %1 e um lugar tem três, com rumo quatro, com arfagem e rolagem seis</translation></message>
+<message><source>the line is empty</source><translation>a linha está vazia</translation></message>
+<message><source>%1 may be one number with a comma for thousands, or two numbers</source><translation>%1 pode ser um número com vírgula de milhares, ou dois números</translation></message>
+<message><source>leave that comma out, or write blanks between the numbers</source><translation>tire essa vírgula, ou escreva espaços entre os números</translation></message>
+<message><source>the first of four whole numbers may be the point's or the easting</source><translation>o primeiro de quatro números inteiros pode ser o do ponto ou o este</translation></message>
+<message><source>leave the point's number out, or write decimals</source><translation>tire o número do ponto, ou escreva decimais</translation></message>
+<message><source>How a motor turned the scanner was not said in full. ASSUMED: </source><translation>Não foi indicado por completo como um motor girou o scanner. SUPOSTO: </translation></message>
+<message><source>the axis (</source><translation>o eixo (</translation></message>
+<message><source>, seen in the ranges)</source><translation>, visto nas distâncias)</translation></message>
+<message><source>the step from line to line (</source><translation>o passo de linha a linha (</translation></message>
+<message><source>the angle of the first line (</source><translation>o ângulo da primeira linha (</translation></message>
+<message><source>the file gives points and not angles</source><translation>o arquivo dá pontos e não ângulos</translation></message>
+<message><source>scan of a file</source><translation>varredura de um arquivo</translation></message>
+<message><source>no file holds more</source><translation>nenhum arquivo contém mais</translation></message>
+<message><source>Angle of the first beam [degrees]</source><translation>Ângulo do primeiro feixe [graus]</translation></message>
+<message><source>Angle from beam to beam [degrees]</source><translation>Ângulo de um feixe ao seguinte [graus]</translation></message>
+<message><source>Angle of the first line [degrees]</source><translation>Ângulo da primeira linha [graus]</translation></message>
+<message><source>Angle from line to line [degrees]</source><translation>Ângulo de uma linha à seguinte [graus]</translation></message>
+<message><source>Unit of the numbers in the file; replaces the one that the file gives</source><translation>Unidade dos números do arquivo; substitui a que o arquivo dá</translation></message>
+<message><source>Millimetres per number in the file</source><translation>Milímetros por número do arquivo</translation></message>
+<message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Células de uma nuvem que é projetada [graus]; senão, pelo espaçamento dos seus pontos</translation></message>
+<message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Em torno de que gira o motor de passo: spin (direção de visada) ou sweep (linha 0/180 graus)</translation></message>
+<message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar do scanner para uma nuvem sem grade, como X,Y,Z [m]</translation></message>
+<message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Pontos que não estão em nenhuma grade de scanner: projetá-los em torno do sensor (auto), fazê-lo sem procurar uma grade (always), ou recusá-los (never)</translation></message>
+<message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corrigir os ângulos dos feixes entrelaçados de duas passagens, e das linhas em que o motor de passo escorregou</translation></message>
+<message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tópico de um bag do ROS que é a varredura; senão um laser que gira</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Junta (joint) de um bag do ROS que gira o laser; senão, as transformações a dão</translation></message>
+<message><source>Columns of x, y and z in a list of points, by number from 1 or by name: 2,1,3</source><translation>Colunas de x, y e z em uma lista de pontos, por número a partir de 1 ou por nome: 2,1,3</translation></message>
+<message><source>Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return</source><translation>Tomar um valor ou ponto que se repete exatamente, longe do resto, como medido e não como sem retorno</translation></message>
+<message><source>Pose file of the scan; a recording may hold its own</source><translation>Arquivo de pose da varredura; uma gravação pode conter o seu</translation></message>
+<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
+<message><source>must not be 0</source><translation>não deve ser 0</translation></message>
+<message><source>%1, or a number of %2</source><translation>%1, ou um número de %2</translation></message>
+<message><source>"%1" is not one of its values</source><translation>«%1» não é um de seus valores</translation></message>
+<message><source>from %1 to %2%3</source><translation>de %1 a %2%3</translation></message>
+<message><source>give three numbers %1: X,Y,Z</source><translation>indique três números %1: X,Y,Z</translation></message>
+<message><source>give a whole number %1</source><translation>indique um número inteiro %1</translation></message>
+<message><source>give a number %1</source><translation>indique um número %1</translation></message>
+<message><source> that is not 0</source><translation> que não seja 0</translation></message>
+<message><source>"%1" is not three numbers</source><translation>«%1» não são três números</translation></message>
+<message><source>"%1" is not a number</source><translation>«%1» não é um número</translation></message>
+<message><source>%1 is out of reason for a %2</source><translation>%1 está fora do razoável para %2</translation></message>
+<message><source>%1 holds %2</source><translation>%1 contém %2</translation></message>
+<message><source>--scan %1</source><translation>--scan %1</translation></message>
+<message><source>use --scan 0</source><translation>use --scan 0</translation></message>
+<message><source>use --scan 0 to %1</source><translation>use --scan de 0 a %1</translation></message>
+<message><source>--%1 %2 replaces %3, which the file gives.</source><translation>--%1 %2 substitui %3, que o arquivo dá.</translation></message>
+<message><source>--%1 has no effect: %2; leave it out.</source><translation>--%1 não tem efeito: %2; deixe-o de fora.</translation></message>
+<message><source>what the scan was opened with is damaged</source><translation>aquilo com que a varredura foi aberta está danificado</translation></message>
+<message><source>export again</source><translation>exporte de novo</translation></message>
+<message><source>verify with the version that made the export</source><translation>verifique com a versão que fez a exportação</translation></message>
+<message><source>the file</source><translation>o arquivo</translation></message>
+<message><source>one scan</source><translation>uma varredura</translation></message>
+<message><source>%1 scans</source><translation>%1 varreduras</translation></message>
+<message><source>the scanner</source><translation>o scanner</translation></message>
+<message><source>the scanner's answer to %1</source><translation>a resposta do scanner a %1</translation></message>
+<message><source>the value</source><translation>o valor</translation></message>
+<message><source>the text</source><translation>o texto</translation></message>
+<message><source>the scan frequency</source><translation>a frequência de varredura</translation></message>
+<message><source>the number of sectors</source><translation>o número de setores</translation></message>
+<message><source>the angle step</source><translation>o passo angular</translation></message>
+<message><source>the start angle</source><translation>o ângulo inicial</translation></message>
+<message><source>the stop angle</source><translation>o ângulo final</translation></message>
+<message><source>the channels</source><translation>os canais</translation></message>
+<message><source>the remission switch</source><translation>a chave de remissão</translation></message>
+<message><source>the remission width</source><translation>a largura de remissão</translation></message>
+<message><source>the unit</source><translation>a unidade</translation></message>
+<message><source>the encoders</source><translation>os codificadores</translation></message>
+<message><source>the position switch</source><translation>a chave de posição</translation></message>
+<message><source>the name switch</source><translation>a chave de nome</translation></message>
+<message><source>the comment switch</source><translation>a chave de comentário</translation></message>
+<message><source>the time switch</source><translation>a chave de tempo</translation></message>
+<message><source>the output interval</source><translation>o intervalo de saída</translation></message>
+<message><source>the name</source><translation>o nome</translation></message>
+<message><source>the version</source><translation>a versão</translation></message>
+<message><source>the state</source><translation>o estado</translation></message>
+<message><source>the temperature range</source><translation>a faixa de temperatura</translation></message>
+<message><source>the time</source><translation>a hora</translation></message>
+<message><source>the date</source><translation>a data</translation></message>
+<message><source>the code of a refusal</source><translation>o código de uma recusa</translation></message>
+<message><source>this is not an answer of a scanner</source><translation>isto não é uma resposta de um scanner</translation></message>
+<message><source>byte 0 of the telegram</source><translation>byte 0 do telegrama</translation></message>
+<message><source>an answer without a name</source><translation>uma resposta sem nome</translation></message>
+<message><source>byte 4 of the telegram</source><translation>byte 4 do telegrama</translation></message>
+<message><source>access to the method is denied, log in first</source><translation>o acesso ao método é negado, faça login primeiro</translation></message>
+<message><source>the method is not known</source><translation>o método não é conhecido</translation></message>
+<message><source>the variable is not known</source><translation>a variável não é conhecida</translation></message>
+<message><source>not possible now, or a value is out of its range</source><translation>não é possível agora, ou um valor está fora de seu intervalo</translation></message>
+<message><source>the arguments are wrong in number or form</source><translation>os argumentos estão errados em número ou forma</translation></message>
+<message><source>unknown error</source><translation>erro desconhecido</translation></message>
+<message><source>the telegram is too long</source><translation>o telegrama é longo demais</translation></message>
+<message><source>the telegram is too short</source><translation>o telegrama é curto demais</translation></message>
+<message><source>the type is not known</source><translation>o tipo não é conhecido</translation></message>
+<message><source>writing the variable is denied, log in first</source><translation>escrever a variável é negado, faça login primeiro</translation></message>
+<message><source>the command is not known to the name server</source><translation>o servidor de nomes não conhece o comando</translation></message>
+<message><source>the CoLa command is not known</source><translation>o comando CoLa não é conhecido</translation></message>
+<message><source>the method is still busy</source><translation>o método ainda está ocupado</translation></message>
+<message><source>an array is out of its bounds</source><translation>uma tabela sai de seus limites</translation></message>
+<message><source>the event is not known</source><translation>o evento não é conhecido</translation></message>
+<message><source>a CoLa A value is too large</source><translation>um valor CoLa A é grande demais</translation></message>
+<message><source>a CoLa A character is invalid</source><translation>um caractere CoLa A não é válido</translation></message>
+<message><source>no message</source><translation>nenhuma mensagem</translation></message>
+<message><source>no answer</source><translation>nenhuma resposta</translation></message>
+<message><source>internal error</source><translation>erro interno</translation></message>
+<message><source>hub address is corrupted</source><translation>o endereço do hub está corrompido</translation></message>
+<message><source>hub address cannot be decoded</source><translation>o endereço do hub não pode ser decodificado</translation></message>
+<message><source>hub address is out of range</source><translation>o endereço do hub está fora de seu intervalo</translation></message>
+<message><source>hub address expected</source><translation>esperava-se o endereço do hub</translation></message>
+<message><source>asynchronous methods are suppressed</source><translation>os métodos assíncronos estão suprimidos</translation></message>
+<message><source>complex arrays are not supported</source><translation>tabelas complexas não são aceitas</translation></message>
+<message><source>a reason that is not documented</source><translation>um motivo que não está documentado</translation></message>
+<message><source>byte %1 of the telegram</source><translation>byte %1 do telegrama</translation></message>
+<message><source>is cut off</source><translation>está cortado</translation></message>
+<message><source>is not a number of %1 bits</source><translation>não é um número de %1 bits</translation></message>
+<message><source>does not end after %1 characters</source><translation>não termina depois de %1 caracteres</translation></message>
+<message><source>are cut off</source><translation>estão cortados</translation></message>
+<message><source>bridges with encryption are not supported</source><translation>pontes com criptografia não são aceitas</translation></message>
+<message><source>write ws://HOST or ws://HOST:PORT</source><translation>escreva ws://HOST ou ws://HOST:PORT</translation></message>
+<message><source>"%1://" is not known here</source><translation>«%1://» não é conhecido aqui</translation></message>
+<message><source>write HOST or HOST:PORT for a scanner, ws://HOST or ws://HOST:PORT for a robot's Foxglove bridge</source><translation>escreva HOST ou HOST:PORT para um scanner, ws://HOST ou ws://HOST:PORT para a ponte Foxglove de um robô</translation></message>
+<message><source>what follows the bracket is not a port</source><translation>o que segue o colchete não é uma porta</translation></message>
+<message><source>there is no port behind the colon</source><translation>não há porta depois dos dois-pontos</translation></message>
+<message><source>there is no host</source><translation>não há host</translation></message>
+<message><source>"%1" is not a port</source><translation>«%1» não é uma porta</translation></message>
+<message><source>give a number from 1 to 65535</source><translation>indique um número de 1 a 65535</translation></message>
+<message><source>no scanner is given</source><translation>nenhum scanner foi indicado</translation></message>
+<message><source>give its IP address or host name</source><translation>indique o seu endereço IP ou nome de host</translation></message>
+<message><source>the host name is not known</source><translation>o nome de host é desconhecido</translation></message>
+<message><source>check its spelling or use the scanner's IP address</source><translation>verifique como está escrito ou use o endereço IP do scanner</translation></message>
+<message><source>the name server does not answer</source><translation>o servidor de nomes não responde</translation></message>
+<message><source>use the scanner's IP address</source><translation>use o endereço IP do scanner</translation></message>
+<message><source>nothing answers there</source><translation>nada responde nesse endereço</translation></message>
+<message><source>the connection is refused</source><translation>a conexão é recusada</translation></message>
+<message><source>there is no way to this address</source><translation>não há caminho para este endereço</translation></message>
+<message><source>check the cable and the network settings of this computer</source><translation>verifique o cabo e as configurações de rede deste computador</translation></message>
+<message><source>cannot connect (%1)</source><translation>não é possível conectar (%1)</translation></message>
+<message><source>check the address and the network settings of this computer</source><translation>verifique o endereço e as configurações de rede deste computador</translation></message>
+<message><source>check power, cable and the address, and that this computer is in the scanner's network</source><translation>verifique a alimentação, o cabo e o endereço, e se este computador está na rede do scanner</translation></message>
+<message><source>check the port (2111 or 2112) and that no other program holds the scanner</source><translation>verifique a porta (2111 ou 2112) e se nenhum outro programa ocupa o scanner</translation></message>
+<message><source>a command cannot be sent (%1)</source><translation>um comando não pode ser enviado (%1)</translation></message>
+<message><source>check the cable</source><translation>verifique o cabo</translation></message>
+<message><source>the scanner closed the connection</source><translation>o scanner fechou a conexão</translation></message>
+<message><source>check that a scanner of SICK answers there; a robot's Foxglove bridge is ws://HOST</source><translation>verifique que ali responde um scanner da SICK; a ponte Foxglove de um robô é ws://HOST</translation></message>
+<message><source>the name of a channel</source><translation>o nome de um canal</translation></message>
+<message><source>the scale of a channel</source><translation>a escala de um canal</translation></message>
+<message><source>the offset of a channel</source><translation>o deslocamento de um canal</translation></message>
+<message><source>the start angle of a channel</source><translation>o ângulo inicial de um canal</translation></message>
+<message><source>the angle step of a channel</source><translation>o passo angular de um canal</translation></message>
+<message><source>the number of values of a channel</source><translation>o número de valores de um canal</translation></message>
+<message><source>the values of a channel</source><translation>os valores de um canal</translation></message>
+<message><source>the number of channels</source><translation>o número de canais</translation></message>
+<message><source>the device number</source><translation>o número do aparelho</translation></message>
+<message><source>the serial number</source><translation>o número de série</translation></message>
+<message><source>the device status</source><translation>o estado do aparelho</translation></message>
+<message><source>the telegram counter</source><translation>o contador de telegramas</translation></message>
+<message><source>the scan counter</source><translation>o contador de varreduras</translation></message>
+<message><source>the time since start-up</source><translation>o tempo desde a partida</translation></message>
+<message><source>the time of transmission</source><translation>a hora de transmissão</translation></message>
+<message><source>the digital inputs</source><translation>as entradas digitais</translation></message>
+<message><source>the digital outputs</source><translation>as saídas digitais</translation></message>
+<message><source>the layer angle</source><translation>o ângulo da camada</translation></message>
+<message><source>the measurement frequency</source><translation>a frequência de medição</translation></message>
+<message><source>the number of encoders</source><translation>o número de codificadores</translation></message>
+<message><source>an encoder position</source><translation>uma posição de codificador</translation></message>
+<message><source>an encoder speed</source><translation>uma velocidade de codificador</translation></message>
+<message><source>the position</source><translation>a posição</translation></message>
+<message><source>the rotation</source><translation>a rotação</translation></message>
+<message><source>the rotation type</source><translation>o tipo de rotação</translation></message>
+<message><source>the year</source><translation>o ano</translation></message>
+<message><source>the date and time</source><translation>a data e a hora</translation></message>
+<message><source>the microsecond</source><translation>o microssegundo</translation></message>
+<message><source>the event type</source><translation>o tipo de evento</translation></message>
+<message><source>the event's encoder</source><translation>o codificador do evento</translation></message>
+<message><source>the event's time</source><translation>a hora do evento</translation></message>
+<message><source>the event's angle</source><translation>o ângulo do evento</translation></message>
+<message><source>the position flag</source><translation>o indicador de posição</translation></message>
+<message><source>the name flag</source><translation>o indicador de nome</translation></message>
+<message><source>the device name</source><translation>o nome do aparelho</translation></message>
+<message><source>the comment flag</source><translation>o indicador de comentário</translation></message>
+<message><source>the comment</source><translation>o comentário</translation></message>
+<message><source>the time flag</source><translation>o indicador de hora</translation></message>
+<message><source>the event flag</source><translation>o indicador de evento</translation></message>
+<message><source>the offset of the channel %1 is %2, which no scanner uses</source><translation>o deslocamento do canal %1 é %2, que nenhum scanner usa</translation></message>
+<message><source>the scale of the channel %1 is %2, which no scanner uses</source><translation>a escala do canal %1 é %2, que nenhum scanner usa</translation></message>
+<message><source>the scan telegram</source><translation>o telegrama de varredura</translation></message>
+<message><source>this is not a scan telegram (LMDscandata)</source><translation>isto não é um telegrama de varredura (LMDscandata)</translation></message>
+<message><source>no line was received</source><translation>nenhuma linha foi recebida</translation></message>
+<message><source>check that foxglove_bridge runs there; a scanner of SICK is HOST without ws://</source><translation>verifique que foxglove_bridge roda ali; um scanner da SICK é HOST sem ws://</translation></message>
+<message><source>check cable, address and port</source><translation>verifique o cabo, o endereço e a porta</translation></message>
+<message><source>%1: disconnected.</source><translation>%1: desconectado.</translation></message>
+<message><source>%1 Trying again in %2.</source><translation>%1 Nova tentativa em %2.</translation></message>
+<message><source>Connecting to %1.</source><translation>Conectando a %1.</translation></message>
+<message><source> is sending.</source><translation> envia.</translation></message>
+<message><source> is sending again.</source><translation> envia de novo.</translation></message>
+<message><source>%1: no scan for %2.</source><translation>%1: nenhuma varredura há %2.</translation></message>
+<message><source>%1 accepts the connection; asking what it is.</source><translation>%1 aceita a conexão; perguntando o que é.</translation></message>
+<message><source>the scanner refuses to send scans: %1</source><translation>o scanner se recusa a enviar varreduras: %1</translation></message>
+<message><source>check what else uses it</source><translation>verifique o que mais o usa</translation></message>
+<message><source>no scan for %1</source><translation>nenhuma varredura em %1</translation></message>
+<message><source>check the cable and whether the scanner's mirror turns</source><translation>verifique o cabo e se o espelho do scanner roda</translation></message>
+<message><source>firmware %1</source><translation>firmware %1</translation></message>
+<message><source>%1 degrees from %2 to %3</source><translation>%1 graus de %2 a %3</translation></message>
+<message><source>something accepts the connection but does not answer in CoLa</source><translation>algo aceita a conexão mas não responde em CoLa</translation></message>
+<message><source>check that it is a SICK scanner and the port is 2111 or 2112</source><translation>verifique que é um scanner SICK e que a porta é 2111 ou 2112</translation></message>
+<message><source>no answer to "%1"</source><translation>nenhuma resposta a «%1»</translation></message>
+<message><source>check the connection</source><translation>verifique a conexão</translation></message>
+<message><source>A telegram came late and was put into its line</source><translation>Um telegrama chegou tarde e foi posto na sua linha</translation></message>
+<message><source>telegrams came late and were put into their lines</source><translation>telegramas chegaram tarde e foram postos nas suas linhas</translation></message>
+<message><source>A telegram came after its sweep had ended</source><translation>Um telegrama chegou depois do fim da sua varredura</translation></message>
+<message><source>telegrams came after their sweep had ended</source><translation>telegramas chegaram depois do fim da sua varredura</translation></message>
+<message><source>: not used</source><translation>: não usado</translation></message>
+<message><source>A telegram had other beams than the sweep, or was of another layer of the scanner</source><translation>Um telegrama tinha outros feixes que a varredura, ou era de outra camada do scanner</translation></message>
+<message><source>telegrams had other beams than the sweep, or were of another layer of the scanner</source><translation>telegramas tinham outros feixes que a varredura, ou eram de outra camada do scanner</translation></message>
+<message><source>: no lines of this sweep</source><translation>: não são linhas desta varredura</translation></message>
+<message><source>A telegram held no ranges</source><translation>Um telegrama não continha distâncias</translation></message>
+<message><source>telegrams held no ranges</source><translation>telegramas não continham distâncias</translation></message>
+<message><source>: their lines are lost</source><translation>: as suas linhas estão perdidas</translation></message>
+<message><source>The scanner's counters jumped ahead once</source><translation>Os contadores do scanner saltaram para a frente uma vez</translation></message>
+<message><source>times the scanner's counters jumped ahead</source><translation>vezes os contadores do scanner saltaram para a frente</translation></message>
+<message><source>, by more lines than its clock allows: whether lines were lost there is not known</source><translation>, mais linhas do que seu relógio permite: não se sabe se ali se perderam linhas</translation></message>
+<message><source>One of the scanner's counters was set back</source><translation>Um dos contadores do scanner foi atrasado</translation></message>
+<message><source>times one of the scanner's counters was set back</source><translation>vezes um dos contadores do scanner foi atrasado</translation></message>
+<message><source>: lost lines there are counted by the other one and the clock</source><translation>: as linhas perdidas ali são contadas pelo outro e pelo relógio</translation></message>
+<message><source>The scanner's counters stood still for a line</source><translation>Os contadores do scanner pararam durante uma linha</translation></message>
+<message><source>times the scanner's counters stood still from line to line</source><translation>vezes os contadores do scanner pararam de uma linha para outra</translation></message>
+<message><source>: lost lines cannot be counted there</source><translation>: ali não se podem contar as linhas perdidas</translation></message>
+<message><source>The scanner's clock was set while its counters ran on</source><translation>O relógio do scanner foi ajustado enquanto os seus contadores seguiam</translation></message>
+<message><source>times the scanner's clock was set while its counters ran on</source><translation>vezes o relógio do scanner foi ajustado enquanto os seus contadores seguiam</translation></message>
+<message><source>: the times of lines there are reckoned</source><translation>: as horas das linhas ali são calculadas</translation></message>
+<message><source>The scanner's clock stood still for a line</source><translation>O relógio do scanner parou durante uma linha</translation></message>
+<message><source>times the scanner's clock stood still from line to line</source><translation>vezes o relógio do scanner parou de uma linha para outra</translation></message>
+<message><source>The scanner paused for more than a second</source><translation>O scanner fez uma pausa de mais de um segundo</translation></message>
+<message><source>times the scanner paused for more than a second</source><translation>vezes o scanner fez uma pausa de mais de um segundo</translation></message>
+<message><source>, and its counters know of no lost line</source><translation>, e os seus contadores não conhecem nenhuma linha perdida</translation></message>
+<message><source>The scanner restarted</source><translation>O scanner reiniciou</translation></message>
+<message><source>times the scanner restarted</source><translation>vezes o scanner reiniciou</translation></message>
+<message><source>: lines lost meanwhile are counted by this computer's clock</source><translation>: as linhas perdidas entretanto são contadas pelo relógio deste computador</translation></message>
+<message><source>A telegram brought other echoes than the first one</source><translation>Um telegrama trouxe outros ecos que o primeiro</translation></message>
+<message><source>telegrams brought other echoes than the first one</source><translation>telegramas trouxeram outros ecos que o primeiro</translation></message>
+<message><source>: their ranges may be of another echo</source><translation>: as suas distâncias podem ser de outro eco</translation></message>
+<message><source>The telegrams come from another scanner</source><translation>Os telegramas vêm de outro scanner</translation></message>
+<message><source>times the telegrams came from another scanner</source><translation>vezes os telegramas vieram de outro scanner</translation></message>
+<message><source>: the sweep is not of one device</source><translation>: a varredura não é de um só aparelho</translation></message>
+<message><source>A line was lost between two sweeps</source><translation>Uma linha perdeu-se entre duas varreduras</translation></message>
+<message><source>lines were lost between two sweeps</source><translation>linhas perderam-se entre duas varreduras</translation></message>
+<message><source> (first at line </source><translation> (primeiro na linha </translation></message>
+<message><source> (%1 by the counters)</source><translation> (%1 segundo os contadores)</translation></message>
+<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» da gravação é «%2», que não pode ser usado</translation></message>
+<message><source>the recording computer's clock, carried on by the scanner's</source><translation>o relógio do computador que gravou, continuado pelo do scanner</translation></message>
+<message><source> from line %1 on</source><translation> a partir da linha %1</translation></message>
+<message><source>window too dirty to measure through</source><translation>janela suja demais para medir através dela</translation></message>
+<message><source>dirty window</source><translation>janela suja</translation></message>
+<message><source>none reported</source><translation>nenhuma comunicada</translation></message>
+<message><source>first echo that the scanner sent</source><translation>primeiro eco que o scanner enviou</translation></message>
+<message><source>last echo that the scanner sent</source><translation>último eco que o scanner enviou</translation></message>
+<message><source>, the motor turning on while a line is measured)</source><translation>, o motor continua a girar enquanto uma linha é medida)</translation></message>
+<message><source>%1. Give %2 where that is wrong.</source><translation>%1. Indique %2 onde isso estiver errado.</translation></message>
+<message><source>lines %1 and others</source><translation>linhas %1 e outras</translation></message>
+<message><source>lines %1</source><translation>linhas %1</translation></message>
+<message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>A contagem do encoder na primeira linha recebida é tomada como primeiro ângulo da varredura.</translation></message>
+<message><source>The first line received is taken as line 0 of the sweep.</source><translation>A primeira linha recebida é tomada como linha 0 da varredura.</translation></message>
+<message><source>Telegrams were lost: %1 (%2 in all).</source><translation>Perderam-se telegramas: %1 (%2 no total).</translation></message>
+<message><source>Telegrams had fewer beams than the sweep, the others are lost: %1 (%2 in all).</source><translation>Alguns telegramas tinham menos feixes que a varredura, os outros se perderam: %1 (%2 no total).</translation></message>
+<message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Os telegramas trazem contagens do encoder, mas não se indicou quantas há por grau: os ângulos não as seguem.</translation></message>
+<message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>O scanner perdeu a contagem do encoder ao reiniciar: os ângulos das linhas seguintes são calculados.</translation></message>
+<message><source> (from line %1 on).</source><translation> (a partir da linha %1).</translation></message>
+<message><source>The scanner reported an error or was not ready</source><translation>O scanner comunicou um erro ou não estava pronto</translation></message>
+<message><source>The scanner reported a window too dirty to measure through</source><translation>O scanner comunicou uma janela suja demais para medir</translation></message>
+<message><source>The scanner reported a dirty window</source><translation>O scanner comunicou uma janela suja</translation></message>
 </context>
 </TS>

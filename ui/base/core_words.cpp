@@ -4,8 +4,7 @@
 #include "core/scan/georef/place_form.h"
 #include "core/scan/grid/assumed_mounting.h"
 #include "core/scan/grid/reading_options.h"
-#include "ui/base/core_notes.h"
-#include "ui/base/core_refusals.h"
+#include "ui/base/language/languages.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>
@@ -13,8 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -81,47 +78,9 @@ constexpr std::array kScanNames{
     QT_TRANSLATE_NOOP("QObject", "demo draw-bell"),
 };
 
-// Parts of sentences of a live scanner, of connecting, of opening and of poses; core_notes.h has those about a file.
+// Parts of sentences of the window itself, and of groups of the core whose sentences resources/languages/collect does not collect.
 constexpr std::array kParts{
-    QT_TRANSLATE_NOOP("QObject", "INCOMPLETE: %1 lines are there, how many there were is not known."),
     QT_TRANSLATE_NOOP("QObject", "INCOMPLETE %1 lines"),
-    QT_TRANSLATE_NOOP("QObject", "Telegrams were lost: lines "),
-    QT_TRANSLATE_NOOP("QObject", "Telegrams were lost: line "),
-    QT_TRANSLATE_NOOP("QObject", "Telegrams had fewer beams than the sweep, the others are lost: "),
-    QT_TRANSLATE_NOOP("QObject", "The line angles are computed from time alone: a change of speed bends the cloud."),
-    QT_TRANSLATE_NOOP("QObject",
-                      "The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them."),
-    QT_TRANSLATE_NOOP("QObject", "The scanner lost its encoder count when it restarted: the line angles after that are computed."),
-    QT_TRANSLATE_NOOP("QObject", " (from line %1 on)."),
-    QT_TRANSLATE_NOOP("QObject", "How a motor turned the scanner was not said in full. ASSUMED: "),
-    QT_TRANSLATE_NOOP("QObject", "the axis (spin)"),
-    QT_TRANSLATE_NOOP("QObject", "the axis (sweep)"),
-    QT_TRANSLATE_NOOP("QObject", "the axis (spin, seen in the ranges)"),
-    QT_TRANSLATE_NOOP("QObject", "the axis (sweep, seen in the ranges)"),
-    QT_TRANSLATE_NOOP("QObject", "the step from line to line (%1 degrees"),
-    QT_TRANSLATE_NOOP("QObject", "the motor turning on while a line is measured)"),
-    QT_TRANSLATE_NOOP("QObject", "the angle of the first line (%1 degrees)"),
-    QT_TRANSLATE_NOOP("QObject", "Give %1 where that is wrong."),
-    QT_TRANSLATE_NOOP("QObject", "The first line received is taken as line 0 of the sweep."),
-    QT_TRANSLATE_NOOP("QObject", "The encoder count of the first line received is taken as the first angle of the sweep."),
-    QT_TRANSLATE_NOOP("QObject", "The scanner reported an error or was not ready"),
-    QT_TRANSLATE_NOOP("QObject", "The scanner reported a window too dirty to measure through"),
-    QT_TRANSLATE_NOOP("QObject", "The scanner reported a dirty window"),
-    QT_TRANSLATE_NOOP("QObject", " in all)"),
-    QT_TRANSLATE_NOOP("QObject", "Trying again in %1 s."),
-    QT_TRANSLATE_NOOP("QObject", "Connecting to %1."),
-    QT_TRANSLATE_NOOP("QObject", " accepts the connection; asking what it is."),
-    QT_TRANSLATE_NOOP("QObject", " is sending again."),
-    QT_TRANSLATE_NOOP("QObject", " is sending."),
-    QT_TRANSLATE_NOOP("QObject", ": no scan for %1 s."),
-    QT_TRANSLATE_NOOP("QObject", ": disconnected."),
-    QT_TRANSLATE_NOOP("QObject", "The sweep has ended; no line has come since."),
-    QT_TRANSLATE_NOOP("QObject", "there is no such file"),
-    QT_TRANSLATE_NOOP("QObject", "check the spelling and the folder"),
-    QT_TRANSLATE_NOOP("QObject", "reading this file is not allowed"),
-    QT_TRANSLATE_NOOP("QObject", "ask its owner for the right to read it"),
-    QT_TRANSLATE_NOOP("QObject", "this is a folder, not a file"),
-    QT_TRANSLATE_NOOP("QObject", "choose a file inside it"),
     QT_TRANSLATE_NOOP("QObject", "there is not enough memory for this scan"),
     QT_TRANSLATE_NOOP("QObject", "close other programs or open a smaller scan"),
     QT_TRANSLATE_NOOP("QObject", "there is not enough memory to show the scan in its place"),
@@ -129,7 +88,6 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "there is not enough memory for a second picture"),
     QT_TRANSLATE_NOOP("QObject", "there is not enough memory for a second scan"),
     QT_TRANSLATE_NOOP("QObject", "there is not enough memory for these scans"),
-    QT_TRANSLATE_NOOP("QObject", "there is not enough memory for this cloud"),
     QT_TRANSLATE_NOOP("QObject", "there is not enough memory to play this recording"),
     QT_TRANSLATE_NOOP("QObject", "hide or remove other layers, or choose a smaller scan"),
     QT_TRANSLATE_NOOP("QObject", "close other programs or choose a smaller scan"),
@@ -138,152 +96,19 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "close other programs or use a smaller scan"),
     QT_TRANSLATE_NOOP("QObject", "another program has changed this file, so it was not removed"),
     QT_TRANSLATE_NOOP("QObject", "open the scan again to see its edits"),
-    QT_TRANSLATE_NOOP("QObject", "the file cannot be removed (%1)"),
-    QT_TRANSLATE_NOOP("QObject", "check the rights of its folder"),
     QT_TRANSLATE_NOOP("QObject", "it could not be opened (%1)"),
     QT_TRANSLATE_NOOP("QObject", "auto is not a number"),
     QT_TRANSLATE_NOOP("QObject", "tick auto next to the box"),
     QT_TRANSLATE_NOOP("QObject", "the layer has another content than when it was placed"),
     QT_TRANSLATE_NOOP("QObject", "remove it and add it again"),
-    QT_TRANSLATE_NOOP("QObject", "it was cancelled, so nothing was written"),
-    QT_TRANSLATE_NOOP("QObject", "save it again"),
-    QT_TRANSLATE_NOOP("QObject", "the file cannot be read: "),
-    QT_TRANSLATE_NOOP("QObject", "check the disk and the path"),
-    QT_TRANSLATE_NOOP("QObject", "there is not enough memory for this file"),
-    QT_TRANSLATE_NOOP("QObject", "close other programs or open a smaller file"),
-    QT_TRANSLATE_NOOP("QObject", "close other programs"),
-    QT_TRANSLATE_NOOP("QObject", "this is a web page (HTML), not a scan"),
-    QT_TRANSLATE_NOOP("QObject", "this is a JPEG picture, not a scan"),
-    QT_TRANSLATE_NOOP("QObject", "this is a picture or film, not a scan"),
-    QT_TRANSLATE_NOOP("QObject", "this is a PDF document, not a scan"),
-    QT_TRANSLATE_NOOP("QObject", "this is a ZIP archive, not a scan"),
-    QT_TRANSLATE_NOOP("QObject", "this is a program, not a scan"),
-    QT_TRANSLATE_NOOP("QObject", "it may be what a site sent instead of the file: download the file again, or choose a scan file"),
-    QT_TRANSLATE_NOOP("QObject", "choose a scan file"),
-    QT_TRANSLATE_NOOP("QObject", "unpack it and open the scan in it"),
-    QT_TRANSLATE_NOOP("QObject", "copy the file again, it may be cut off"),
-    QT_TRANSLATE_NOOP("QObject", "copy the file again"),
-    QT_TRANSLATE_NOOP("QObject", "export the file again"),
-    QT_TRANSLATE_NOOP("QObject", "the folder to write into does not exist"),
-    QT_TRANSLATE_NOOP("QObject", "make the folder or choose another"),
-    QT_TRANSLATE_NOOP("QObject", "the folder to write into is not a folder"),
-    QT_TRANSLATE_NOOP("QObject", "writing here is not allowed"),
-    QT_TRANSLATE_NOOP("QObject", "choose another folder or ask for the right to write"),
-    QT_TRANSLATE_NOOP("QObject", "the disk can only be read"),
-    QT_TRANSLATE_NOOP("QObject", "the disk is full, so this file was not written"),
-    QT_TRANSLATE_NOOP("QObject", "free some space or choose another disk"),
-    QT_TRANSLATE_NOOP("QObject", "the file cannot be written: "),
-    QT_TRANSLATE_NOOP("QObject", "choose another folder or disk"),
-    QT_TRANSLATE_NOOP("QObject", "choose another folder"),
-    QT_TRANSLATE_NOOP("QObject", "the file name is too long"),
-    QT_TRANSLATE_NOOP("QObject", "choose a shorter name"),
-    QT_TRANSLATE_NOOP("QObject", "give a file name"),
-    QT_TRANSLATE_NOOP("QObject", "this file is read-only, so it was not replaced"),
-    QT_TRANSLATE_NOOP("QObject", "allow writing with chmod u+w, or choose another name"),
-    QT_TRANSLATE_NOOP("QObject", "this file belongs to another user, who does not allow writing, so it was not replaced"),
-    QT_TRANSLATE_NOOP("QObject", "choose another name, or ask its owner"),
     QT_TRANSLATE_NOOP("QObject", "it is not a regular file, so settings are not read and nothing of this window is stored"),
     QT_TRANSLATE_NOOP("QObject", "remove it and start again"),
-    QT_TRANSLATE_NOOP("QObject", "this file was read as an input"),
-    QT_TRANSLATE_NOOP("QObject", "this is the file that was read as an input under the name "),
-    QT_TRANSLATE_NOOP("QObject", "choose another name"),
-    QT_TRANSLATE_NOOP("QObject", "nothing answers there"),
-    QT_TRANSLATE_NOOP("QObject", "check power, cable and the address, and that this computer is in the scanner's network"),
-    QT_TRANSLATE_NOOP("QObject", "the connection is refused"),
-    QT_TRANSLATE_NOOP("QObject", "check the port (2111 or 2112) and that no other program holds the scanner"),
-    QT_TRANSLATE_NOOP("QObject", "there is no way to this address"),
-    QT_TRANSLATE_NOOP("QObject", "check the cable and the network settings of this computer"),
-    QT_TRANSLATE_NOOP("QObject", "check the address and the network settings of this computer"),
-    QT_TRANSLATE_NOOP("QObject", "cannot connect (%1)"),
-    QT_TRANSLATE_NOOP("QObject", "no scanner is given"),
-    QT_TRANSLATE_NOOP("QObject", "give its IP address or host name"),
-    QT_TRANSLATE_NOOP("QObject", "the host name is not known"),
-    QT_TRANSLATE_NOOP("QObject", "check its spelling or use the scanner's IP address"),
-    QT_TRANSLATE_NOOP("QObject", "the name server does not answer"),
-    QT_TRANSLATE_NOOP("QObject", "use the scanner's IP address"),
-    QT_TRANSLATE_NOOP("QObject", "the scanner closed the connection"),
-    QT_TRANSLATE_NOOP("QObject", "the connection broke (%1)"),
-    QT_TRANSLATE_NOOP("QObject", "no line was received"),
-    QT_TRANSLATE_NOOP("QObject", "check cable, address and port"),
-    QT_TRANSLATE_NOOP("QObject", "check the cable and whether the scanner's mirror turns"),
-    QT_TRANSLATE_NOOP("QObject", "the scanner refuses to send scans: "),
-    QT_TRANSLATE_NOOP("QObject", "check what else uses it"),
-    QT_TRANSLATE_NOOP("QObject", "a recording is being written already"),
-    QT_TRANSLATE_NOOP("QObject", "stop it first"),
-    QT_TRANSLATE_NOOP("QObject", "the file ends within its E57 header"),
-    QT_TRANSLATE_NOOP("QObject", "this is E57 version %1, and version 1 is known"),
-    QT_TRANSLATE_NOOP("QObject", "export it as E57 version 1.0"),
-    QT_TRANSLATE_NOOP("QObject", "the E57 header says that pages have %1 bytes"),
-    QT_TRANSLATE_NOOP("QObject", "the E57 header promises %1 bytes and the file holds "),
-    QT_TRANSLATE_NOOP("QObject", "the columns of points in this E57 file are nested too deep"),
-    QT_TRANSLATE_NOOP("QObject", "the limits of the column %1 in this E57 file are not possible"),
-    QT_TRANSLATE_NOOP("QObject", "scan %1 of this E57 file does not say where its points are and how many"),
-    QT_TRANSLATE_NOOP("QObject", "the E57 header says that the XML part is at byte %1 and has "),
-    QT_TRANSLATE_NOOP("QObject", "the XML part of this E57 file cannot be read: "),
-    QT_TRANSLATE_NOOP("QObject", "the XML part of this E57 file has no e57Root"),
-    QT_TRANSLATE_NOOP("QObject", "page %1 of %2 of this E57 file is damaged: its checksum does not fit"),
-    QT_TRANSLATE_NOOP("QObject", "this E57 file ends before something that it names"),
-    QT_TRANSLATE_NOOP("QObject", "this E57 file holds no scan"),
-    QT_TRANSLATE_NOOP("QObject", "the file holds one scan"),
-    QT_TRANSLATE_NOOP("QObject", "the file holds %1 scans"),
-    QT_TRANSLATE_NOOP("QObject", "scan %1 of this E57 file holds no points"),
-    QT_TRANSLATE_NOOP("QObject", "choose another scan or file"),
     QT_TRANSLATE_NOOP("QObject", "choose another scan"),
-    QT_TRANSLATE_NOOP("QObject", "choose another file"),
-    QT_TRANSLATE_NOOP("QObject", "the points are said to begin at byte %1, which is not in the file"),
-    QT_TRANSLATE_NOOP("QObject", "no list of points begins where the E57 file says"),
-    QT_TRANSLATE_NOOP("QObject", "the header of the points does not fit the file"),
-    QT_TRANSLATE_NOOP("QObject", "a packet of points "),
-    QT_TRANSLATE_NOOP("QObject", "the file promises %1 points and "),
-    QT_TRANSLATE_NOOP("QObject", "this ZIP archive has no directory at its end"),
-    QT_TRANSLATE_NOOP("QObject", "the directory of this ZIP archive is damaged"),
-    QT_TRANSLATE_NOOP("QObject", "this ZIP archive does not begin where its directory says: other bytes are before it or in it"),
-    QT_TRANSLATE_NOOP("QObject", "this part of the archive is encrypted"),
-    QT_TRANSLATE_NOOP("QObject", "save it without a password"),
-    QT_TRANSLATE_NOOP("QObject", "this part of the archive is packed by method %1"),
-    QT_TRANSLATE_NOOP("QObject", "pack it with DEFLATE, as usual"),
-    QT_TRANSLATE_NOOP("QObject", "this part of the archive is not where its directory says"),
-    QT_TRANSLATE_NOOP("QObject", "unpacked this is %1, far more than a scan of its size can be"),
-    QT_TRANSLATE_NOOP("QObject", "unpack it by hand and look at it"),
-    QT_TRANSLATE_NOOP("QObject", "this part of the archive is damaged: its length or its checksum does not fit"),
-    QT_TRANSLATE_NOOP("QObject", "it is a ROS bag of another version than 2.0"),
-    QT_TRANSLATE_NOOP("QObject", "convert it with \"rosbag migrate\""),
-    QT_TRANSLATE_NOOP("QObject", "this SQLite database is cut off or damaged: its tables cannot be read"),
-    QT_TRANSLATE_NOOP("QObject", "this SQLite database is not a ROS bag: it has no table of topics"),
-    QT_TRANSLATE_NOOP("QObject", "this SQLite database cannot be opened"),
-    QT_TRANSLATE_NOOP("QObject", "copy it again"),
-    QT_TRANSLATE_NOOP("QObject", "this is not an MCAP recording of a known version"),
-    QT_TRANSLATE_NOOP("QObject", "choose a recording"),
-    QT_TRANSLATE_NOOP("QObject", "this folder holds %1 files of a bag"),
-    QT_TRANSLATE_NOOP("QObject", "open one of them, as "),
-    QT_TRANSLATE_NOOP("QObject", "no topic of this %1 is a laser's"),
-    QT_TRANSLATE_NOOP("QObject", "choose another bag"),
-    QT_TRANSLATE_NOOP("QObject", "the bag has no topic "),
-    QT_TRANSLATE_NOOP("QObject", "the topic %1 holds no scan"),
-    QT_TRANSLATE_NOOP("QObject", "choose one of them with "),
-    QT_TRANSLATE_NOOP("QObject", "choose one of "),
-    QT_TRANSLATE_NOOP("QObject", "the laser did not turn while it measured"),
-    QT_TRANSLATE_NOOP("QObject", "choose another topic, or give the joint that turns it"),
-    QT_TRANSLATE_NOOP("QObject", "no line of the topic %1 could be placed"),
-    QT_TRANSLATE_NOOP("QObject", "no message of the topic %1 is a line of ranges"),
-    QT_TRANSLATE_NOOP("QObject", "The recording holds %1 sweeps; sweep %2 was opened; no other has more lines."),
-    QT_TRANSLATE_NOOP("QObject", "no transform turns the laser's frame %1 while it measures"),
-    QT_TRANSLATE_NOOP("QObject", "no joint turned while the laser measured"),
-    QT_TRANSLATE_NOOP("QObject", "there is no joint called "),
-    QT_TRANSLATE_NOOP("QObject", "choose another topic"),
-    QT_TRANSLATE_NOOP("QObject", "the scan has no pose, so its place in the mine grid is not known"),
-    QT_TRANSLATE_NOOP("QObject", "give a pose and the robot's calibration, or save in the scanner's frame"),
+    QT_TRANSLATE_NOOP("QObject", " (line "),
     // Of a pose, of several stations, and of a scan before and after.
-    QT_TRANSLATE_NOOP("QObject", "The pose carries no time, so its age is not known."),
-    QT_TRANSLATE_NOOP("QObject", "The start of the scan is not known, so the age of the pose is not either."),
-    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and "
-                                 "angle of the first line."),
-    QT_TRANSLATE_NOOP("QObject",
-                      "The calibration does not give %1, so 0 is used: add what is missing (Scan > Pose and Mounting, page Mounting)."),
-    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the pose is %1 s older than the start of the scan."),
-    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than "),
-    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the "
-                                 "nearest one."),
+    QT_TRANSLATE_NOOP("QObject", "Both are one scan: the files are the same."),
+    QT_TRANSLATE_NOOP("QObject", "Near and far leave no depth between them: the gray image is blank and has no edge."),
+    QT_TRANSLATE_NOOP("QObject", " edge cells lie on filled ranges and are not in this file; %1 writes them."),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: whether the surfaces of \"%1\" fit cannot be seen."),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the surfaces of \"%1\" are %2 mm from those of the first scan at best."),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the base moved while \"%1\" was taken: one place fits it badly."),
@@ -296,12 +121,6 @@ constexpr std::array kParts{
                       "not scans of one place. No areas of change are given."),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: whether the poses fit cannot be seen, "),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by "),
-    // Of a list of points.
-    QT_TRANSLATE_NOOP("QObject", "The file lists only points: %1 lines, %2 beams and mounting "),
-    QT_TRANSLATE_NOOP("QObject", "were found from them."),
-    QT_TRANSLATE_NOOP("QObject",
-                      "This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find "
-                      "edges."),
 };
 
 /// Where the window sets what a flag sets. The flags of reading are fields of one dialog.
@@ -318,17 +137,15 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kPlaces{{
 constexpr std::array kFieldsOfReading{"beam-start", "beam-step", "line-start", "line-step", "unit", "grid-step",  "axis",
                                       "sensor",     "project",   "scan",       "columns",   "pose", "calibration"};
 
-/// All parts of sentences, the longer ones first: one may hold another.
-std::vector<const char*> sentenceParts() {
-    std::vector<const char*> parts(kParts.begin(), kParts.end());
-    parts.insert(parts.end(), kNotes.begin(), kNotes.end());
-    parts.insert(parts.end(), kRefusals.begin(), kRefusals.end());
-    std::ranges::stable_sort(parts, std::ranges::greater(), [](const char* part) { return std::strlen(part); });
+/// Patterns of the core and those above, the longer ones first: one may hold another.
+QStringList sentenceParts() {
+    QStringList parts = sentencesOfTheCore() + QStringList(kParts.begin(), kParts.end());
+    std::stable_sort(parts.begin(), parts.end(), [](const QString& a, const QString& b) { return a.size() > b.size(); });
     return parts;
 }
 
 QString wordsOf(const QString& text) {
-    static const CoreTexts texts(kWholeTexts, true);
+    static const CoreTexts texts(QStringList(kWholeTexts.begin(), kWholeTexts.end()), true);
     return texts.translated(text, wordsOf);
 }
 
@@ -377,29 +194,68 @@ QString withoutKeys(QString text) {
 
 } // namespace
 
-CoreTexts::CoreTexts(std::span<const char* const> sources, bool whole) : whole_(whole) {
-    static const QRegularExpression place("%[1-9]");
-    for (const char* source : sources) {
-        const QStringList parts = QString::fromUtf8(source).split(place);
-        QStringList escaped;
-        for (const QString& part : parts) escaped << QRegularExpression::escape(part);
-        const QString match = escaped.join("(.+?)");
-        texts_.push_back(
-            {source, *std::ranges::max_element(parts, {}, &QString::size), QRegularExpression(whole ? "^" + match + "$" : match)});
+CoreTexts::CoreTexts(const QStringList& sources, bool whole) : whole_(whole) {
+    static const QRegularExpression place("%[1-9n]"), letter("\\w");
+    for (const QString& source : sources) {
+        Text text{source.toUtf8(), {}, {}, {}};
+        QString match;
+        int at = 0;
+        const auto addWords = [&](const QString& words) {
+            match += QRegularExpression::escape(words);
+            if (words.size() > text.words.size()) text.words = words;
+        };
+        for (auto all = place.globalMatch(source); all.hasNext();) {
+            const auto found = all.next();
+            addWords(source.mid(at, found.capturedStart() - at));
+            text.places << found.captured();
+            // In front of a sentence there may be another: its value is one word then, or a text in quotes.
+            const bool isFirst = found.capturedStart() == 0 && !whole;
+            match += found.captured() == "%n" ? "(\\d+)" : isFirst ? "(\"[^\"]*\"|\\S+)" : "(.*?)";
+            at = found.capturedEnd();
+        }
+        addWords(source.mid(at));
+        if (whole) match = "^" + match + "$";
+        if (!whole && letter.match(source.left(1)).hasMatch()) match.prepend("(?<![\\w-])");
+        if (!whole && letter.match(source.right(1)).hasMatch() && at < source.size()) match += "(?![\\w-]|\\.\\w)";
+        text.match.setPattern(match);
+        texts_.push_back(text);
     }
 }
 
+QString CoreTexts::filled(const Text& text, const QRegularExpressionMatch& found, QString (*inner)(const QString&)) {
+    static const QRegularExpression place("%[1-9n]");
+    const QString words = QObject::tr(text.source.constData());
+    QString result;
+    int at = 0;
+    for (auto all = place.globalMatch(words); all.hasNext();) {
+        const auto each = all.next();
+        const QString value = found.captured(1 + text.places.indexOf(each.captured()));
+        result += words.mid(at, each.capturedStart() - at) + (inner == nullptr ? value : inner(value));
+        at = each.capturedEnd();
+    }
+    return result + words.mid(at);
+}
+
+QRegularExpressionMatch CoreTexts::found(const Text& text, const QString& in, int from) {
+    auto found = text.match.match(in, from);
+    if (text.source.startsWith('%')) return found;
+    // A value does not hold the beginning of the sentence again: of "about z ..., about y 3 lines", the second.
+    for (auto later = found; later.hasMatch() && later.capturedEnd() <= found.capturedEnd();) {
+        found = later;
+        later = text.match.match(in, later.capturedStart() + 1);
+    }
+    return found;
+}
+
 QString CoreTexts::translated(QString text, QString (*inner)(const QString&)) const {
-    for (const auto& [source, words, match] : texts_) {
-        if (!text.contains(words)) continue;
+    for (const Text& each : texts_) {
+        if (!text.contains(each.words)) continue;
         int at = 0; // behind what is translated already
-        for (auto found = match.match(text); found.hasMatch(); found = match.match(text, at)) {
-            QString part = QObject::tr(source);
-            for (int n = found.lastCapturedIndex(); n >= 1; --n)
-                part.replace("%" + QString::number(n), inner == nullptr ? found.captured(n) : inner(found.captured(n)));
+        for (auto match = found(each, text, 0); match.hasMatch(); match = found(each, text, at)) {
+            const QString part = filled(each, match, inner);
             if (whole_) return part;
-            text.replace(found.capturedStart(), found.capturedLength(), part);
-            at = found.capturedStart() + part.size();
+            text.replace(match.capturedStart(), match.capturedLength(), part);
+            at = match.capturedStart() + part.size();
         }
     }
     return text;
@@ -418,13 +274,14 @@ QString cellStateText(CellState state) {
 }
 
 QString scanName(const std::string& name, int mostCharacters) {
-    static const CoreTexts texts(kScanNames, true);
+    static const CoreTexts texts(QStringList(kScanNames.begin(), kScanNames.end()), true);
     return shownName(texts.translated(exactText(name)), mostCharacters);
 }
 
 QString coreSentence(const QString& text) {
-    static const CoreTexts parts(sentenceParts(), false);
-    return parts.translated(withoutKeys(withoutFlags(text)));
+    if (sentencesOfTheCore().isEmpty()) return withoutKeys(withoutFlags(text)); // English
+    static const CoreTexts parts(sentenceParts(), false);                       // those of all languages have one source
+    return withoutKeys(withoutFlags(parts.translated(text)));
 }
 
 QString coreSentence(const std::string& text) { return coreSentence(shownText(text)); }

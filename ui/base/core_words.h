@@ -6,8 +6,8 @@
 
 #include <QRegularExpression>
 #include <QString>
+#include <QStringList>
 
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,20 +20,24 @@ namespace edgescan::ui {
 /// A short text of a live scanner, such as "LOST 12 s" or "no return 4.2 %", in the language of the window.
 [[nodiscard]] QString coreWords(const std::string& text);
 
-/// Texts of the core, in which %1 to %9 are any text, in their order. They must outlive it.
+/// Texts of the core, in which %1 to %9 are any text and %n is a number.
 class CoreTexts {
 public:
     /// `whole`: each is a text of its own; otherwise they are parts of longer ones.
-    CoreTexts(std::span<const char* const> sources, bool whole);
-    /// What is one of them in the language of the window; the rest as it is. `inner` translates the text of %1 to %9; null: nothing.
+    CoreTexts(const QStringList& sources, bool whole);
+    /// What is one of them in the language of the window; the rest as it is. `inner` translates the values; null: nothing.
     [[nodiscard]] QString translated(QString text, QString (*inner)(const QString&) = nullptr) const;
 
 private:
     struct Text {
-        const char* source;
-        QString words; ///< the longest part without %1 to %9: a cheap look whether it can be there at all
+        QByteArray source;
+        QString words;      ///< the longest part without values: a cheap look whether it can be there at all
+        QStringList places; ///< "%n", "%1" ..., as they follow each other in the source
         QRegularExpression match;
     };
+    [[nodiscard]] static QRegularExpressionMatch found(const Text& text, const QString& in, int from);
+    [[nodiscard]] static QString filled(const Text& text, const QRegularExpressionMatch& found, QString (*inner)(const QString&));
+
     bool whole_;
     std::vector<Text> texts_;
 };

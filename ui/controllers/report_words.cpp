@@ -217,7 +217,8 @@ QString decoded(QString text) {
 }
 
 QString textInLanguage(const QString& text) {
-    static const CoreTexts whole(kTexts, true), sentences(kSentences, false);
+    static const CoreTexts whole(QStringList(kTexts.begin(), kTexts.end()), true),
+        sentences(QStringList(kSentences.begin(), kSentences.end()), false);
     if (const QString label = QObject::tr(exactBytes(text).c_str()); label != text) return label; // of a setting or a column
     if (const QString known = whole.translated(text, textInLanguage); known != text) return known;
     if (const QString known = sentences.translated(text); known != text) return known;

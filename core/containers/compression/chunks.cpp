@@ -1,5 +1,6 @@
 // zstd, lz4 and bz2, where the libraries were there when this was built.
 #include "core/containers/compression/chunks.h"
+#include "core/base/translated_text.h"
 
 #include <algorithm>
 #include <span>
@@ -120,7 +121,7 @@ std::optional<std::uint64_t> zstdSize([[maybe_unused]] ByteView packed) {
 Result<Bytes> unpackChunk(const std::string& compression, [[maybe_unused]] ByteView packed, [[maybe_unused]] std::uint64_t size,
                           const std::string& where, [[maybe_unused]] const std::function<bool()>& goOn) {
     [[maybe_unused]] const Promise promise{
-        size, {"it is compressed with " + compression + " and damaged or cut off", where, "copy the file again"}, goOn};
+        size, {withValues("it is compressed with %1 and damaged or cut off", {compression}), where, "copy the file again"}, goOn};
 #ifdef EDGESCAN_ZSTD
     if (compression == "zstd") return unpackZstd(packed, promise);
 #endif
@@ -131,10 +132,11 @@ Result<Bytes> unpackChunk(const std::string& compression, [[maybe_unused]] ByteV
     if (compression == "bz2") return unpackBz2(packed, promise);
 #endif
     if (compression == "zstd" || compression == "lz4" || compression == "bz2")
-        return Error{"this program was built without " + compression + ", which this recording is compressed with", where,
-                     "unpack it with \"mcap compress --compression none\" or \"rosbag decompress\", or install lib" + compression +
-                         " and build again"};
-    return Error{"it is compressed with \"" + compression.substr(0, 20) + "\", which is not known here", where,
+        return Error{
+            withValues("this program was built without %1, which this recording is compressed with", {compression}), where,
+            withValues("unpack it with \"mcap compress --compression none\" or \"rosbag decompress\", or install lib%1 and build again",
+                       {compression})};
+    return Error{withValues("it is compressed with \"%1\", which is not known here", {compression.substr(0, 20)}), where,
                  "unpack it with the program that wrote it"};
 }
 

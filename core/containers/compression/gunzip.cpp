@@ -1,5 +1,6 @@
 // gzip: members one behind the other.
 #include "core/containers/compression/gunzip.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/checked_size.h"
 
@@ -19,7 +20,7 @@ Result<std::vector<std::byte>> gunzip(std::span<const std::byte> bytes, const st
         const bool padding = at > 0 && std::ranges::all_of(rest, [](std::byte byte) { return byte == std::byte{0}; });
         if (padding) break;
         if (!isGzip(rest))
-            return Error{"other bytes follow the packed data", where + ": byte " + std::to_string(at), "copy the file again"};
+            return Error{"other bytes follow the packed data", withValues("%1: byte %2", {where, at}), "copy the file again"};
         const auto used = inflateOne(rest, Packing::Gzip, most, unpacked, where, [&](double part) {
             return goOn((static_cast<double>(at) + part * static_cast<double>(rest.size())) / static_cast<double>(bytes.size()));
         });

@@ -1,5 +1,6 @@
 // zlib, step by step.
 #include "core/containers/compression/inflate.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/memory.h"
 
@@ -28,7 +29,7 @@ struct Inflater {
 };
 
 Error tooMuch(std::uint64_t most, const std::string& where) {
-    return {"unpacked this is more than " + sizeText(most) + ", far more than a scan of its size can be", where,
+    return {withValues("unpacked this is more than %1, far more than a scan of its size can be", {sizeText(most)}), where,
             "unpack it by hand and look at it"};
 }
 
@@ -51,8 +52,9 @@ Result<std::size_t> inflateOne(std::span<const std::byte> packed, Packing packin
         used += offered - stream.avail_in;
         const std::size_t made = step.size() - stream.avail_out;
         if (code != Z_OK && code != Z_STREAM_END && code != Z_BUF_ERROR) {
-            return Error{"the packed data are damaged" + (stream.msg != nullptr ? " (" + std::string(stream.msg) + ")" : std::string()),
-                         where + ": byte " + std::to_string(used), "copy the file again"};
+            return Error{
+                withValues("the packed data are damaged%1", {stream.msg != nullptr ? " (" + std::string(stream.msg) + ")" : std::string()}),
+                withValues("%1: byte %2", {where, used}), "copy the file again"};
         }
         if (to.size() + made > most) return tooMuch(most, where);
         if (to.size() + made > to.capacity()) {

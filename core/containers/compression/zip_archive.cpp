@@ -1,5 +1,6 @@
 // The directory at the end of a ZIP archive, and its entries.
 #include "core/containers/compression/zip_archive.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
@@ -86,7 +87,7 @@ Result<std::vector<ZipEntry>> zipEntries(std::span<const std::byte> file, const 
     std::vector<ZipEntry> entries;
     std::uint64_t at = directory->at;
     for (std::uint64_t n = 0; n < directory->entries; ++n) {
-        const Error damaged{"the directory of this ZIP archive is damaged", where + ": byte " + std::to_string(at), kCopyZip};
+        const Error damaged{"the directory of this ZIP archive is damaged", withValues("%1: byte %2", {where, at}), kCopyZip};
         if (at > file.size() || file.size() - at < kHead || *valueIn<std::uint32_t>(file, at) != kCentral) return damaged;
         ZipEntry entry;
         entry.encrypted = (*valueIn<std::uint16_t>(file, at + 8) & 1U) != 0;
@@ -116,7 +117,7 @@ Result<std::vector<std::byte>> unzip(std::span<const std::byte> file, const ZipE
     const std::string place = where + ": " + entry.name;
     if (entry.encrypted) return Error{"this part of the archive is encrypted", place, "save it without a password"};
     if (entry.method != kStored && entry.method != kDeflated)
-        return Error{"this part of the archive is packed by method " + std::to_string(entry.method), place,
+        return Error{withValues("this part of the archive is packed by method %1", {entry.method}), place,
                      "pack it with DEFLATE, as usual"};
     const bool there = valueIn<std::uint32_t>(file, entry.headerAt) == kLocal && file.size() - entry.headerAt >= kHead;
     const std::uint64_t from = there ? entry.headerAt + kHead + *valueIn<std::uint16_t>(file, entry.headerAt + 26) +
@@ -125,7 +126,7 @@ Result<std::vector<std::byte>> unzip(std::span<const std::byte> file, const ZipE
     if (!there || from > file.size() || file.size() - from < entry.packedBytes)
         return Error{"this part of the archive is not where its directory says", place, kCopyZip};
     if (entry.bytes > mostUnpackedBytes(entry.packedBytes)) {
-        return Error{"unpacked this is " + sizeText(entry.bytes) + ", far more than a scan of its size can be", place,
+        return Error{withValues("unpacked this is %1, far more than a scan of its size can be", {sizeText(entry.bytes)}), place,
                      "unpack it by hand and look at it"};
     }
     if (auto enough = checkMemory(entry.bytes, where); !enough) return enough.error();

@@ -1,6 +1,7 @@
 // Unpacking the points of an E57 scan. Only the byte streams of the columns that are wanted are put together.
 #include "core/containers/e57/columns.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/memory.h"
 
@@ -42,13 +43,13 @@ Result<Packets> packetsOf(E57File& file, const E57Scan& scan) {
     const auto at = pages.logical(scan.sectionAt);
     std::vector<std::byte> head;
     if (!at || pages.size() - *at < kSectionHeader) {
-        return Error{"the points are said to begin at byte " + std::to_string(scan.sectionAt) + ", which is not in the file", pages.where(),
+        return Error{withValues("the points are said to begin at byte %1, which is not in the file", {scan.sectionAt}), pages.where(),
                      kCopy};
     }
     if (auto read = pages.read(*at, kSectionHeader, head); !read) return read.error();
     const auto length = valueAt<std::uint64_t>(head, 8);
     const auto data = pages.logical(valueAt<std::uint64_t>(head, 16));
-    const std::string where = pages.where() + ": byte " + std::to_string(scan.sectionAt);
+    const std::string where = withValues("%1: byte %2", {pages.where(), scan.sectionAt});
     if (std::to_integer<int>(head[0]) != 1)
         return Error{"no list of points begins where the E57 file says", where, "export the file again"};
     if (length < kSectionHeader || length > pages.size() - *at || !data || *data < *at + kSectionHeader || *data > *at + length)
@@ -60,11 +61,11 @@ Result<Packets> packetsOf(E57File& file, const E57Scan& scan) {
 Result<Done> appendPacket(const std::vector<std::byte>& packet, std::vector<Stream>& streams, std::size_t fields,
                           const std::string& where) {
     constexpr std::size_t kHead = 6;
-    const auto damaged = [&](const std::string& what) { return Error{"a packet of points " + what, where, kCopy}; };
+    const auto damaged = [&](const std::string& what) { return Error{withValues("a packet of points %1", {what}), where, kCopy}; };
     if (packet.size() < kHead) return damaged("is too short");
     const std::size_t count = valueAt<std::uint16_t>(packet, 4);
     if (count != fields) {
-        return damaged("holds " + counted(count, "column") + " and the file describes " + std::to_string(fields));
+        return damaged(withValues("holds %1 and the file describes %2", {counted(count, "column"), fields}));
     }
     if (packet.size() < kHead + 2 * count) return damaged("ends within its header");
     std::vector<std::size_t> starts(count + 1, kHead + 2 * count);
@@ -87,16 +88,16 @@ Result<Done> readPackets(E57File& file, const E57Scan& scan, std::vector<Stream>
     std::size_t read = 0;
     for (std::uint64_t at = packets->from; at < packets->to; ++read) {
         if (std::ranges::all_of(streams, &Stream::whole)) break;
-        const std::string where = file.pages.where() + ": byte " + std::to_string(file.pages.physical(at));
+        const std::string where = withValues("%1: byte %2", {file.pages.where(), file.pages.physical(at)});
         if (packets->to - at < kPacketHead) break; // padding
         packet.clear();
         if (auto head = file.pages.read(at, kPacketHead, packet); !head) return head;
         const int kind = std::to_integer<int>(packet[0]);
         const std::uint64_t length = std::uint64_t{valueAt<std::uint16_t>(packet, 2)} + 1;
         if (kind != kIndex && kind != kData && kind != kEmpty)
-            return Error{"a packet of points is of kind " + std::to_string(kind) + ", which E57 does not have", where, kCopy};
+            return Error{withValues("a packet of points is of kind %1, which E57 does not have", {kind}), where, kCopy};
         if (length < kPacketHead || length > packets->to - at)
-            return Error{"a packet of points says that it has " + std::to_string(length) + " bytes, which are not there", where, kCopy};
+            return Error{withValues("a packet of points says that it has %1 bytes, which are not there", {length}), where, kCopy};
         if (kind == kData) {
             if (auto rest = file.pages.read(at + kPacketHead, length - kPacketHead, packet); !rest) return rest;
             if (auto taken = appendPacket(packet, streams, scan.fields.size(), where); !taken) return taken;
@@ -145,8 +146,7 @@ Result<std::vector<std::vector<double>>> readE57Columns(E57File& file, const E57
                                                         const std::function<bool(double)>& goOn) {
     // Points may take hardly a bit each, and then a file could promise any number of them: all that were ever measured take a byte.
     if (scan.points > file.pages.size()) {
-        return Error{"the file promises " + counted(scan.points, "point") + " and has " + std::to_string(file.pages.size()) +
-                         " bytes for them",
+        return Error{withValues("the file promises %1 and has %2 bytes for them", {counted(scan.points, "point"), file.pages.size()}),
                      file.pages.where(), kCopy};
     }
     if (auto enough = checkMemory((scan.points * columns.size() + file.pages.size() / 8) * sizeof(double), file.pages.where()); !enough)
@@ -160,8 +160,8 @@ Result<std::vector<std::vector<double>>> readE57Columns(E57File& file, const E57
     std::vector<std::vector<double>> numbers;
     for (Stream& stream : streams) {
         if (!stream.whole()) {
-            return Error{"the file promises " + counted(scan.points, "point") + " and the column " + stream.field->name + " ends after " +
-                             std::to_string(stream.bytes.size() * 8 / stream.field->bits()),
+            return Error{withValues("the file promises %1 and the column %2 ends after %3",
+                                    {counted(scan.points, "point"), stream.field->name, stream.bytes.size() * 8 / stream.field->bits()}),
                          file.pages.where(), kCopy};
         }
         numbers.push_back(numbersIn(stream, scan.points));

@@ -1,5 +1,6 @@
 // Header and XML part of an E57 file. Every place and length is compared with the bytes that are there before anything is read.
 #include "core/containers/e57/file.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/memory.h"
 
@@ -37,17 +38,16 @@ Result<E57Header> readHeader(std::span<const std::byte> bytes, const std::string
     read(header.xmlBytes, 32);
     read(header.pageBytes, 40);
     if (header.major != 1) {
-        return Error{"this is E57 version " + std::to_string(header.major) + "." + std::to_string(header.minor) +
-                         ", and version 1 is known",
-                     where, "export it as E57 version 1.0"};
+        return Error{withValues("this is E57 version %1.%2, and version 1 is known", {header.major, header.minor}), where,
+                     "export it as E57 version 1.0"};
     }
     constexpr std::uint64_t kLeastPage = 64, kMostPage = 1U << 20U;
     if (header.pageBytes < kLeastPage || header.pageBytes > kMostPage || !std::has_single_bit(header.pageBytes))
-        return Error{"the E57 header says that pages have " + std::to_string(header.pageBytes) + " bytes", where + ": byte 40", kCutOff};
+        return Error{withValues("the E57 header says that pages have %1 bytes", {header.pageBytes}), withValues("%1: byte 40", {where}),
+                     kCutOff};
     if (header.fileBytes > bytes.size()) {
-        return Error{"the E57 header promises " + std::to_string(header.fileBytes) + " bytes and the file holds " +
-                         std::to_string(bytes.size()),
-                     where, kCutOff};
+        return Error{withValues("the E57 header promises %1 bytes and the file holds %2", {header.fileBytes, bytes.size()}), where,
+                     kCutOff};
     }
     return header;
 }
@@ -126,7 +126,7 @@ Result<Done> readFields(const pugi::xml_node& parent, std::vector<E57Field>& fie
         }
         auto field = fieldOf(node);
         if (!field) {
-            return Error{"the limits of the column " + std::string(node.name()) + " in this E57 file are not possible", where,
+            return Error{withValues("the limits of the column %1 in this E57 file are not possible", {std::string(node.name())}), where,
                          kExportAgain};
         }
         fields.push_back(std::move(*field));
@@ -173,8 +173,7 @@ Result<E57Scan> scanOf(const pugi::xml_node& node, std::size_t number, const std
     const auto count = wholeOf<std::uint64_t>(points.attribute("recordCount").value());
     const auto at = wholeOf<std::uint64_t>(points.attribute("fileOffset").value());
     if (!points || !count || !at) {
-        return Error{"scan " + std::to_string(number) + " of this E57 file does not say where its points are and how many", where,
-                     kExportAgain};
+        return Error{withValues("scan %1 of this E57 file does not say where its points are and how many", {number}), where, kExportAgain};
     }
     scan.points = *count;
     scan.sectionAt = *at;
@@ -218,9 +217,9 @@ Result<E57File> openE57(std::span<const std::byte> bytes, const std::string& whe
     E57File file{PagedBytes(bytes.first(header->fileBytes), header->pageBytes, where), {}, 0, bytes.subspan(header->fileBytes)};
     const auto xmlAt = file.pages.logical(header->xmlAt);
     if (!xmlAt || header->xmlBytes > file.pages.size() - *xmlAt) {
-        return Error{"the E57 header says that the XML part is at byte " + std::to_string(header->xmlAt) + " and has " +
-                         std::to_string(header->xmlBytes) + " bytes, which are not in the file",
-                     where + ": byte 24", kCutOff};
+        return Error{withValues("the E57 header says that the XML part is at byte %1 and has %2 bytes, which are not in the file",
+                                {header->xmlAt, header->xmlBytes}),
+                     withValues("%1: byte 24", {where}), kCutOff};
     }
     constexpr std::uint64_t kMemoryPerByte = 32; // of the tree that is made of the shortest elements
     if (auto enough = checkMemory(header->xmlBytes * kMemoryPerByte, where); !enough) return enough.error();
@@ -231,11 +230,11 @@ Result<E57File> openE57(std::span<const std::byte> bytes, const std::string& whe
     if (!parsed) {
         const auto offset = static_cast<std::uint64_t>(std::max<std::ptrdiff_t>(0, parsed.offset));
         return Error{std::string("the XML part of this E57 file cannot be read: ") + parsed.description(),
-                     where + ": byte " + std::to_string(file.pages.physical(*xmlAt + offset)), kExportAgain};
+                     withValues("%1: byte %2", {where, file.pages.physical(*xmlAt + offset)}), kExportAgain};
     }
     const pugi::xml_node root = xml.child("e57Root");
     if (!root)
-        return Error{"the XML part of this E57 file has no e57Root", where + ": byte " + std::to_string(header->xmlAt), kExportAgain};
+        return Error{"the XML part of this E57 file has no e57Root", withValues("%1: byte %2", {where, header->xmlAt}), kExportAgain};
     for (const pugi::xml_node& node : root.child("data3D").children()) {
         if (node.type() != pugi::node_element) continue;
         auto scan = scanOf(node, file.scans.size() + 1, where);

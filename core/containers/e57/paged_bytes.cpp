@@ -1,5 +1,6 @@
 // Pages and their checksums.
 #include "core/containers/e57/paged_bytes.h"
+#include "core/base/translated_text.h"
 
 #include <algorithm>
 #include <array>
@@ -61,9 +62,8 @@ Result<Done> PagedBytes::check(std::uint64_t page) {
     std::uint32_t stored = 0; // the highest byte first, unlike all else in the file
     for (const std::byte byte : bytes.last(kChecksum)) stored = stored << 8U | std::to_integer<std::uint32_t>(byte);
     if (crc32c(bytes.first(content())) != stored) {
-        return Error{"page " + std::to_string(page + 1) + " of " + std::to_string(pages_) +
-                         " of this E57 file is damaged: its checksum does not fit",
-                     where_ + ": byte " + std::to_string(page * pageBytes_), "copy the file again"};
+        return Error{withValues("page %1 of %2 of this E57 file is damaged: its checksum does not fit", {page + 1, pages_}),
+                     withValues("%1: byte %2", {where_, page * pageBytes_}), "copy the file again"};
     }
     checked_[page] = true;
     return Done{};

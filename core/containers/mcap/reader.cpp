@@ -1,6 +1,7 @@
 // Reading MCAP record by record.
 #include "core/containers/mcap/reader.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
@@ -88,13 +89,13 @@ public:
                 salvage(at);
                 break;
             }
-            warn("bytes " + std::to_string(checked ? behind : at) + " to " + std::to_string(next) + " are damaged and were left out");
+            warn(withValues("bytes %1 to %2 are damaged and were left out", {checked ? behind : at, next}));
             damagedBetween_ = true;
             at = next;
         }
         if (isCancelled()) return Error{"cancelled", where_, ""};
         content_.end = at;
-        if (untold_ > 0) content_.warnings.push_back(std::to_string(untold_) + " more places are damaged or were left out");
+        if (untold_ > 0) content_.warnings.push_back(withValues("%1 more places are damaged or were left out", {untold_}));
         return std::move(content_);
     }
 
@@ -231,7 +232,8 @@ private:
     Result<ByteView> unpack(const ChunkHead& chunk) {
         const std::uint64_t allowed = mostUnpackedBytes(bytes_.size());
         if (chunk.size > allowed - std::min(allowed, unpacked_))
-            return Error{"it promises to unpack to " + sizeText(chunk.size) + ", more than a file of this size holds", where_, ""};
+            return Error{withValues("it promises to unpack to %1, more than a file of this size holds", {sizeText(chunk.size)}), where_,
+                         ""};
         if (chunk.size >= kAskFrom) {
             if (auto enough = checkMemory(chunk.size, where_); !enough) return enough.error();
         }
@@ -244,7 +246,7 @@ private:
 
     void leaveOut(std::size_t at, const std::string& why) {
         ++content_.badChunks;
-        warn("the chunk at byte " + std::to_string(at) + " was left out: " + why);
+        warn(withValues("the chunk at byte %1 was left out: %2", {at, why}));
     }
 
     /// Whole records from the front.
@@ -354,8 +356,7 @@ private:
             if (record->opcode != static_cast<std::uint8_t>(McapOpcode::Statistics)) continue;
             const std::uint64_t count = McapCursor(record->content).number64();
             if (count == content_.messages.size()) return true;
-            warn("the file says that it holds " + counted(count, "message") + " and " + std::to_string(content_.messages.size()) +
-                 " could be read");
+            warn(withValues("the file says that it holds %1 and %2 could be read", {counted(count, "message"), content_.messages.size()}));
             return false;
         }
         return true; // a summary need not have statistics

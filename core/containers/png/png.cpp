@@ -1,5 +1,6 @@
 // PNG through libpng. Its errors leave by longjmp: the functions that set it hold nothing that needs a destructor.
 #include "core/containers/png/png.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/inputs.h"
 #include "core/base/memory.h"
@@ -200,9 +201,8 @@ Result<std::string> barePng(std::string_view bytes, std::uint64_t mostPixels, co
     if (!begin(image, bytes)) return refused();
     const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
     if (pixels > mostPixels)
-        return Error{"the picture has " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels; at most " +
-                         std::to_string(mostPixels) + " are taken",
-                     where, "make the picture smaller"};
+        return Error{withValues("the picture has %1 x %2 pixels; at most %3 are taken", {image.width, image.height, mostPixels}), where,
+                     "make the picture smaller"};
     image.format = PNG_FORMAT_RGBA;
     std::vector<png_byte> samples(PNG_IMAGE_SIZE(image));
     if (png_image_finish_read(&image, nullptr, samples.data(), 0, nullptr) == 0 || image.warning_or_error != 0) return refused();

@@ -72,7 +72,7 @@ public:
 
 private:
     /// The pattern in the language of the texts, with the values in place of %1, %2 ... (resources/languages/collect finds the patterns).
-    [[nodiscard]] std::string say(const char* pattern, std::initializer_list<std::string> values = {}) const;
+    [[nodiscard]] std::string say(const char* pattern, std::initializer_list<ValueText> values = {}) const;
     [[nodiscard]] std::string place(int line, int beam) const {
         return say("line %1, beam %2", {std::to_string(line), std::to_string(beam)});
     }
@@ -106,7 +106,7 @@ private:
     Translated translated_;
 };
 
-std::string WhyWords::say(const char* pattern, std::initializer_list<std::string> values) const {
+std::string WhyWords::say(const char* pattern, std::initializer_list<ValueText> values) const {
     return withValues(translated_(pattern), values);
 }
 
@@ -169,7 +169,7 @@ std::string WhyWords::reasonOfNone(const std::string& strength) const {
         const bool isStronger = other.strength > why_.compared;
         if (why_.compared < why_.strength) { // a fold in two directions
             const std::string along = alongName(other.line == why_.probe.line ? Along::Beams : Along::Lines);
-            const std::initializer_list<std::string> values{along, place(other), inUnit(other.strength), inUnit(why_.compared)};
+            const std::initializer_list<ValueText> values{along, place(other), inUnit(other.strength), inUnit(why_.compared)};
             return isStronger ? say("%1 the fold at %2 next to it is stronger (%3 against %4), and an edge is one cell wide", values)
                               : say("%1 the fold at %2 next to it is as strong (%3 against %4), and an edge is one cell wide", values);
         }
@@ -234,8 +234,8 @@ std::string WhyWords::stepText(const DepthStepAtCell& step) const {
                               (why_.depth->grazingRaised ? say(" (raised: beams are interlaced)") : "") + " + " +
                               say("relief %1", {part(step.reliefMm)});
     const std::string limit = metres(sumMm) + " m = " + parts;
-    const std::initializer_list<std::string> values{metres(step.stepMm), place(step.line, step.beam), alongName(step.along), limit,
-                                                    strengthNumber(step.strength)};
+    const std::initializer_list<ValueText> values{metres(step.stepMm), place(step.line, step.beam), alongName(step.along), limit,
+                                                  strengthNumber(step.strength)};
     return step.cellIsNearer ? say("Step in depth: %1 m to %2 (%3; this cell is the nearer one), limit %4: strength %5.", values)
                              : say("Step in depth: %1 m to %2 (%3; that cell is the nearer one), limit %4: strength %5.", values);
 }
@@ -246,7 +246,7 @@ std::string WhyWords::foldText(const FoldAtCell& fold) const {
                             ? say("%1 degrees, which noise alone may look like (%2 %3)", {number(fold.noiseDeg), label("crease"), crease})
                             : say("%1 degrees = %2", {crease, label("crease")});
     if (fold.meets < 0.995) limit += say("; %1 % of it counts, for the two sides do not meet at the cell", {whole(100 * fold.meets)});
-    const std::initializer_list<std::string> values{number(fold.dihedralDeg), alongName(fold.along), limit, strengthNumber(fold.strength)};
+    const std::initializer_list<ValueText> values{number(fold.dihedralDeg), alongName(fold.along), limit, strengthNumber(fold.strength)};
     return fold.convex ? say("Fold: %1 degrees convex, outwards (%2), limit %3: strength %4.", values)
                        : say("Fold: %1 degrees concave, inwards (%2), limit %3: strength %4.", values);
 }

@@ -2,6 +2,7 @@
 #include "core/base/bytes_behind.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 #include "core/containers/e57/columns.h"
 #include "core/files/formats/format.h"
 #include "core/scan/grid/acquisition.h"
@@ -194,8 +195,9 @@ void spread(PointTable& table, const E57Grid& grid, const E57Numbers& numbers, b
     table.height = grid.lines;
     table.gridIsGiven = true;
     if (behind > 0) {
-        table.remarks.push_back(counted(behind, "point shares its row and column", "points share their row and column") +
-                                " with a nearer one, which was taken (several returns of one beam).");
+        table.remarks.push_back(
+            counted(behind, "point shares its row and column with a nearer one, which was taken (several returns of one beam).",
+                    "points share their row and column with a nearer one, which was taken (several returns of one beam)."));
     }
 }
 
@@ -211,18 +213,18 @@ Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
     const auto first = withPoints == file.scans.end() ? std::size_t{0} : static_cast<std::size_t>(withPoints - file.scans.begin());
     const std::size_t wanted = source.options->scanIndex.value_or(first);
     if (file.scans.empty()) {
-        return source.refused("this E57 file holds no scan" +
-                                  (file.pictures > 0 ? ", only " + counted(file.pictures, "picture") : std::string()),
+        return source.refused(file.pictures > 0 ? withValues("this E57 file holds no scan, only %1", {counted(file.pictures, "picture")})
+                                                : "this E57 file holds no scan",
                               "choose another file");
     }
     if (wanted >= file.scans.size()) return noSuchScan(wanted, file.scans.size());
     E57Choice choice{file.scans[wanted], {}, wanted};
     if (!source.options->scanIndex && wanted > 0)
         choice.table.remarks.push_back(wanted == 1 ? "The first scan of the file holds no points."
-                                                   : "The first " + std::to_string(wanted) + " scans of the file hold no points.");
+                                                   : withValues("The first %1 scans of the file hold no points.", {wanted}));
     if (file.scans.size() > 1) {
-        choice.table.remarks.push_back("The file holds " + std::to_string(file.scans.size()) + " scans; this is number " +
-                                       std::to_string(wanted + 1) + ", --scan chooses another.");
+        choice.table.remarks.push_back(
+            withValues("The file holds %1 scans; this is number %2, --scan chooses another.", {file.scans.size(), wanted + 1}));
     }
     return choice;
 }
@@ -253,11 +255,11 @@ Result<E57Choice> readChoice(const Source& source) {
     if (!choice) return choice;
     containers::E57Scan& scan = choice->scan;
     PointTable& table = choice->table;
-    const std::string which = "scan " + std::to_string(choice->index + 1) + " of this E57 file";
-    if (scan.points == 0) return source.refused(which + " holds no points", "choose another scan or file");
+    const std::string which = withValues("scan %1 of this E57 file", {choice->index + 1});
+    if (scan.points == 0) return source.refused(withValues("%1 holds no points", {which}), "choose another scan or file");
     const auto columns = columnsOf(scan);
     if (!columns) {
-        return source.refused(which + " has neither cartesian nor spherical coordinates, only " + fieldNames(scan, nullptr),
+        return source.refused(withValues("%1 has neither cartesian nor spherical coordinates, only %2", {which, fieldNames(scan, nullptr)}),
                               "export it with coordinates");
     }
     auto numbers = numbersOf(*file, scan, *columns, source);
@@ -275,12 +277,11 @@ Result<E57Choice> readChoice(const Source& source) {
             table.returnNumber.push_back(index >= 0 && index < 255 ? static_cast<std::uint8_t>(index + 1) : std::uint8_t{1});
     }
     if (invalid > 0)
-        table.remarks.push_back(
-            counted(invalid, "point is marked as invalid in the file and counts", "points are marked as invalid in the file and count") +
-            " as no return.");
+        table.remarks.push_back(counted(invalid, "point is marked as invalid in the file and counts as no return.",
+                                        "points are marked as invalid in the file and count as no return."));
     if (const std::string unread = fieldNames(scan, &*columns); !unread.empty())
-        table.remarks.push_back("What else a point of this file has is not read: " + unread + ".");
-    if (file->pictures > 0) table.remarks.push_back("The pictures of this file (" + std::to_string(file->pictures) + ") are not read.");
+        table.remarks.push_back(withValues("What else a point of this file has is not read: %1.", {unread}));
+    if (file->pictures > 0) table.remarks.push_back(withValues("The pictures of this file (%1) are not read.", {file->pictures}));
     if (auto behind = bytesBehind(file->rest, "the end that the header gives")) table.remarks.push_back(std::move(*behind));
     if (scan.poseIsNone)
         table.remarks.emplace_back("The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.");

@@ -5,6 +5,7 @@
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 #include "core/files/formats/range_geometry.h"
 #include "core/files/point_tables/point_table.h"
@@ -29,14 +30,15 @@ constexpr std::uint64_t kBytesPerPixel = 32; // while a picture becomes a scan
 /// A sentence where a picture asks to be turned or mirrored when it is shown (tag 274 of TIFF and EXIF): its rows are taken as they are.
 std::optional<std::string> orientationNotApplied(std::uint64_t orientation) {
     if (orientation < 2 || orientation > 8) return std::nullopt;
-    return "The picture asks to be turned or mirrored when it is shown (orientation " + std::to_string(orientation) +
-           "): its rows were taken as scan lines as they are stored.";
+    return withValues("The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as "
+                      "they are stored.",
+                      {orientation});
 }
 
 /// Error when the file is far too small for so many bytes of pixels: a bomb, or a false header.
 Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source) {
     if (bytes <= mostUnpackedBytes(source.bytes.size())) return Done{};
-    return source.refused("the picture promises more pixels than a file of " + sizeText(source.bytes.size()) + " holds of a scan",
+    return source.refused(withValues("the picture promises more pixels than a file of %1 holds of a scan", {sizeText(source.bytes.size())}),
                           "copy the file again");
 }
 
@@ -59,14 +61,13 @@ Result<Scan> scanFromPicture(const Grid<float>& values, bool counts, const char*
     if (counts && !options.unitMm) options.unitMm = 1.0;
     Source asked = source;
     asked.options = &options;
-    auto scan = scanFromRanges(std::move(ranges), "picture", asked, [](std::size_t, std::size_t) { return std::string("a pixel"); });
+    auto scan = scanFromRanges(std::move(ranges), kPicture, asked, [](std::size_t, std::size_t) { return std::string("a pixel"); });
     if (!scan) return scan;
     scan->format = format;
     scan->unitMm = source.options->unitMm.value_or(1.0);
     if (odd > 0)
-        scan->warnings.push_back(counted(odd, "pixel holds no range (negative, not a number, or too far) and was",
-                                         "pixels hold no range (negative, not a number, or too far) and were") +
-                                 " taken as no return.");
+        scan->warnings.push_back(counted(odd, "pixel holds no range (negative, not a number, or too far) and was taken as no return.",
+                                         "pixels hold no range (negative, not a number, or too far) and were taken as no return."));
     if (counts && !source.options->unitMm) scan->warnings.emplace_back("Unit taken as millimetres, as range pictures have it.");
     return scan;
 }
@@ -142,15 +143,15 @@ std::uint64_t endOfPicture(TIFF* tiff, std::string_view file) {
 
 Result<Done> checkShape(const TiffShape& shape, TIFF* tiff, const Source& source) {
     if (shape.samples != 1 || !(shape.floats() || (shape.bits == 16 && shape.format != SAMPLEFORMAT_IEEEFP))) {
-        return source.refused("this TIFF picture has " + counted(shape.samples, "channel") + " of " + std::to_string(shape.bits) +
-                                  " bits, and ranges need one of 16 bits or of 4-byte floats",
+        return source.refused(withValues("this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats",
+                                         {counted(shape.samples, "channel"), shape.bits}),
                               "choose a scan, or a range picture of 16 bits per pixel");
     }
     if (TIFFIsTiled(tiff) != 0) return source.refused("this TIFF picture is stored in tiles", "save it in strips");
     const std::uint64_t pixels = productOf({shape.width, shape.height});
     if (pixels == 0) return source.refused("the picture has no pixels", "choose another file");
     if (auto possible = checkUnpacked(productOf({pixels, shape.bits / 8U}), source); !possible) return possible;
-    if (auto known = checkAnglesKnown(shape.width, "picture", source); !known) return known.error();
+    if (auto known = checkAnglesKnown(shape.width, kPicture, source); !known) return known.error();
     return checkMemory(productOf({pixels, kBytesPerPixel}), source.path.string());
 }
 
@@ -192,7 +193,7 @@ Result<Scan> readRangeTiff(const Source& source) {
     std::size_t more = 0;
     constexpr std::size_t kMostPictures = 1000;
     for (; more < kMostPictures && TIFFReadDirectory(tiff.get()) != 0; ++more) end = std::max(end, endOfPicture(tiff.get(), source.text()));
-    if (more > 0) scan->warnings.push_back("The file holds " + counted(more + 1, "picture") + " (pages); the first was read.");
+    if (more > 0) scan->warnings.push_back(withValues("The file holds %1 (pages); the first was read.", {counted(more + 1, "picture")}));
     if (auto behind = bytesBehind(source.bytes.subspan(std::min<std::uint64_t>(end, source.bytes.size())), "the picture"))
         scan->warnings.push_back(std::move(*behind));
     return scan;
@@ -263,13 +264,15 @@ struct PngReader {
 
 Result<Done> checkHeader(const Header& header, const Source& source) {
     if (header.depth != 16 || header.colour != PNG_COLOR_TYPE_GRAY) {
-        return source.refused("this is a PNG picture of " + std::to_string(header.depth) +
-                                  (header.colour == PNG_COLOR_TYPE_GRAY ? " bit gray" : " bit colour") + ", and ranges need 16 bit gray",
+        return source.refused(withValues(header.colour == PNG_COLOR_TYPE_GRAY
+                                             ? "this is a PNG picture of %1 bit gray, and ranges need 16 bit gray"
+                                             : "this is a PNG picture of %1 bit colour, and ranges need 16 bit gray",
+                                         {header.depth}),
                               "choose a scan, or a range picture of 16 bits per pixel");
     }
     const std::uint64_t pixels = productOf({header.width, header.height});
     if (auto possible = checkUnpacked(productOf({pixels, 2}), source); !possible) return possible;
-    if (auto known = checkAnglesKnown(header.width, "picture", source); !known) return known.error();
+    if (auto known = checkAnglesKnown(header.width, kPicture, source); !known) return known.error();
     return checkMemory(productOf({pixels, kBytesPerPixel}), source.path.string());
 }
 

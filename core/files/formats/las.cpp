@@ -1,6 +1,7 @@
 // LAS 1.0 to 1.4, uncompressed, point formats 0 to 10 (ASPRS). Every offset and count of the header is compared with the bytes that are
 // there before anything is allocated.
 
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/bytes_behind.h"
@@ -59,13 +60,12 @@ Result<LasHeader> readLasHeader(const Source& source) {
     header.pointBytes = valueAt<std::uint16_t>(source, las::kPointBytes);
     header.points = valueAt<std::uint32_t>(source, las::kLegacyPoints);
     if (major != 1 || header.minor > 4) {
-        return source.refused("this is LAS version " + std::to_string(major) + "." + std::to_string(header.minor) +
-                                  ", and versions up to 1.4 are known",
+        return source.refused(withValues("this is LAS version %1.%2, and versions up to 1.4 are known", {major, header.minor}),
                               "save it as LAS 1.2 or 1.4");
     }
     const std::uint64_t least = header.minor == 4 ? las::kHeader14 : las::kHeader12;
     if (header.headerBytes < least || header.headerBytes > source.bytes.size())
-        return source.refused("the LAS header says it is " + std::to_string(header.headerBytes) + " bytes long", kCopyAgain);
+        return source.refused(withValues("the LAS header says it is %1 bytes long", {header.headerBytes}), kCopyAgain);
     if (header.minor >= 3 && header.headerBytes >= las::kHeader13) header.waveformAt = valueAt<std::uint64_t>(source, las::kWaveformAt);
     if (header.minor == 4) {
         header.extendedAt = valueAt<std::uint64_t>(source, las::kExtendedAt);
@@ -83,17 +83,16 @@ Result<LasHeader> readLasHeader(const Source& source) {
 
 Result<Done> checkPoints(const LasHeader& header, const Source& source) {
     if (header.format >= las::kFormatBytes.size() || header.pointBytes < las::kFormatBytes[header.format]) {
-        return source.refused("points of format " + std::to_string(header.format) + " with " + std::to_string(header.pointBytes) +
-                                  " bytes are none that LAS knows",
+        return source.refused(withValues("points of format %1 with %2 bytes are none that LAS knows", {header.format, header.pointBytes}),
                               "save it as LAS 1.2 or 1.4");
     }
     if (header.points == 0) return source.refused("the file holds no points", "choose another file");
     if (header.pointsAt < header.headerBytes || header.pointsAt > source.bytes.size())
-        return source.refused("the points begin at byte " + std::to_string(header.pointsAt) + ", which is not in the file", kCopyAgain);
+        return source.refused(withValues("the points begin at byte %1, which is not in the file", {header.pointsAt}), kCopyAgain);
     const std::uint64_t held = source.bytes.size() - header.pointsAt;
     if (held / header.pointBytes < header.points) {
-        return source.refused("the header promises " + counted(header.points, "point") + " of " + std::to_string(header.pointBytes) +
-                                  " bytes and the file holds " + std::to_string(held) + " bytes of them",
+        return source.refused(withValues("the header promises %1 of %2 bytes and the file holds %3 bytes of them",
+                                         {counted(header.points, "point"), header.pointBytes, held}),
                               kCopyAgain);
     }
     return checkMemory(productOf({header.points, sizeof(Eigen::Vector3d)}), source.path.string());
@@ -163,10 +162,9 @@ Result<LasPoints> readPoints(const LasHeader& header, const Source& source) {
 /// What the file does not hold of what its header promises behind the points, which end at `end`, or holds beyond it.
 void sayRest(PointTable& table, const LasHeader& header, std::uint64_t end, const OwnRecords& own, const Source& source) {
     if (own.missing > 0) {
-        table.remarks.push_back("The end of the file is damaged or missing: " + std::to_string(own.missing) + " of " +
-                                std::to_string(header.extended) +
-                                " records behind the points cannot be read. A grid, cell states or a place in the mine that they held are "
-                                "lost; copy the file again.");
+        table.remarks.push_back(withValues("The end of the file is damaged or missing: %1 of %2 records behind the points cannot be read. "
+                                           "A grid, cell states or a place in the mine that they held are lost; copy the file again.",
+                                           {own.missing, header.extended}));
     }
     const std::uint64_t size = source.bytes.size();
     std::uint64_t next = size;
@@ -176,7 +174,7 @@ void sayRest(PointTable& table, const LasHeader& header, std::uint64_t end, cons
         if (auto behind = from < to ? bytesBehind(source.bytes.subspan(from, to - from), what) : std::nullopt)
             table.remarks.push_back(std::move(*behind));
     };
-    say(end, next, "the " + counted(header.points, "point") + " that the header promises");
+    say(end, next, withValues("the %1 that the header promises", {counted(header.points, "point")}));
     if (header.extended > 0 && own.missing == 0 && header.waveformAt == 0) say(std::max(own.end, end), size, "the last record");
     if (header.waveformAt > 0) table.remarks.emplace_back("The waveforms of this file were not read.");
 }
@@ -230,8 +228,7 @@ Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Sou
         ++next;
     }
     if (next != table.points.size()) {
-        return source.refused("describes a scan of " + std::to_string(next) + " valid cells and holds " +
-                                  counted(table.points.size(), "point"),
+        return source.refused(withValues("describes a scan of %1 valid cells and holds %2", {next, counted(table.points.size(), "point")}),
                               "save the scan again");
     }
     table.points = std::move(points);
@@ -256,18 +253,18 @@ Result<Done> readUnits(PointTable& table, const LasHeader& header, const Source&
     if (!stated.mm) {
         const bool named = !stated.name.empty() && stated.name != "EPSG:0" && stated.name != "EPSG:32767";
         if (named)
-            table.remarks.push_back("The coordinate system of the file is " + stated.name +
-                                    ", without its unit: metres were taken. --unit says another one.");
+            table.remarks.push_back(withValues(
+                "The coordinate system of the file is %1, without its unit: metres were taken. --unit says another one.", {stated.name}));
         return Done{};
     }
     table.unitMm = stated.mm;
     if (*stated.mm != 1000.0)
-        table.remarks.push_back("The coordinate system of the file gives lengths in " + stated.name + " of " +
-                                significantText(*stated.mm, 10) + " mm: they were converted.");
+        table.remarks.push_back(withValues("The coordinate system of the file gives lengths in %1 of %2 mm: they were converted.",
+                                           {stated.name, significantText(*stated.mm, 10)}));
     if (!stated.heightMm || *stated.heightMm == *stated.mm) return Done{};
     for (Eigen::Vector3d& p : table.points) p.z() *= *stated.heightMm / *stated.mm;
-    table.remarks.push_back("Heights of the file have another unit than x and y, " + significantText(*stated.heightMm, 10) +
-                            " mm: they were converted.");
+    table.remarks.push_back(withValues("Heights of the file have another unit than x and y, %1 mm: they were converted.",
+                                       {significantText(*stated.heightMm, 10)}));
     return Done{};
 }
 
@@ -297,9 +294,8 @@ Result<PointTable> readLasPoints(const Source& source) {
     if (!read) return read.error();
     table.points = std::move(read->points);
     if (read->withheld > 0)
-        table.remarks.push_back(counted(read->withheld, "point is marked as withheld in the file and counts",
-                                        "points are marked as withheld in the file and count") +
-                                " as no return.");
+        table.remarks.push_back(counted(read->withheld, "point is marked as withheld in the file and counts as no return.",
+                                        "points are marked as withheld in the file and count as no return."));
     // Who has no intensities leaves the field 0.
     if (std::ranges::any_of(read->intensity, [](float value) { return value != 0; })) table.intensity = std::move(read->intensity);
     if (std::ranges::any_of(read->returnNumber, [](std::uint8_t number) { return number > 1; }))

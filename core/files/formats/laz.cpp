@@ -1,6 +1,7 @@
 // LAZ points, read from memory through LASzip's own interface.
 #include "core/files/formats/laz.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #ifdef EDGESCAN_WITH_LASZIP
 #include "core/base/checked_size.h"
@@ -113,7 +114,9 @@ struct Unpacker {
 };
 
 Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source& source) {
-    const auto damaged = [&] { return source.refused("this LAZ file cannot be unpacked: " + unpacker.problem(), "copy it again"); };
+    const auto damaged = [&] {
+        return source.refused(withValues("this LAZ file cannot be unpacked: %1", {unpacker.problem()}), "copy it again");
+    };
     laszip_BOOL compressed = 0;
     if (unpacker.laszip == nullptr || laszip_open_reader_stream(unpacker.laszip, stream, &compressed) != 0) return damaged();
     unpacker.open = true;
@@ -123,8 +126,8 @@ Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source&
         header->number_of_point_records != 0 ? header->number_of_point_records : header->extended_number_of_point_records;
     if (count == 0) return source.refused("the file holds no points", "choose another file");
     if (productOf({count, header->point_data_record_length}) > mostUnpackedBytes(source.bytes.size()))
-        return source.refused("the header promises " + counted(count, "point") + ", more than a file of " + sizeText(source.bytes.size()) +
-                                  " holds of a scan",
+        return source.refused(withValues("the header promises %1, more than a file of %2 holds of a scan",
+                                         {counted(count, "point"), sizeText(source.bytes.size())}),
                               "copy it again, or save it as .las");
     if (auto enough = checkMemory(productOf({count, sizeof(Eigen::Vector3d) + header->point_data_record_length}), source.path.string());
         !enough)
@@ -135,9 +138,9 @@ Result<LasPoints> unpack(Unpacker& unpacker, std::istream& stream, const Source&
     for (std::uint64_t n = 0; n < count; ++n) {
         Eigen::Vector3d p;
         if (laszip_read_point(unpacker.laszip) != 0 || laszip_get_coordinates(unpacker.laszip, p.data()) != 0) {
-            return source.refused("the header promises " + counted(count, "point") + " and the file ends after " + std::to_string(n) +
-                                      " (" + unpacker.problem() + ")",
-                                  "copy it again");
+            return source.refused(
+                withValues("the header promises %1 and the file ends after %2 (%3)", {counted(count, "point"), n, unpacker.problem()}),
+                "copy it again");
         }
         const bool withheld = point->withheld_flag != 0 || (point->extended_classification_flags & las::kWithheldFlag) != 0;
         if (withheld) p.setConstant(std::numeric_limits<double>::quiet_NaN());

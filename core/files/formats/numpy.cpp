@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 #include "core/files/formats/numpy_header.h"
 #include "core/files/formats/range_geometry.h"
@@ -45,7 +46,7 @@ Precision precisionOf(const NumpyScalar& scalar) {
 Result<Scan> rangeScan(const NumpyArray& array, const Source& source) {
     const std::uint64_t lines = array.shape[0];
     const std::uint64_t beams = array.shape[1];
-    if (auto known = checkAnglesKnown(beams, "numpy array", source); !known) return known.error();
+    if (auto known = checkAnglesKnown(beams, kArray, source); !known) return known.error();
     if (auto enough = checkMemory(lines * beams * 24, source.path.string()); !enough) return enough.error();
     const NumpyNumbers numbers(array);
     BareRanges ranges{{}, lines, beams, precisionOf(array.scalar)};
@@ -55,8 +56,8 @@ Result<Scan> rangeScan(const NumpyArray& array, const Source& source) {
         for (std::uint64_t j = 0; j < beams; ++j) ranges.values.push_back(numbers.value(numbers.item(i, j)));
         if (i % 64 == 0 && !source.goOn("reading ranges", static_cast<double>(i) / static_cast<double>(lines))) return source.cancelled();
     }
-    auto scan = scanFromRanges(std::move(ranges), "numpy array", source, [](std::size_t line, std::size_t beam) {
-        return "the array at [" + std::to_string(line) + ", " + std::to_string(beam) + "]";
+    auto scan = scanFromRanges(std::move(ranges), kArray, source, [](std::size_t line, std::size_t beam) {
+        return withValues("the array at [%1, %2]", {line, beam});
     });
     if (scan) scan->format = "numpy";
     return scan;
@@ -84,8 +85,7 @@ Result<PointTable> plainPoints(const NumpyArray& array, const Source& source) {
     }
     const std::uint64_t parts = array.shape.back();
     if (parts > 3) {
-        table.remarks.push_back("The first three of " + std::to_string(parts) +
-                                " columns were taken as x, y and z; the others are not read.");
+        table.remarks.push_back(withValues("The first three of %1 columns were taken as x, y and z; the others are not read.", {parts}));
     }
     return table;
 }
@@ -105,7 +105,8 @@ Result<PointTable> recordPoints(const NumpyArray& array, const Source& source) {
     }
     const auto picked = pickFields(fields);
     if (!picked)
-        return source.refused("the records of this numpy array have no x, y and z, only " + names, "save points with fields x, y and z");
+        return source.refused(withValues("the records of this numpy array have no x, y and z, only %1", {names}),
+                              "save points with fields x, y and z");
     const bool mixed =
         std::ranges::any_of(array.fields, [&](const NumpyField& f) { return f.scalar.bytes > 1 && f.scalar.bigEndian != bigEndian; });
     if (mixed) return source.refused("the fields of this numpy array have different byte orders", "save it again with one");
@@ -142,17 +143,17 @@ Result<Done> checkSides(const NumpyArray& array, const Source& source) {
     const bool tooMany = array.items() > kMostPoints || std::ranges::any_of(array.shape, [](std::uint64_t n) {
                              return !physical::kAlongOneSide.hold(static_cast<double>(n));
                          });
-    if (tooMany) return source.refused("a numpy array of shape " + array.shapeText() + " is larger than any scan", "split it");
+    if (tooMany) return source.refused(withValues("a numpy array of shape %1 is larger than any scan", {array.shapeText()}), "split it");
     return Done{};
 }
 
 Result<Reading> readingOfArray(const NumpyArray& array, const Source& source) {
     if (auto fits = checkSides(array, source); !fits) return fits.error();
     if (mayBePointsAcross(array, *source.options)) {
-        return source.refused("a numpy array of shape " + array.shapeText() +
-                                  " may be points the wrong way round, or three lines of ranges",
-                              "save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start "
-                              "--line-step --axis");
+        return source.refused(
+            withValues("a numpy array of shape %1 may be points the wrong way round, or three lines of ranges", {array.shapeText()}),
+            "save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start "
+            "--line-step --axis");
     }
     const Holds what = whatIsIn(array, *source.options);
     if (what == Holds::Ranges) {
@@ -161,9 +162,10 @@ Result<Reading> readingOfArray(const NumpyArray& array, const Source& source) {
         return Reading(std::move(*scan));
     }
     if (what == Holds::Neither) {
-        return source.refused("a numpy array of shape " + array.shapeText() +
-                                  " is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)",
-                              "save it in one of these shapes");
+        return source.refused(
+            withValues("a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)",
+                       {array.shapeText()}),
+            "save it in one of these shapes");
     }
     auto table = what == Holds::Records ? recordPoints(array, source) : plainPoints(array, source);
     if (!table) return table.error();

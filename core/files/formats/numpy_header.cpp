@@ -1,6 +1,7 @@
 // Reads the little of Python's syntax that numpy writes into headers.
 #include "core/files/formats/numpy_header.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/files/point_tables/point_columns.h"
 
@@ -179,7 +180,7 @@ std::string notNumbers(const NumpyScalar& scalar) {
     case 'm':
         return "dates or times";
     default:
-        return "values of type " + std::string(1, scalar.kind) + std::to_string(scalar.bytes);
+        return withValues("values of type %1", {scalar.kind + std::to_string(scalar.bytes)});
     }
 }
 
@@ -235,7 +236,7 @@ Result<NumpyArray> readNumpy(const Source& source) {
     const auto byte = [&](std::size_t at) { return std::uint64_t{static_cast<std::uint8_t>(text[at])}; };
     const bool wide = byte(6) >= 2; // version 1 has two bytes for the length, later ones four
     const std::size_t from = wide ? 12 : 10;
-    if (byte(6) < 1 || byte(6) > 3) return source.refused("this is version " + std::to_string(byte(6)) + " of numpy's format", kSaveAgain);
+    if (byte(6) < 1 || byte(6) > 3) return source.refused(withValues("this is version %1 of numpy's format", {byte(6)}), kSaveAgain);
     const std::uint64_t length =
         text.size() < from ? kLongestNumpyHeader : byte(8) | byte(9) << 8U | (wide ? byte(10) << 16U | byte(11) << 24U : 0);
     if (length >= kLongestNumpyHeader || text.size() - from < length)
@@ -246,20 +247,21 @@ Result<NumpyArray> readNumpy(const Source& source) {
     std::uint64_t items = 1;
     for (const std::uint64_t side : array.shape) {
         if (side > kMostItems || items * side > kMostItems)
-            return source.refusedAtByte(from, "the numpy header promises an array of shape " + array.shapeText(), kCopyAgain);
+            return source.refusedAtByte(from, withValues("the numpy header promises an array of shape %1", {array.shapeText()}),
+                                        kCopyAgain);
         items *= side;
     }
     if (array.fields.empty() && !array.scalar.isNumber())
-        return source.refused("this numpy array holds " + notNumbers(array.scalar),
+        return source.refused(withValues("this numpy array holds %1", {notNumbers(array.scalar)}),
                               "save it as an array of numbers (ranges.astype(numpy.float32))");
     if (array.itemBytes == 0 || array.items() == 0)
-        return source.refused("this numpy array of shape " + array.shapeText() + " is empty", "choose another file");
+        return source.refused(withValues("this numpy array of shape %1 is empty", {array.shapeText()}), "choose another file");
     const std::uint64_t held = text.size() - from - length;
     if (held / array.itemBytes < array.items()) {
-        return source.refused("the numpy header promises an array of shape " + array.shapeText() + ", " + counted(array.items(), "item") +
-                                  " of " + std::to_string(array.itemBytes) + " bytes, and the file holds " + std::to_string(held) +
-                                  " bytes of them",
-                              kCopyAgain);
+        return source.refused(
+            withValues("the numpy header promises an array of shape %1, %2 of %3 bytes, and the file holds %4 bytes of them",
+                       {array.shapeText(), counted(array.items(), "item"), array.itemBytes, held}),
+            kCopyAgain);
     }
     array.data = source.bytes.subspan(from + length, array.items() * array.itemBytes);
     array.rest = source.bytes.subspan(from + length + array.data.size());

@@ -1,5 +1,6 @@
 // OBJ (Wavefront): vertices, with colours where edges are known. Edges as lines would hide the points in many viewers.
 
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/memory.h"
@@ -97,8 +98,9 @@ Result<PointTable> readObjPoints(const Source& source) {
     }
     if (table.points.empty()) return source.refused("this OBJ file has no vertices", "choose another file");
     if (unknown > 0)
-        table.remarks.push_back(counted(unknown, "line holds no words of OBJ and was", "lines hold no words of OBJ and were") +
-                                " not read, the first is line " + std::to_string(firstUnknown) + ".");
+        table.remarks.push_back(withValues(counted(unknown, "line holds no words of OBJ and was not read, the first is line %1.",
+                                                   "lines hold no words of OBJ and were not read, the first is line %1."),
+                                           {firstUnknown}));
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
     table.width = table.points.size();
     table.precision = precisionOf(digits);

@@ -5,6 +5,7 @@
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 #include "core/files/point_tables/cloud_columns.h"
 #include "core/files/point_tables/column_rows.h"
@@ -229,8 +230,9 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
     const std::size_t count = header.names.size();
     if (header.counts.empty()) header.counts.assign(count, 1);
     if (count == 0 || header.sizes.size() != count || header.types.size() != count || header.counts.size() != count) {
-        return source.refused("the PCD header names " + counted(count, "field") + " and gives " + counted(header.sizes.size(), "size") +
-                                  ", " + counted(header.types.size(), "type") + " and " + counted(header.counts.size(), "count"),
+        return source.refused(withValues("the PCD header names %1 and gives %2, %3 and %4",
+                                         {counted(count, "field"), counted(header.sizes.size(), "size"),
+                                          counted(header.types.size(), "type"), counted(header.counts.size(), "count")}),
                               "export the file again");
     }
     PcdLayout layout;
@@ -239,9 +241,9 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
     }
     layout.points = header.width * header.height;
     if (header.points && *header.points != layout.points) {
-        return source.refused("the header promises " + counted(*header.points, "point") + " and " + std::to_string(header.width) + " x " +
-                                  std::to_string(header.height) + " of them",
-                              "check POINTS, WIDTH and HEIGHT");
+        return source.refused(
+            withValues("the header promises %1 and %2 x %3 of them", {counted(*header.points, "point"), header.width, header.height}),
+            "check POINTS, WIDTH and HEIGHT");
     }
     if (layout.points == 0) return source.refused("the file holds no points", "choose another file");
     std::vector<RecordField> fields;
@@ -249,7 +251,7 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
         const auto scalar = scalarOf(header.types[i], header.sizes[i]);
         if (scalar && header.counts[i] == 0) continue; // padding that takes no bytes, as PCL makes it of a ROS message
         if (!scalar || header.counts[i] > kLargestRecord) {
-            return source.refused("the field " + header.names[i].substr(0, 40) + " has a type or size that PCD does not know",
+            return source.refused(withValues("the field %1 has a type or size that PCD does not know", {header.names[i].substr(0, 40)}),
                                   "export the file again");
         }
         fields.push_back({header.names[i], *scalar, layout.recordNumbers, layout.recordBytes, 0});
@@ -272,8 +274,8 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
 }
 
 Error tooShort(const Source& source, const PcdLayout& layout, std::uint64_t held) {
-    return source.refused("the header promises " + counted(layout.points, "point") + " of " + std::to_string(layout.recordBytes) +
-                              " bytes and the file holds " + std::to_string(held) + " bytes of them",
+    return source.refused(withValues("the header promises %1 of %2 bytes and the file holds %3 bytes of them",
+                                     {counted(layout.points, "point"), layout.recordBytes, held}),
                           kCopyAgain);
 }
 
@@ -293,13 +295,12 @@ Result<Done> readCompressed(PointTable& table, const PcdHeader& header, const Pc
     const auto packedSize = static_cast<std::uint64_t>(readScalar(Scalar::UInt32, held.data(), false));
     const auto size = static_cast<std::uint64_t>(readScalar(Scalar::UInt32, held.data() + 4, false));
     if (packedSize > held.size() - 8) {
-        return source.refused("promises " + std::to_string(packedSize) + " compressed bytes and holds " + std::to_string(held.size() - 8),
-                              kCopyAgain);
+        return source.refused(withValues("promises %1 compressed bytes and holds %2", {packedSize, held.size() - 8}), kCopyAgain);
     }
     if (size != productOf({layout.points, layout.recordBytes}) || size / kMostPerPackedByte > packedSize)
         return tooShort(source, layout, size);
     if (size > mostUnpackedBytes(packedSize))
-        return source.refused("promises that " + sizeText(packedSize) + " unpack to " + sizeText(size) + ", which no scan does",
+        return source.refused(withValues("promises that %1 unpack to %2, which no scan does", {sizeText(packedSize), sizeText(size)}),
                               "export the file again, uncompressed");
     if (auto enough = checkMemory(size, source.path.string()); !enough) return enough.error();
     std::vector<std::byte> unpacked(size);
@@ -320,7 +321,7 @@ Result<Done> readPoints(PointTable& table, const PcdHeader& header, const PcdLay
             return tooShort(source, layout, source.bytes.size() - header.firstByte);
         return readRows(table, layout.fields, {layout.points, layout.recordNumbers, header.firstByte, header.firstLine}, source);
     }
-    return source.refused("the encoding \"" + header.encoding.substr(0, 40) + "\" is not ascii, binary or binary_compressed",
+    return source.refused(withValues("the encoding \"%1\" is not ascii, binary or binary_compressed", {header.encoding.substr(0, 40)}),
                           "export the file again");
 }
 

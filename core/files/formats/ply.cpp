@@ -2,6 +2,7 @@
 // vertices are stepped over.
 
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/checked_size.h"
@@ -193,7 +194,7 @@ Result<const Element*> vertexElement(PlyHeader& header, const Source& source) {
     for (Element& element : header.elements) {
         if (element.name == "vertex") {
             if (element.count == 0 || element.count > kMostPoints)
-                return source.refused("the header promises " + counted(element.count, "point"), "check the file");
+                return source.refused(withValues("the header promises %1", {counted(element.count, "point")}), "check the file");
             header.unnamedByte = !element.hasList && hasUnnamedColourByte(element, header, source.bytes.size() - header.firstByte);
             for (RecordField& field : element.fields) field.stride = element.recordBytes;
             return static_cast<const Element*>(&element);
@@ -244,9 +245,9 @@ Result<Done> readVerticesWithLists(PointTable& table, const PlyHeader& header, c
     for (std::uint64_t n = 0; n < vertex.count; ++n) {
         const auto end = endOfRecord(vertex, held, at, bigEndian, &numbers);
         if (!end)
-            return source.refused("the header promises " + counted(vertex.count, "vertex", "vertices") + " and the file ends after " +
-                                      std::to_string(n),
-                                  kCopyAgain);
+            return source.refused(
+                withValues("the header promises %1 and the file ends after %2", {counted(vertex.count, "vertex", "vertices"), n}),
+                kCopyAgain);
         at = *end;
         if (n % 65536 == 0 && !source.goOn("reading points", 0.0)) return source.cancelled();
     }
@@ -259,12 +260,13 @@ Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Elem
     const std::uint64_t held = source.bytes.size() - header.firstByte;
     const bool known = header.encoding == "ascii" || header.encoding == "binary_little_endian" || header.encoding == "binary_big_endian";
     if (!known)
-        return source.refused("the format \"" + header.encoding.substr(0, 40) + "\" is none that PLY knows", "export the file again");
+        return source.refused(withValues("the format \"%1\" is none that PLY knows", {header.encoding.substr(0, 40)}),
+                              "export the file again");
     const std::uint64_t least = header.encoding == "ascii" ? vertex.fields.size() * 2 : vertex.recordBytes;
     if ((held + 2) / least < vertex.count) {
-        return source.refused("the header promises " + counted(vertex.count, "vertex", "vertices") + " and the file holds " +
-                                  std::to_string(held) + " bytes of them",
-                              kCopyAgain);
+        return source.refused(
+            withValues("the header promises %1 and the file holds %2 bytes of them", {counted(vertex.count, "vertex", "vertices"), held}),
+            kCopyAgain);
     }
     if (auto enough = checkMemory(productOf({vertex.count, 32}), source.path.string()); !enough) return enough.error();
     if (vertex.hasList) return readVerticesWithLists(table, header, vertex, fields, source);
@@ -300,7 +302,7 @@ Result<PointTable> readPlyPoints(const Source& source) {
     std::string others;
     for (const Element* other = *vertex + 1; other <= &header->elements.back(); ++other)
         others += (others.empty() ? "" : ", ") + std::to_string(other->count) + " " + printable(other->name.substr(0, 40));
-    if (!others.empty()) table.remarks.push_back("Only the vertices were read, not what follows them: " + others + ".");
+    if (!others.empty()) table.remarks.push_back(withValues("Only the vertices were read, not what follows them: %1.", {others}));
     table.width = table.points.size();
     return table;
 }

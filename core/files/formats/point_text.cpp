@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 #include "core/files/point_tables/axis_words.h"
 #include "core/files/point_tables/column_names.h"
@@ -151,15 +152,15 @@ Result<std::array<std::size_t, 3>> columnsAsked(const TextLayout& layout, const 
         if (more) asked.remove_prefix(comma + 1);
         if (!more && axis == 2 && xyz[0] != xyz[1] && xyz[1] != xyz[2] && xyz[0] != xyz[2]) return xyz;
     }
-    return source.refused("--columns " + source.options->columns + " does not name three different ones of its " +
-                              counted(layout.columns, "column") +
-                              (layout.names.empty() ? std::string() : " (" + joined(layout.names) + ")"),
+    return source.refused(withValues("--columns %1 does not name three different ones of its %2%3",
+                                     {source.options->columns, counted(layout.columns, "column"),
+                                      layout.names.empty() ? std::string() : " (" + joined(layout.names) + ")"}),
                           "give three numbers from 1, or three names, such as --columns 2,1,3");
 }
 
 Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     if (layout.columns < 3) {
-        return source.refusedAtLine(layout.firstLine, "holds " + counted(layout.columns, "number") + " where a point needs three",
+        return source.refusedAtLine(layout.firstLine, withValues("holds %1 where a point needs three", {counted(layout.columns, "number")}),
                                     "choose a point list or a table of ranges");
     }
     Columns columns;
@@ -170,10 +171,10 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
         columns.named.anglesForPoint = false;
         for (std::size_t axis = 0; axis < 3; ++axis) columns.named.of[axis] = (*asked)[axis];
     } else if (const auto other = contentsNamed(layout.names)) {
-        return source.refused("its heading names " + *other + " (" + joined(layout.names) + "), and points need x, y and z in metres",
+        return source.refused(withValues("its heading names %1 (%2), and points need x, y and z in metres", {*other, joined(layout.names)}),
                               std::string("write x, y and z, or ranges as a table with a row per scan line; or ") + kSayColumns);
     } else if (!columns.named.hasPoint() && areWords(layout) && nameAnAxis(layout.names)) {
-        return source.refused("its heading names axes (" + joined(layout.names) + "), and not all of x, y and z are understood",
+        return source.refused(withValues("its heading names axes (%1), and not all of x, y and z are understood", {joined(layout.names)}),
                               kSayColumns);
     }
     if (columns.named.hasPoint()) {
@@ -209,16 +210,16 @@ std::optional<std::string> guessedColumns(const Columns& columns, const TextLayo
         return "No heading names the columns: the first two were taken for row and column of the grid, the third to the fifth for x, y and "
                "z.";
     if (const std::size_t whole = columns.xyz[0]; whole > 0) {
-        return std::string("No heading names the columns: ") + kTaken[whole] + " were taken for x, y and z, as " + kWhole[whole] +
-               " whole numbers only.";
+        return withValues("No heading names the columns: %1 were taken for x, y and z, as %2 whole numbers only.",
+                          {kTaken[whole], kWhole[whole]});
     }
     if (areWords(layout)) {
-        return "The header names no x, y and z: the first three columns were taken for them (" + layout.names[0] + ", " + layout.names[1] +
-               ", " + layout.names[2] + ").";
+        return withValues("The header names no x, y and z: the first three columns were taken for them (%1, %2, %3).",
+                          {layout.names[0], layout.names[1], layout.names[2]});
     }
     if (!layout.unusedHeading.empty()) {
-        return "The heading does not name as many columns as there are (" + layout.unusedHeading +
-               "): the first three were taken for x, y and z.";
+        return withValues("The heading does not name as many columns as there are (%1): the first three were taken for x, y and z.",
+                          {layout.unusedHeading});
     }
     return std::nullopt;
 }
@@ -305,10 +306,11 @@ void addRow(PointTable& table, std::span<const double> row, const RowUse& use) {
 Error tooFewNumbers(const RowReader& rows, std::size_t numbers, std::size_t needed, std::size_t rowsRead, const TextLayout& layout,
                     const Source& source) {
     if (layout.promisedRows && numbers == 1 && rowsRead == *layout.promisedRows) {
-        return source.refusedAtLine(rows.lineNumber(), "begins a further list, behind the " + counted(rowsRead, "point") + " of the first",
+        return source.refusedAtLine(rows.lineNumber(),
+                                    withValues("begins a further list, behind the %1 of the first", {counted(rowsRead, "point")}),
                                     "save each scan in a file of its own");
     }
-    return source.refusedAtLine(rows.lineNumber(), "holds " + counted(numbers, "number") + " where a point needs " + std::to_string(needed),
+    return source.refusedAtLine(rows.lineNumber(), withValues("holds %1 where a point needs %2", {counted(numbers, "number"), needed}),
                                 "the file may be cut off here, copy it again");
 }
 
@@ -333,7 +335,7 @@ Result<Done> addRows(PointTable& table, RowReader& rows, const RowUse& use, cons
     }
     if (rows.problem()) return *rows.problem();
     if (layout.promisedRows && *layout.promisedRows != rowsRead) {
-        return source.refused("promises " + counted(*layout.promisedRows, "point") + " and holds " + std::to_string(rowsRead),
+        return source.refused(withValues("promises %1 and holds %2", {counted(*layout.promisedRows, "point"), rowsRead}),
                               "copy the file again");
     }
     if (use.givenAway) giveAway();
@@ -348,7 +350,8 @@ void describePoints(PointTable& table, const Columns& columns, const RowUse& use
     if (!table.unitMm && layout.unitMm) {
         table.unitMm = layout.unitMm;
         if (!source.options->unitMm)
-            table.remarks.push_back("Unit taken from a comment of the file: " + significantText(*layout.unitMm, 8) + " mm per number.");
+            table.remarks.push_back(
+                withValues("Unit taken from a comment of the file: %1 mm per number.", {significantText(*layout.unitMm, 8)}));
     }
     table.description = layout.description;
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);

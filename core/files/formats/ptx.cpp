@@ -1,6 +1,7 @@
 // PTX (Leica Cyclone): scans as full grids about their scanner, with the pose of each; columns are lines, rows are beams. The number of
 // points that a header promises is compared with the text that is there before anything is allocated.
 
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/checked_size.h"
@@ -143,8 +144,8 @@ struct PtxScan {
 };
 
 Error cutOff(const PtxHeader& header, std::size_t index, const Source& source) {
-    return source.refused("scan " + std::to_string(index + 1) + " of this PTX file promises " + counted(header.columns, "column") + " of " +
-                              counted(header.rows, "point") + ", and the file ends before them",
+    return source.refused(withValues("scan %1 of this PTX file promises %2 of %3, and the file ends before them",
+                                     {index + 1, counted(header.columns, "column"), counted(header.rows, "point")}),
                           "copy the file again");
 }
 
@@ -166,11 +167,11 @@ Result<PtxScan> findScan(const Source& source) {
             }
             if (found.inFile == wanted + 1) {
                 return source.refusedAtLine(lineNumber,
-                                            "behind the " + counted(found.header.columns, "column") + " of " +
-                                                counted(found.header.rows, "point") + " that the header promises there are more",
+                                            withValues("behind the %1 of %2 that the header promises there are more",
+                                                       {counted(found.header.columns, "column"), counted(found.header.rows, "point")}),
                                             "export the file again");
             }
-            return source.refusedAtLine(lineNumber, "scan " + std::to_string(found.inFile + 1) + " has no PTX header here",
+            return source.refusedAtLine(lineNumber, withValues("scan %1 has no PTX header here", {found.inFile + 1}),
                                         "export the file again");
         }
         const std::uint64_t left = text.size() - header->firstByte;
@@ -206,7 +207,7 @@ Result<PtxScan> findScan(const Source& source) {
     }
     if (!source.options->scanIndex && found.inFile > 0)
         return source.refused(found.inFile == 1 ? "the scan of this PTX file holds 0 points"
-                                                : "the " + std::to_string(found.inFile) + " scans of this PTX file hold 0 points",
+                                                : withValues("the %1 scans of this PTX file hold 0 points", {found.inFile}),
                               "export the file again");
     return noSuchScan(wanted, found.inFile);
 }
@@ -220,7 +221,8 @@ Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source
     table.points.reserve(header.points());
     while (rows.next(row)) {
         if (row.size() < 3)
-            return source.refusedAtLine(rows.lineNumber(), "holds " + counted(row.size(), "number") + " where a point needs three",
+            return source.refusedAtLine(rows.lineNumber(),
+                                        withValues("holds %1 where a point needs three", {counted(row.size(), "number")}),
                                         "copy the file again");
         table.points.emplace_back(row[0], row[1], row[2]);
         table.intensity.push_back(row.size() > 3 ? static_cast<float>(row[3]) : kNoIntensity);
@@ -228,9 +230,9 @@ Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source
     }
     if (rows.problem()) return *rows.problem();
     if (table.points.size() != header.points()) {
-        return source.refused("the header promises " + counted(header.points(), "point") + " and the file holds " +
-                                  std::to_string(table.points.size()),
-                              "copy the file again");
+        return source.refused(
+            withValues("the header promises %1 and the file holds %2", {counted(header.points(), "point"), table.points.size()}),
+            "copy the file again");
     }
     table.precision = precisionOf(rows.digits());
     // Who writes PTX without intensities writes one half everywhere.
@@ -258,17 +260,18 @@ Result<Reading> readPtx(const Source& source) {
     part.bytes = source.bytes.first(found->endByte);
     if (auto read = readPoints(table, header, part); !read) return read.error();
     if (found->inFile > 1) {
-        table.remarks.push_back("The file holds " + std::to_string(found->inFile) + " scans; this is number " +
-                                std::to_string(found->index + 1) + ", --scan chooses another.");
+        table.remarks.push_back(
+            withValues("The file holds %1 scans; this is number %2, --scan chooses another.", {found->inFile, found->index + 1}));
     }
     if (!source.options->scanIndex && found->index > 0)
-        table.remarks.push_back("The first " + std::to_string(found->index) + " of these scans hold no point with a return.");
+        table.remarks.push_back(withValues("The first %1 of these scans hold no point with a return.", {found->index}));
     if (header.byColumns)
         table.remarks.emplace_back(
             "The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.");
     if (header.namesTwoPlaces())
-        table.remarks.push_back("Line 3 of the header puts the scanner " + significantText((header.stated - header.place).norm(), 4) +
-                                " m from the place that its matrix gives: the matrix was used.");
+        table.remarks.push_back(
+            withValues("Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.",
+                       {significantText((header.stated - header.place).norm(), 4)}));
     if (endsWithoutLineEnd(part.text())) table.remarks.emplace_back(kMayBeCutOff);
     if (found->restIsNone) table.remarks.emplace_back("Behind the last of these scans there is text that is none.");
     Reading reading(std::move(table));

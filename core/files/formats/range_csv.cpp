@@ -1,5 +1,6 @@
 // Range tables (thesis figure 5.7): one text line per scan line, as spreadsheets, pandas and numpy write them.
 
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/memory.h"
@@ -99,8 +100,7 @@ Result<Done> checkFirstRows(const TextLayout& layout, const RangeColumns& column
         for (std::size_t j = columns.first; j < std::min(row.size(), columns.first + columns.count); ++j) {
             if (!std::isfinite(row[j]) || row[j] >= 0 || isNoRangeMark(row[j])) continue;
             return source.refusedAtLine(rows.lineNumber(),
-                                        "column " + std::to_string(j + 1) + " holds " + shortestText(row[j]) +
-                                            ", so this is not a table of ranges",
+                                        withValues("column %1 holds %2, so this is not a table of ranges", {j + 1, shortestText(row[j])}),
                                         "for a list of points call its columns x, y and z in a first row, and leave out --beam-step and "
                                         "--line-step");
         }
@@ -109,7 +109,7 @@ Result<Done> checkFirstRows(const TextLayout& layout, const RangeColumns& column
 }
 
 Result<Done> checkWidth(const TextLayout& layout, const RangeColumns& columns, const Source& source) {
-    auto known = checkAnglesKnown(columns.count, "table", source);
+    auto known = checkAnglesKnown(columns.count, kTable, source);
     if (known) return known;
     const std::string_view text = source.text().substr(layout.firstByte);
     const auto rows = static_cast<std::size_t>(std::ranges::count(text, '\n')) + (endsWithoutLineEnd(text) ? 1 : 0);
@@ -133,10 +133,9 @@ Result<Table> readTable(const Source& source, const TextLayout& layout, const Ra
     std::vector<double> row;
     while (rows.next(row)) {
         if (row.size() != layout.columns) {
-            return source.refusedAtLine(rows.lineNumber(),
-                                        "holds " + counted(row.size(), "range") + " where the first line holds " +
-                                            std::to_string(layout.columns),
-                                        "copy or export the file again");
+            return source.refusedAtLine(
+                rows.lineNumber(), withValues("holds %1 where the first line holds %2", {counted(row.size(), "range"), layout.columns}),
+                "copy or export the file again");
         }
         const auto from = row.begin() + static_cast<std::ptrdiff_t>(columns.first);
         table.ranges.values.insert(table.ranges.values.end(), from, from + static_cast<std::ptrdiff_t>(columns.count));
@@ -164,13 +163,12 @@ Run runOf(const std::vector<double>& labels) {
 }
 
 /// Takes angles from the labels around the table, where the user gave none. What was taken, as a sentence; empty when nothing was.
-std::string applyLabelAngles(const Run& run, std::size_t count, const char* of, const char* from, std::optional<double>& start,
+std::string applyLabelAngles(const Run& run, std::size_t count, const char* sentence, std::optional<double>& start,
                              std::optional<double>& step) {
     if (start || step || count < 2 || run.step == 0 || !run.isDegrees(count)) return {};
     start = run.first;
     step = run.step;
-    return std::string("The angles of the ") + of + " were taken from " + from + ": " + significantText(run.first, 6) + " to " +
-           significantText(run.last(count), 6) + " degrees.";
+    return withValues(sentence, {significantText(run.first, 6), significantText(run.last(count), 6)});
 }
 
 std::string leftOutText(const TextLayout& layout, const RangeColumns& columns) {
@@ -181,8 +179,9 @@ std::string leftOutText(const TextLayout& layout, const RangeColumns& columns) {
         if (++others <= 6) names += (names.empty() ? "" : ", ") + layout.names[j];
     }
     if (others == 0) return {};
-    return std::to_string(others) + (others == 1 ? " column is" : " columns are") + " not ranges, by the header, and not read: " + names +
-           (others > 6 ? " ..." : "") + ".";
+    return withValues(counted(others, "column is not ranges, by the header, and not read: %1.",
+                              "columns are not ranges, by the header, and not read: %1."),
+                      {names + (others > 6 ? " ..." : "")});
 }
 
 /// 0 and empty cells are missing returns. Geometry from the options or the table's own header and index, or the LMS511 defaults.
@@ -203,15 +202,17 @@ Result<Scan> readRangeCsv(const Source& source) {
     const auto warn = [&](std::string sentence) {
         if (!sentence.empty()) warnings.push_back(std::move(sentence));
     };
-    warn(applyLabelAngles(columns.numbers, columns.count, "beams", "the header", options.beamStartDeg, options.beamStepDeg));
+    warn(applyLabelAngles(columns.numbers, columns.count, "The angles of the beams were taken from the header: %1 to %2 degrees.",
+                          options.beamStartDeg, options.beamStepDeg));
     auto table = readTable(source, layout, columns);
     if (!table) return table.error();
-    warn(applyLabelAngles(runOf(table->labels), table->labels.size(), "lines", "the first column", options.lineStartDeg,
+    warn(applyLabelAngles(runOf(table->labels), table->labels.size(),
+                          "The angles of the lines were taken from the first column: %1 to %2 degrees.", options.lineStartDeg,
                           options.lineStepDeg));
     if (auto known = checkWidth(layout, columns, asked); !known) return known.error();
     if (table->whole && !options.unitMm) options.unitMm = 1.0; // numbers without a point are millimetres
-    auto scan = scanFromRanges(std::move(table->ranges), "table", asked, [&](std::size_t line, std::size_t beam) {
-        return "line " + std::to_string(line) + ", beam " + std::to_string(beam);
+    auto scan = scanFromRanges(std::move(table->ranges), kTable, asked, [&](std::size_t line, std::size_t beam) {
+        return withValues("line %1, beam %2", {line, beam});
     });
     if (!scan) return scan;
     scan->format = "range CSV";

@@ -1,5 +1,6 @@
 // Angles from the options, or those of an LMS511; the unit from the numbers.
 #include "core/files/formats/range_geometry.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
@@ -37,8 +38,9 @@ Result<NotRanges> clearNoRanges(BareRanges& ranges, const Source& source, const 
         found.infinite += std::isinf(value) ? 1 : 0;
         if (value < 0 && std::isfinite(value)) {
             if (!isNoRangeMark(value) || (marker < 0 && value != marker)) {
-                return source.refused(at(k / ranges.beams, k % ranges.beams) + " holds " + shortestText(value) + ", which is not a range",
-                                      "check that these are ranges; points need columns x, y and z");
+                return source.refused(
+                    withValues("%1 holds %2, which is not a range", {at(k / ranges.beams, k % ranges.beams), shortestText(value)}),
+                    "check that these are ranges; points need columns x, y and z");
             }
             marker = value;
             ++found.negative;
@@ -64,7 +66,7 @@ std::string clearRepeated(BareRanges& ranges, const PolarGeometry& polar, const 
         const auto found = repeatedRange({ranges.values, 0, 0, direction, ranges.stated});
         if (!found) break;
         if (!sentence.empty()) sentence += ' ';
-        sentence += repeatedSentence(found->count, "cells hold " + shortestText(found->least) + " in the numbers of the file");
+        sentence += repeatedSentence(found->count, withValues("cells hold %1 in the numbers of the file", {shortestText(found->least)}));
         for (double& value : ranges.values) value = value >= found->least ? 0 : value;
     }
     return sentence;
@@ -72,7 +74,7 @@ std::string clearRepeated(BareRanges& ranges, const PolarGeometry& polar, const 
 
 } // namespace
 
-Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& source,
+Result<Scan> scanFromRanges(BareRanges ranges, const WithoutAngles& what, const Source& source,
                             const std::function<std::string(std::size_t, std::size_t)>& at) {
     auto notRanges = clearNoRanges(ranges, source, at);
     if (!notRanges) return notRanges.error();
@@ -105,7 +107,7 @@ Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& s
     return scan;
 }
 
-Result<Done> checkAnglesKnown(std::size_t beams, const char* what, const Source& source) {
+Result<Done> checkAnglesKnown(std::size_t beams, const WithoutAngles& what, const Source& source) {
     if (beams == kLms511Beams) return Done{};
     const ReadingOptions& options = *source.options;
     std::string missing;
@@ -118,13 +120,10 @@ Result<Done> checkAnglesKnown(std::size_t beams, const char* what, const Source&
     need(options.lineStepDeg.has_value(), "--line-step");
     need(options.axis.has_value(), "--axis");
     if (missing.empty()) return Done{};
-    std::string sentence = "a ";
-    sentence += what;
-    sentence += " of " + counted(beams, "range") + " per line does not say its angles";
-    return source.refused(sentence, "give " + missing);
+    return source.refused(withValues(what.refusal, {counted(beams, "range")}), withValues("give %1", {missing}));
 }
 
-Result<AssumedAngles> assumedAngles(std::size_t lines, std::size_t beams, const char* what, const Source& source) {
+Result<AssumedAngles> assumedAngles(std::size_t lines, std::size_t beams, const WithoutAngles& what, const Source& source) {
     if (auto known = checkAnglesKnown(beams, what, source); !known) return known.error();
     const ReadingOptions& options = *source.options;
     AssumedAngles angles;
@@ -136,10 +135,9 @@ Result<AssumedAngles> assumedAngles(std::size_t lines, std::size_t beams, const 
     for (std::size_t i = 0; i < lines; ++i) angles.polar.lineDeg.push_back(lineStart + static_cast<double>(i) * lineStep);
     angles.polar.axis = options.axis.value_or(Axis::Spin);
     if (options.beamStartDeg && options.beamStepDeg && options.lineStartDeg && options.lineStepDeg && options.axis) return angles;
-    angles.warning = "The ";
-    angles.warning += what;
-    angles.warning += " does not say its angles: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, "
-                      "lines from 0 by 0.18 degree, axis spin).";
+    angles.warning = std::string(what.warning) +
+                     ": those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 "
+                     "degree, axis spin).";
     return angles;
 }
 

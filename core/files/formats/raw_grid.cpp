@@ -1,5 +1,6 @@
 // Raw grid: NAME.json describes, NAME.u16 holds lines x beams counts (docs/reference/formats.md, "Raw grid").
 
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/checked_size.h"
@@ -27,8 +28,8 @@ Result<Done> checkSize(const GridDescription& grid, const fs::path& countsPath, 
     const std::uint64_t cells = productOf({grid.lines, grid.beams});
     const std::uint64_t needed = productOf({cells, 2});
     if (bytes == needed) return Done{};
-    const std::string promised = std::to_string(grid.lines) + " lines x " + std::to_string(grid.beams) + " beams";
-    return Error{"holds " + std::to_string(bytes) + " bytes where " + promised + " need " + std::to_string(needed), countsPath.string(),
+    const std::string promised = withValues("%1 lines x %2 beams", {grid.lines, grid.beams});
+    return Error{withValues("holds %1 bytes where %2 need %3", {bytes, promised, needed}), countsPath.string(),
                  bytes < needed ? "copy the file again, it may be cut off" : "check lines and beams in the .json file"};
 }
 
@@ -172,8 +173,8 @@ Result<Scan> readRawGridJson(const Source& source) {
     if (!counts) return counts.error();
     Result<Scan> scan = readPair(*grid, source, countsPath, *counts);
     if (scan && renamed) {
-        scan->warnings.push_back("The data file " + *grid->dataFile + " is missing; " + countsPath.filename().string() +
-                                 " was read in its place.");
+        scan->warnings.push_back(
+            withValues("The data file %1 is missing; %2 was read in its place.", {*grid->dataFile, countsPath.filename().string()}));
     }
     return scan;
 }
@@ -189,9 +190,9 @@ Result<Scan> readRawGridCounts(const Source& source) {
     }
     const auto json = readInput(describedIn);
     if (!json) {
-        return source.refused("these counts need their description " + describedIn.filename().string() +
-                                  " next to them, and it cannot be read",
-                              "copy it into the same folder");
+        return source.refused(
+            withValues("these counts need their description %1 next to them, and it cannot be read", {describedIn.filename().string()}),
+            "copy it into the same folder");
     }
     const Source description{describedIn, *json, source.options};
     const auto grid = parseDescription(description.text(), describedIn.string());
@@ -211,10 +212,11 @@ Result<std::vector<FileBytes>> rawGridFiles(const Scan& scan, const fs::path& pa
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         const auto count = counter.countOf(k);
         if (!count) {
-            const std::string cell = "line " + std::to_string(k / static_cast<std::size_t>(scan.beams())) + ", beam " +
-                                     std::to_string(k % static_cast<std::size_t>(scan.beams()));
-            return Error{"a raw grid holds whole counts of its unit up to 65535, and the range at " + cell + " is none or means no return",
-                         refused.where, refused.hint};
+            const std::string cell =
+                withValues("line %1, beam %2", {k / static_cast<std::size_t>(scan.beams()), k % static_cast<std::size_t>(scan.beams())});
+            return Error{
+                withValues("a raw grid holds whole counts of its unit up to 65535, and the range at %1 is none or means no return", {cell}),
+                refused.where, refused.hint};
         }
         counts.push_back(static_cast<char>(*count & 255U));
         counts.push_back(static_cast<char>(*count >> 8U));

@@ -1,4 +1,5 @@
 // Recordings of a live scan (MCAP).
+#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/containers/mcap/records.h"
@@ -20,7 +21,7 @@ Result<Reading> readMcapFile(const Source& source) {
     if (readOther == nullptr) {
         auto recording = readingOf<readRecording>(source);
         if (recording || recording.error().what == source.cancelled().what) return recording;
-        return source.refused(recording.error().what + ", and " + kNoRobots, kBuildWithRobots);
+        return source.refused(withValues("%1, and %2", {recording.error().what, kNoRobots}), kBuildWithRobots);
     }
     constexpr std::size_t kProfileAt = containers::kMcapMagic.size() + containers::kMcapRecordHead + 4;
     if (source.text().substr(0, kProfileAt + 3).ends_with("ros")) {

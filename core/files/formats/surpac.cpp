@@ -112,7 +112,7 @@ Result<PointTable> readSurpacPoints(const Source& source) {
     if (described) table.remarks.emplace_back("Descriptions of points (D1 and further) are not read.");
     std::size_t behind = 0;
     while (lines.next()) behind += trimmed(lines.line()).empty() ? 0 : 1;
-    if (behind > 0) table.remarks.push_back(counted(behind, "line behind END was", "lines behind END were") + " not read.");
+    if (behind > 0) table.remarks.push_back(counted(behind, "line behind END was not read.", "lines behind END were not read."));
     table.width = table.points.size();
     table.precision = precisionOf(digits);
     return table;

@@ -3,6 +3,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 #include "core/files/grid_recovery/parts.h"
 #include "core/scan/grid/mean_step.h"
 
@@ -102,8 +103,8 @@ int foldPhases(RecoveredGrid& grid) {
     }
     grid.pointOf = std::move(pointOf);
     grid.geometry.lineDeg = std::move(rowDeg);
-    grid.remarks.push_back("Each line has every " + std::to_string(turns.phases) + "th beam only, in turn: " +
-                           std::to_string(turns.phases) + " lines that follow each other were put side by side.");
+    grid.remarks.push_back(withValues("Each line has every %1th beam only, in turn: %2 lines that follow each other were put side by side.",
+                                      {turns.phases, turns.phases}));
     return turns.phases;
 }
 
@@ -389,15 +390,14 @@ struct Found {
 std::string percent(double share) { return fixedText(std::floor(share * 100), 0); }
 
 std::string sentenceFor(const std::array<NoFit, 3>& seen, const std::vector<Hypothesis>& hypotheses, std::size_t returns) {
-    std::string text = "the " + std::to_string(returns) + " points do not lie on beam x line angles about the origin:";
+    std::string text = withValues("the %1 points do not lie on beam x line angles about the origin:", {returns});
     for (std::size_t h = 0; h < hypotheses.size(); ++h) {
-        text += std::string(h > 0 ? ", " : " ") + "about " + hypotheses[h].letter + " ";
-        if (seen[h].lines == 0)
-            text += "no scan lines can be recognised";
-        else if (seen[h].beams == 0)
-            text += percent(seen[h].onGrid) + " % lie on the best " + std::to_string(seen[h].lines) + " line angles";
-        else
-            text += percent(seen[h].onGrid) + " % lie on the best " + std::to_string(seen[h].beams) + " beam angles";
+        const bool onLines = seen[h].beams == 0;
+        text += h > 0 ? ", " : " ";
+        text += withValues(
+            seen[h].lines == 0 ? "about %1 no scan lines can be recognised" : "about %1 %2 % lie on the best %3",
+            {std::string(1, hypotheses[h].letter), percent(seen[h].onGrid),
+             onLines ? counted(seen[h].lines, "line angles", "line angles") : counted(seen[h].beams, "beam angles", "beam angles")});
     }
     return text + " (99 % are needed)";
 }
@@ -408,8 +408,9 @@ void tellRepairs(RecoveredGrid& grid, std::size_t putBack) {
         if (count > 0) grid.remarks.push_back(std::to_string(count) + sentence);
     };
     if (!grid.complete) {
-        grid.remarks.push_back("The list was not a full grid in order: " + std::to_string(grid.pointOf.lines) + " lines x " +
-                               std::to_string(grid.pointOf.beams) + " beams were recovered from the angles of its points.");
+        grid.remarks.push_back(
+            withValues("The list was not a full grid in order: %1 lines x %2 beams were recovered from the angles of its points.",
+                       {grid.pointOf.lines, grid.pointOf.beams}));
     }
     tell(grid.copiedLines, " lines repeated the line before and were left out.");
     tell(grid.copied, " points stood in the list before, as when a driver stores lines twice, and were taken once.");
@@ -418,8 +419,8 @@ void tellRepairs(RecoveredGrid& grid, std::size_t putBack) {
     tell(grid.doubled, " points lay in a cell with a nearer one, which was taken.");
     const auto [least, most] = stepsIn(grid.geometry.lineDeg);
     if (most > 1.2 * least) {
-        grid.remarks.push_back("The line angles are uneven: steps from " + significantText(least, 4) + " to " + significantText(most, 4) +
-                               " degrees, kept as they are.");
+        grid.remarks.push_back(withValues("The line angles are uneven: steps from %1 to %2 degrees, kept as they are.",
+                                          {significantText(least, 4), significantText(most, 4)}));
     }
 }
 
@@ -455,7 +456,7 @@ bool isReturn(const Eigen::Vector3d& point) {
 Result<RecoveredGrid> recoverGrid(const PointList& list) {
     const auto returns = static_cast<std::size_t>(std::count_if(list.points.begin(), list.points.end(), isReturn));
     if (returns < kFewestPoints) {
-        return Error{"holds " + counted(returns, "point") + " with a return, too few to find a scanner's grid", "",
+        return Error{withValues("holds %1 with a return, too few to find a scanner's grid", {counted(returns, "point")}), "",
                      "check that the file is complete"};
     }
     if (list.points.size() >= kNone) return Error{"holds more points than can be put on a grid", "", "split the file"};

@@ -1,5 +1,6 @@
 // Looks at a cloud from the sensor, chooses a view and a step, and lets the nearest return win each cell.
 #include "core/files/grid_recovery/regrid.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/angles.h"
 #include "core/base/memory.h"
@@ -285,7 +286,7 @@ Window windowOf(const std::vector<Sight>& sights) {
 }
 
 std::string windowText(const Window& window) {
-    return number(window.width() * kDegreesPerRadian) + " x " + number(window.height() * kDegreesPerRadian) + " degrees";
+    return withValues("%1 x %2 degrees", {number(window.width() * kDegreesPerRadian), number(window.height() * kDegreesPerRadian)});
 }
 
 /// Two digits are enough for a step that is estimated.
@@ -312,8 +313,8 @@ Result<Lattice> latticeOver(const Window& window, double across, double down) {
     const double lines = std::max(1.0, std::ceil(window.height() / down - 1e-9));
     const double beams = std::max(1.0, std::ceil(window.width() / across - 1e-9));
     if (lines * beams > kMostCells) {
-        return Error{"cells of " + number(across * kDegreesPerRadian) + " degrees over " + windowText(window) + " would be " +
-                         number(lines * beams / 1e6) + " million cells",
+        return Error{withValues("cells of %1 degrees over %2 would be %3 million cells",
+                                {number(across * kDegreesPerRadian), windowText(window), number(lines * beams / 1e6)}),
                      "", "give a larger --grid-step"};
     }
     if (auto enough = checkMemory(static_cast<std::uint64_t>(lines * beams) * kBytesPerCell, ""); !enough) return enough.error();
@@ -372,8 +373,8 @@ Result<Regridded> onSphere(const LooseCloud& cloud, const Directions& seen) {
     const Window window = windowOf(sights);
     if (std::max(window.width(), window.height()) * kDegreesPerRadian < kNarrowestDeg) {
         const auto [nearest, farthest] = std::minmax_element(seen.range.begin(), seen.range.end());
-        return Error{"all " + std::to_string(sights.size()) + " points lie in one direction from there, within " + windowText(window) +
-                         " and " + significantText(*nearest, 6) + " to " + significantText(*farthest, 6) + " away",
+        return Error{withValues("all %1 points lie in one direction from there, within %2 and %3 to %4 away",
+                                {sights.size(), windowText(window), significantText(*nearest, 6), significantText(*farthest, 6)}),
                      "", kGiveSensor};
     }
     const double step = cloud.stepDeg ? *cloud.stepDeg / kDegreesPerRadian : tidyStep(spacingOf(sights, window, 0.0));
@@ -391,31 +392,35 @@ Result<Regridded> onSphere(const LooseCloud& cloud, const Directions& seen) {
 
 std::string accountOf(const Regridded& grid) {
     const auto cells = std::to_string(grid.pointOf.lines) + " x " + std::to_string(grid.pointOf.beams);
-    std::string text = counted(grid.returns, "point") + " in, seen over " + number(grid.beamStepDeg * grid.pointOf.beams) + " x " +
-                       number(grid.lineStepDeg * grid.pointOf.lines) + " degrees; " + std::to_string(grid.filled) + " of " + cells +
-                       " cells filled (fill ratio " + fixedText(100 * grid.fillRatio(), 1) + " %; of the cells around a filled one " +
-                       fixedText(100 * grid.closed, 0) + " %), " + counted(grid.hidden.size(), "point") +
-                       " attached to a cell with a nearer one";
-    if (grid.outside > 0) text += ", " + counted(grid.outside, "point") + " far from all others left out";
+    std::string text =
+        withValues(counted(grid.returns,
+                           "point in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells "
+                           "around a filled one %6 %), %7 attached to a cell with a nearer one",
+                           "points in, seen over %1 x %2 degrees; %3 of %4 cells filled (fill ratio %5 %; of the cells "
+                           "around a filled one %6 %), %7 attached to a cell with a nearer one"),
+                   {number(grid.beamStepDeg * grid.pointOf.beams), number(grid.lineStepDeg * grid.pointOf.lines), grid.filled, cells,
+                    fixedText(100 * grid.fillRatio(), 1), fixedText(100 * grid.closed, 0), counted(grid.hidden.size(), "point")});
+    if (grid.outside > 0) text += ", " + counted(grid.outside, "point far from all others left out", "points far from all others left out");
     return text;
 }
 
 Result<Regridded> regrid(const LooseCloud& cloud) {
     if (cloud.points.size() >= Regridded::kNoPoint) return Error{"holds more points than can be put on a grid", "", "split the file"};
     if (cloud.stepDeg && !(*cloud.stepDeg > 0 && *cloud.stepDeg <= 45))
-        return Error{"a grid step of " + number(*cloud.stepDeg) + " degrees makes no grid", "",
+        return Error{withValues("a grid step of %1 degrees makes no grid", {number(*cloud.stepDeg)}), "",
                      "give --grid-step between 0 and 45 degrees"};
     const Directions seen = directionsOf(cloud);
     if (seen.unit.size() < kFewestReturns) {
-        return Error{"only " + counted(seen.unit.size(), "point has", "points have") + " a return, too few to make a grid of them", "",
-                     "check that the file is complete"};
+        return Error{
+            withValues("only %1 a return, too few to make a grid of them", {counted(seen.unit.size(), "point has", "points have")}), "",
+            "check that the file is complete"};
     }
     if (cloud.progress && !cloud.progress("projecting the points", 0.3)) return Error{"cancelled", "", ""};
     const auto fan = findFan(cloud);
     auto grid = fan ? onFan(cloud, *fan) : onSphere(cloud, seen);
     if (!grid) return grid;
     if (grid->closed < (cloud.stepDeg ? 0.0 : kLeastClosed) || grid->fillRatio() < kLeastFill) {
-        return Error{"seen from there the points make no picture: " + accountOf(*grid), "",
+        return Error{withValues("seen from there the points make no picture: %1", {accountOf(*grid)}), "",
                      cloud.stepDeg ? "give a larger --grid-step, or another --sensor" : kGiveSensor};
     }
     if (cloud.progress && !cloud.progress("projecting the points", 1.0)) return Error{"cancelled", "", ""};

@@ -29,7 +29,9 @@ bool wholeAt(std::span<const double> ranges, const Precision& precision, double 
     return telling >= 12 && telling * 2 >= ranges.size() && static_cast<double>(whole) >= 0.995 * static_cast<double>(telling);
 }
 
-const char* unitName(double mmPerUnit) { return mmPerUnit == 1.0 ? "millimetres" : mmPerUnit == 10.0 ? "centimetres" : "metres"; }
+std::string unitTaken(double mmPerUnit) {
+    return mmPerUnit == 1.0 ? "Unit taken as millimetres" : mmPerUnit == 10.0 ? "Unit taken as centimetres" : "Unit taken as metres";
+}
 
 } // namespace
 
@@ -43,20 +45,19 @@ RangeUnit findUnit(std::span<const double> ranges, const Precision& precision, s
     // Whole millimetres are also whole tenths of a centimetre: the coarsest unit that fits is the one it was written in.
     for (const double factor : {1.0, 10.0, 1000.0}) {
         if (!wholeAt(ranges, precision, factor)) continue;
-        unit = {factor, true,
-                std::string("Unit taken as ") + unitName(factor) + ", in which every range is a whole number of millimetres."};
+        unit = {factor, true, unitTaken(factor) + ", in which every range is a whole number of millimetres."};
         return unit;
     }
     std::vector<double> sorted(ranges.begin(), ranges.end());
     if (sorted.empty()) return unit;
     unit.mmPerUnit = valueInOrder(sorted, (sorted.size() - 1) * 95 / 100) > kLongestInMetres ? 1.0 : 1000.0;
-    unit.remark = std::string("Unit taken as ") + unitName(unit.mmPerUnit) + ", from the size of the numbers.";
+    unit.remark = unitTaken(unit.mmPerUnit) + ", from the size of the numbers.";
     return unit;
 }
 
 std::optional<double> unitOfWarning(const std::string& warning) {
     for (const double mm : {1.0, 10.0, 1000.0}) {
-        if (warning.starts_with(std::string("Unit taken as ") + unitName(mm) + ",")) return mm;
+        if (warning.starts_with(unitTaken(mm) + ",")) return mm;
     }
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
 // Angles, place and straightening.
 #include "core/files/open_save/apply_options.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
@@ -20,11 +21,11 @@ std::optional<Error> beyondLimits(const std::vector<double>& degrees, const char
                                   const std::optional<double>& step, const PhysicalLimit& limit) {
     const auto off = std::ranges::find_if(degrees, [&](double angle) { return !limit.hold(angle); });
     if (off == degrees.end() || (!start && !step)) return std::nullopt;
-    return Error{std::string(of) + " " + std::to_string(off - degrees.begin()) + " of " + std::to_string(degrees.size()) + " would be at " +
-                     significantText(*off, 6) + " degrees",
-                 std::string("--") + of + (step ? "-step " : "-start ") + shortestText(step ? *step : *start),
-                 "give angles from " + significantText(limit.limits.least, 6) + " to " + significantText(limit.limits.most, 6) +
-                     " degrees"};
+    return Error{
+        withValues(*of == 'b' ? "beam %1 of %2 would be at %3 degrees" : "line %1 of %2 would be at %3 degrees",
+                   {off - degrees.begin(), degrees.size(), significantText(*off, 6)}),
+        std::string("--") + of + (step ? "-step " : "-start ") + shortestText(step ? *step : *start),
+        withValues("give angles from %1 to %2 degrees", {significantText(limit.limits.least, 6), significantText(limit.limits.most, 6)})};
 }
 
 } // namespace
@@ -49,7 +50,8 @@ Result<Done> checkOptions(Scan& scan, const ReadingOptions& options, const Forma
     for (const Format& other : formats()) std::ranges::copy(other.options, std::back_inserter(others));
     std::erase_if(others,
                   [&](std::string_view key) { return key == "scan" || std::ranges::find(format.options, key) != format.options.end(); });
-    std::ranges::copy(idleOptions(options, others, "the format " + scan.format + " does not have it"), std::back_inserter(scan.warnings));
+    std::ranges::copy(idleOptions(options, others, withValues("the format %1 does not have it", {scan.format})),
+                      std::back_inserter(scan.warnings));
     const bool hasOne = std::ranges::find(format.options, "scan") == format.options.end();
     if (!hasOne || options.scanIndex.value_or(0) == 0) return Done{};
     return noSuchScan(*options.scanIndex, 1);

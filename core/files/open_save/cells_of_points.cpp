@@ -1,5 +1,6 @@
 // Ranges, states and intensities of cells by the points in them.
 #include "core/files/open_save/cells_of_points.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
@@ -45,8 +46,9 @@ void fillCells(Scan& scan, const PointTable& table, const std::vector<double>& r
     storeIntensity(scan, table.intensity, pointOf);
     if (!unit.remark.empty()) scan.warnings.push_back(unit.remark);
     if (tooFar == 0) return;
-    scan.warnings.push_back(std::to_string(tooFar) + " points lie farther than " + sizeOfReach() +
-                            " from the sensor and were taken as no return: --sensor X,Y,Z says where it stood.");
+    scan.warnings.push_back(
+        withValues("%1 points lie farther than %2 from the sensor and were taken as no return: --sensor X,Y,Z says where it stood.",
+                   {tooFar, sizeOfReach()}));
 }
 
 void storeStates(Scan& scan, const PointTable& table, const Grid<std::uint32_t>& pointOf) {

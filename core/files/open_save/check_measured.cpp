@@ -1,5 +1,6 @@
 // Whether the numbers of a scan can have been measured.
 #include "core/files/open_save/check_measured.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
@@ -32,26 +33,27 @@ EDGESCAN_INLINE bool isAnyOutside(const float* rangeMm, const CellState* states,
 
 Error outside(const PhysicalLimit& limit, double value, const std::string& place, const std::string& where) {
     const std::string unit = *limit.unit == '\0' ? "" : std::string(" ") + limit.unit;
-    const std::string text = significantText(value, 6) + unit + (place.empty() ? "" : " at ") + place + " cannot be a measured " +
-                             limit.what + ": " + significantText(limit.limits.least, 6) + " to " + significantText(limit.limits.most, 6) +
-                             unit;
+    const std::string text =
+        withValues(place.empty() ? "%1 cannot be a measured %2: %3 to %4" : "%1 at %5 cannot be a measured %2: %3 to %4",
+                   {significantText(value, 6) + unit, limit.what, significantText(limit.limits.least, 6),
+                    significantText(limit.limits.most, 6) + unit, place});
     return {text, where, "check the unit and the numbers of the file"};
 }
 
 Result<Done> checkAngles(const std::vector<double>& degrees, const PhysicalLimit& limit, const char* of, const std::string& where) {
     const auto off = std::ranges::find_if(degrees, [&](double angle) { return !limit.hold(angle); });
     if (off == degrees.end()) return Done{};
-    return outside(limit, *off, of + (" " + std::to_string(off - degrees.begin())), where);
+    return outside(limit, *off, withValues(of, {off - degrees.begin()}), where);
 }
 
 Result<Done> checkPolar(const PolarGeometry& polar, const std::string& where) {
-    if (auto known = checkAngles(polar.beamDeg, physical::kBeamDeg, "beam", where); !known) return known;
-    if (auto known = checkAngles(polar.lineDeg, physical::kLineDeg, "line", where); !known) return known;
-    if (auto known = checkAngles(polar.lineSkewDeg, physical::kLineDeg, "the skew of beam", where); !known) return known;
+    if (auto known = checkAngles(polar.beamDeg, physical::kBeamDeg, "beam %1", where); !known) return known;
+    if (auto known = checkAngles(polar.lineDeg, physical::kLineDeg, "line %1", where); !known) return known;
+    if (auto known = checkAngles(polar.lineSkewDeg, physical::kLineDeg, "the skew of beam %1", where); !known) return known;
     if (polar.beamDeg.size() < 2) return Done{}; // all lines at one angle: a stepper at rest
     const auto [least, most] = std::ranges::minmax(polar.beamDeg);
     if (most - least >= kFinestStepDeg * static_cast<double>(polar.beamDeg.size() - 1)) return Done{};
-    return Error{"all " + std::to_string(polar.beamDeg.size()) + " beams look the same way", where, "give the step from beam to beam"};
+    return Error{withValues("all %1 beams look the same way", {polar.beamDeg.size()}), where, "give the step from beam to beam"};
 }
 
 /// Points of no size, seen from far beyond the reach of a scanner, were measured from elsewhere.
@@ -71,8 +73,8 @@ Result<Done> checkDistance(const Scan& scan, const std::string& where) {
     if (points < kFewest) return Done{};
     const double size = box.diagonal().norm(), away = static_cast<double>(limits.minMm) / 1000.0;
     if (away < kMostTimesTheirSize * size) return Done{};
-    return Error{"all points are within " + significantText(size, 3) + " m of each other and at least " + significantText(away, 6) +
-                     " m away from the scanner, which no scanner measures",
+    return Error{withValues("all points are within %1 m of each other and at least %2 m away from the scanner, which no scanner measures",
+                            {significantText(size, 3), significantText(away, 6)}),
                  where, "give --sensor X,Y,Z, the place in metres that the scan was taken from, or check --unit"};
 }
 
@@ -95,8 +97,7 @@ Result<Done> checkMeasured(const Scan& scan, const std::string& where) {
         if (!vectorised<isAnyOutside>(scan.rangeMm.line(i), scan.state.line(i), scan.beams())) continue;
         for (int j = 0; j < scan.beams(); ++j) {
             if (isOutside(scan.rangeMm.at(i, j), scan.state.at(i, j)))
-                return outside(physical::kRangeMm, scan.rangeMm.at(i, j), "line " + std::to_string(i) + ", beam " + std::to_string(j),
-                               where);
+                return outside(physical::kRangeMm, scan.rangeMm.at(i, j), withValues("line %1, beam %2", {i, j}), where);
         }
     }
     if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {

@@ -1,5 +1,6 @@
 // The grid of a table's points, by the directions in which they lie from the sensor.
 #include "core/files/open_save/find_grid.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/grid.h"
 #include "core/files/grid_recovery/recover_grid.h"
@@ -154,7 +155,7 @@ FoundGrid findGridAboutAxis(const PointTable& table, const Source& source, bool 
     if (found.inFrameOfFile || found.cancelled()) return found;
     FoundGrid elsewhere = findMovedGrid(table, source, organised, named);
     if (elsewhere.cancelled() || elsewhere.grid) return elsewhere;
-    found.grid = Error{found.grid.error().what + ", and " + elsewhere.grid.error().what, "", found.grid.error().hint};
+    found.grid = Error{withValues("%1, and %2", {found.grid.error().what, elsewhere.grid.error().what}), "", found.grid.error().hint};
     return found;
 }
 
@@ -184,8 +185,9 @@ std::optional<FoundGrid> findGridInOtherOrder(PointTable& table, const Source& s
     const auto find = [&] { return fromAfar ? findMovedGrid(table, source, true, true) : findGridAboutAxis(table, source, true, true); };
     const auto accepted = [&](FoundGrid found, const char* order) -> std::optional<FoundGrid> {
         if (found.grid)
-            table.remarks.push_back(std::string("The rows of the file make no fans about one axis as they are stored: ") + order +
-                                    ", and only that way the lines make fans.");
+            table.remarks.push_back(withValues(
+                "The rows of the file make no fans about one axis as they are stored: %1, and only that way the lines make fans.",
+                {order}));
         return found.grid || found.cancelled() ? std::optional(std::move(found)) : std::nullopt;
     };
     exchangeLinesAndBeams(table, none);

@@ -1,6 +1,7 @@
 // The grids that points can have, in the order in which they are tried.
 #include "core/files/open_save/place_on_grid.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/checked_size.h"
 #include "core/base/physical_limits.h"
@@ -23,7 +24,7 @@ Result<std::vector<CellState>> statesOf(const PointTable& table, const Source& s
     for (const std::uint8_t state : table.state) known &= state < kCellStates;
     if (!known) {
         const auto unknown = std::ranges::find_if(table.state, [](std::uint8_t state) { return state >= kCellStates; });
-        return source.refused("a cell has the state " + std::to_string(*unknown) + ", which does not exist", "save the scan again");
+        return source.refused(withValues("a cell has the state %1, which does not exist", {*unknown}), "save the scan again");
     }
     std::vector<CellState> states(table.state.size());
     std::ranges::transform(table.state, states.begin(), [](std::uint8_t state) { return static_cast<CellState>(state); });
@@ -35,11 +36,11 @@ Result<Scan> ownScan(PointTable table, const Source& source) {
     const auto grid = parseDescription(table.description, source.path.string());
     if (!grid) return grid.error();
     const std::size_t cells = std::max(table.points.size(), table.rangeMm.size());
-    const std::string shape = std::to_string(grid->lines) + " lines x " + std::to_string(grid->beams) + " beams";
+    const std::string shape = withValues("%1 lines x %2 beams", {grid->lines, grid->beams});
     if (productOf({grid->lines, grid->beams}) != cells)
-        return source.refused("describes " + shape + " and holds " + counted(cells, "point"), "copy the file again");
+        return source.refused(withValues("describes %1 and holds %2", {shape, counted(cells, "point")}), "copy the file again");
     if (table.rangeMm.size() != cells || table.state.size() != cells) {
-        return source.refused("describes " + shape + " but has no columns range_mm and state",
+        return source.refused(withValues("describes %1 but has no columns range_mm and state", {shape}),
                               "save the scan again, or remove the comment lines");
     }
     auto states = statesOf(table, source);
@@ -84,9 +85,8 @@ void removeFilledCells(PointTable& table) {
             table.state[n] = static_cast<std::uint8_t>(CellState::NoReturn);
     }
     if (filled > 0)
-        table.remarks.push_back(counted(filled, "point was filled and not measured, as filled_sd_mm says: it was",
-                                        "points were filled and not measured, as filled_sd_mm says: they were") +
-                                " taken as no return.");
+        table.remarks.push_back(counted(filled, "point was filled and not measured, as filled_sd_mm says: it was taken as no return.",
+                                        "points were filled and not measured, as filled_sd_mm says: they were taken as no return."));
     table.filledSdMm.clear();
 }
 
@@ -118,8 +118,8 @@ Result<Scan> placeOnGrid(Reading reading, const Source& source) {
         if (!scan) return scan;
         if (own) warnOfIdle(*scan, source);
         if (!own && scan->placement && reading.place && (!reading.place->place.isZero(0.0) || !reading.place->turn.isIdentity(0.0)))
-            scan->warnings.push_back(std::string("The matrix of the ") + reading.place->format +
-                                     " file was not used: its points are in another frame than the scanner's.");
+            scan->warnings.push_back(withValues(
+                "The matrix of the %1 file was not used: its points are in another frame than the scanner's.", {reading.place->format}));
         reading.content = std::move(*scan);
     } else {
         warnOfIdle(std::get<Scan>(reading.content), source);

@@ -1,5 +1,6 @@
 // From points to a scan: organised clouds as they are, lists by recovering their grid, or by projection.
 #include "core/files/open_save/points_on_grid.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
@@ -99,8 +100,8 @@ void markStatusCodes(Scan& scan) {
         ++cells;
     }
     if (cells > 0) {
-        scan.warnings.push_back(std::to_string(cells) + " cells hold status codes of an LMS2xx from " +
-                                std::to_string(scan.statusCodes.front()) + " on instead of a range and were taken as such.");
+        scan.warnings.push_back(withValues("%1 cells hold status codes of an LMS2xx from %2 on instead of a range and were taken as such.",
+                                           {cells, scan.statusCodes.front()}));
     }
 }
 
@@ -172,8 +173,8 @@ Scan recoveredScan(const PointTable& table, RecoveredGrid grid, const Source& so
     std::move(grid.remarks.begin(), grid.remarks.end(), std::back_inserter(scan.warnings));
     const std::size_t empty = countCells(scan)[static_cast<std::size_t>(CellState::NoReturn)];
     if (!grid.complete && empty > 0) {
-        scan.warnings.push_back(std::to_string(empty) + " of " + std::to_string(scan.cells()) +
-                                " cells of the grid that was found have no point and count as no return.");
+        scan.warnings.push_back(
+            withValues("%1 of %2 cells of the grid that was found have no point and count as no return.", {empty, scan.cells()}));
     }
     if (moved != nullptr) placeAsFound(scan, *moved, unit.mmPerUnit * kMetresPerMm);
     return scan;
@@ -204,25 +205,21 @@ void mirror(PointTable& table) {
 std::string aboutSensor(const PointTable& table, const Source& source, double metres) {
     if (!source.options->sensorM && table.sensor.isZero(0.0))
         return "the origin, because no sensor position is known (--sensor X,Y,Z gives it)";
-    std::string text = source.options->sensorM ? "the sensor position given, (" : "the sensor position in the file, (";
-    for (int axis = 0; axis < 3; ++axis) {
-        if (axis > 0) text += ", ";
-        text += significantText(table.sensor[axis] * metres, 10);
-    }
-    return text += ") m";
+    const auto at = [&](int axis) { return significantText(table.sensor[axis] * metres, 10); };
+    return withValues(source.options->sensorM ? "the sensor position given, (%1, %2, %3) m"
+                                              : "the sensor position in the file, (%1, %2, %3) m",
+                      {at(0), at(1), at(2)});
 }
 
 /// What was done to the points, in numbers.
 void reportProjection(Scan& scan, const Regridded& grid, const std::string& about, bool gridLookedFor, bool stepGiven) {
-    std::string text = gridLookedFor ? "The points lie on no scanner grid and were projected about " : "The points were projected about ";
-    text += about;
-    text += ": ";
-    text += accountOf(grid);
-    scan.warnings.push_back(text += ".");
-    text = stepGiven ? "The cells have the given " : "The cells have ";
-    text += significantText(grid.beamStepDeg, 4);
-    text += stepGiven ? " degrees" : " degrees, from the spacing of the points";
-    scan.warnings.push_back(text += grid.fan ? ", along lines that were recognised in the cloud." : ".");
+    scan.warnings.push_back(withValues(gridLookedFor ? "The points lie on no scanner grid and were projected about %1: %2."
+                                                     : "The points were projected about %1: %2.",
+                                       {about, accountOf(grid)}));
+    const std::string degrees = significantText(grid.beamStepDeg, 4);
+    const std::string step = withValues(
+        stepGiven ? "The cells have the given %1 degrees" : "The cells have %1 degrees, from the spacing of the points", {degrees});
+    scan.warnings.push_back(step + (grid.fan ? ", along lines that were recognised in the cloud." : "."));
     if (gridLookedFor)
         scan.warnings.emplace_back(
             "Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, "
@@ -242,12 +239,8 @@ Result<Scan> projectedScan(PointTable& table, const Source& source, const Error&
     const std::string about = aboutSensor(table, source, metres);
     if (!grid) {
         if (grid.error().what == "cancelled") return source.cancelled();
-        std::string text = noGrid.what;
-        if (!text.empty()) text += "; ";
-        text += "projected about ";
-        text += about;
-        text += ": ";
-        text += grid.error().what;
+        const std::string text =
+            (noGrid.what.empty() ? "" : noGrid.what + "; ") + withValues("projected about %1: %2", {about, grid.error().what});
         return source.refused(withCoarseStep(text, table), grid.error().hint);
     }
     Scan scan;
@@ -264,8 +257,9 @@ Result<Scan> projectedScan(PointTable& table, const Source& source, const Error&
 void compareWithSensor(const FreeAxis& moved, PointTable& table) {
     if (table.sensor.isZero(0.0)) return;
     const double apart = (table.sensor - moved.place).norm();
-    table.remarks.push_back("The axis of the scan lines is " + significantText(apart, 3) +
-                            " (in the numbers of the file) from the sensor position that was known.");
+    table.remarks.push_back(
+        withValues("The axis of the scan lines is %1 (in the numbers of the file) from the sensor position that was known.",
+                   {significantText(apart, 3)}));
 }
 
 /// The points in the frame of the scanner, as if it were mounted without any error; their numbers are as precise as before.
@@ -361,12 +355,13 @@ private:
 };
 
 std::string laterReturnsSentence(std::size_t later, std::size_t attached) {
-    std::string text = counted(later, "point is a later return of a pulse", "points are later returns of a pulse") +
-                       ", as the file says: the first returns make the grid";
-    if (attached > 0) text += ", and " + counted(attached, "other was attached to its cell", "others were attached to their cells");
+    std::string text = counted(later, "point is a later return of a pulse, as the file says: the first returns make the grid",
+                               "points are later returns of a pulse, as the file says: the first returns make the grid");
+    if (attached > 0)
+        text += withValues(", and %1", {counted(attached, "other was attached to its cell", "others were attached to their cells")});
     if (attached < later)
-        text += "; " + counted(later - attached, "other has no cell of its own and was", "others have no cell of their own and were") +
-                " left out";
+        text += "; " + counted(later - attached, "other has no cell of its own and was left out",
+                               "others have no cell of their own and were left out");
     return text + ".";
 }
 
@@ -374,8 +369,8 @@ std::string laterReturnsSentence(std::size_t later, std::size_t attached) {
 std::string gridFoundSentence(const Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr) polar = &*std::get<PointGeometry>(scan.geometry).angles;
-    return kListsOnlyPoints + std::to_string(scan.lines()) + " lines, " + std::to_string(scan.beams()) + " beams and mounting " +
-           (polar->axis == Axis::Spin ? "spin" : "sweep") + " were found from them.";
+    return kListsOnlyPoints + withValues("%1 lines, %2 beams and mounting %3 were found from them.",
+                                         {scan.lines(), scan.beams(), polar->axis == Axis::Spin ? "spin" : "sweep"});
 }
 
 Result<Scan> scanOf(PointTable& table, const Source& source) {
@@ -399,16 +394,18 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
         if (auto other = findGridInOtherOrder(table, source, afar.has_value())) found = std::move(*other);
     }
     auto& grid = found.grid;
-    if (afar && !grid && !found.cancelled()) return Error{afar->what + ", and " + grid.error().what, afar->where, afar->hint};
+    if (afar && !grid && !found.cancelled())
+        return Error{withValues("%1, and %2", {afar->what, grid.error().what}), afar->where, afar->hint};
     const bool text = table.format == "point list";
     if (grid && text && !laidOut && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
         return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");
     }
     if (found.cancelled()) return source.cancelled();
     if (found.moved && !behind.empty()) // which point of a cell is the nearest depends on the scanner's place
-        return source.refused("the file is in another frame than the scanner's, and " + std::to_string(behind.size()) +
-                                  " of its points share their line and beam with another",
-                              kGiveSensor);
+        return source.refused(
+            withValues("the file is in another frame than the scanner's, and %1 of its points share their line and beam with another",
+                       {behind.size()}),
+            kGiveSensor);
     if (grid || organised) {
         const bool returnsOnly = !organised && std::ranges::all_of(table.points, isReturn);
         const FirstReturns firsts{later, table, found.moved ? found.moved->place : Eigen::Vector3d(table.sensor)};
@@ -425,8 +422,9 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
         attach(scan, behind, table, source);
         if (!organised) scan.warnings.push_back(gridFoundSentence(scan));
         if (laidOut)
-            scan.warnings.push_back("The grid has as many lines and beams as the points name, " + std::to_string(scan.lines()) + " x " +
-                                    std::to_string(scan.beams()) + ": a line or beam behind the last point is not in the file.");
+            scan.warnings.push_back(withValues("The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind "
+                                               "the last point is not in the file.",
+                                               {scan.lines(), scan.beams()}));
         constexpr std::array<std::string_view, 1> kStep{"grid-step"};
         std::ranges::copy(idleOptions(*source.options, kStep, "the points have a grid"), std::back_inserter(scan.warnings));
         if (returnsOnly)
@@ -450,7 +448,7 @@ void removeRepeated(PointTable& table, const Source& source) {
         for (Eigen::Vector3d& p : table.points) {
             if (p == one.point) p.setConstant(std::numeric_limits<double>::quiet_NaN());
         }
-        table.remarks.push_back(repeatedSentence(one.count, "points are one and the same," + place));
+        table.remarks.push_back(repeatedSentence(one.count, withValues("points are one and the same,%1", {place})));
     }
     const std::vector<double> ranges = rangesOf(table);
     RangesToJudge given{ranges, table.precision.absolute * 2, table.precision.relative * 2};
@@ -460,8 +458,8 @@ void removeRepeated(PointTable& table, const Source& source) {
     for (std::size_t n = 0; n < ranges.size(); ++n) {
         if (ranges[n] >= far->least) table.points[n].setConstant(std::numeric_limits<double>::quiet_NaN());
     }
-    table.remarks.push_back(
-        repeatedSentence(far->count, "points are " + significantText(far->least, 6) + " (in the numbers of the file) from the sensor"));
+    table.remarks.push_back(repeatedSentence(
+        far->count, withValues("points are %1 (in the numbers of the file) from the sensor", {significantText(far->least, 6)})));
 }
 
 /// Numbers that were printed with so few digits that they step by a good part of what was scanned, as spreadsheets write large ones.
@@ -478,10 +476,10 @@ Result<Done> checkDigits(const PointTable& table, const Source& source) {
     const int digits = static_cast<int>(std::lround(1 - std::log10(2 * table.precision.relative)));
     const double step = std::pow(10.0, std::floor(std::log10(largest)) + 1 - digits);
     if (step < kOfTheirSize * box.diagonal().norm()) return Done{};
-    return source.refused("its numbers were rounded to " + std::to_string(digits) + " digits, so that those near " +
-                              std::to_string(std::llround(largest)) + " step by " + significantText(step, 3) +
-                              ": the digits that place the points are lost",
-                          "write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06");
+    return source.refused(
+        withValues("its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost",
+                   {digits, std::llround(largest), significantText(step, 3)}),
+        "write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06");
 }
 
 /// Of a list of points that makes no scan: whether it may be a table of ranges, which only its angles make one.
@@ -490,9 +488,8 @@ std::optional<Error> rangesWithoutAngles(const Error& problem, const PointTable&
     if (table.format != "point list" || source.extension() != ".csv" || problem.what == "cancelled") return std::nullopt;
     const auto layout = textLayoutOf(source);
     if (!layout || !layout->names.empty() || layout->columns < kFewestColumns) return std::nullopt;
-    return Error{std::to_string(layout->columns) +
-                     " numbers per line without names are a table of ranges only with its angles; as points, " +
-                     problem.what.substr(0, problem.what.find(':')),
+    return Error{withValues("%1 numbers per line without names are a table of ranges only with its angles; as points, %2",
+                            {layout->columns, problem.what.substr(0, problem.what.find(':'))}),
                  problem.where, "give --beam-start --beam-step --line-start --line-step --axis, or name the columns x, y and z"};
 }
 
@@ -500,7 +497,7 @@ std::optional<Error> rangesWithoutAngles(const Error& problem, const PointTable&
 
 std::optional<std::string> leftOutSentence(const Scan& scan) {
     if (scan.pointsLeftOut == 0) return std::nullopt;
-    return std::to_string(scan.pointsLeftOut) + " of the " + counted(scan.pointsRead, "point") + " of the file have no cell of their own.";
+    return withValues("%1 of the %2 of the file have no cell of their own.", {scan.pointsLeftOut, counted(scan.pointsRead, "point")});
 }
 
 Result<Scan> scanOfPoints(PointTable table, const Source& source) {
@@ -514,7 +511,7 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
     for (const Eigen::Vector3d& p : table.points)
         infinite += p.array().isNaN().any() || p.cwiseAbs().maxCoeff() < physical::kCoordinate.limits.most ? 0 : 1;
     if (std::ranges::none_of(table.points, isReturn)) {
-        return source.refused("the file holds 0 points with a return, out of " + std::to_string(table.points.size()),
+        return source.refused(withValues("the file holds 0 points with a return, out of %1", {table.points.size()}),
                               "choose another file, or copy it again");
     }
     if (auto fine = checkDigits(table, source); !fine) return fine.error();
@@ -533,15 +530,13 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
     scan->pointsRead = returns;
     scan->pointsLeftOut = returns - std::min(returns, countCells(*scan)[static_cast<std::size_t>(CellState::Valid)]);
     if (const auto sentence = leftOutSentence(*scan)) scan->warnings.push_back(*sentence);
-    if (std::string coarse = coarseStep(table); !coarse.empty()) {
-        coarse[0] = 'N';
-        scan->warnings.push_back(coarse + ": it was written with 4-byte floats.");
-    }
+    const std::string coarse =
+        coarseStep(table, "Numbers up to %1 in this file have a resolution of about %2: it was written with 4-byte floats.");
+    if (!coarse.empty()) scan->warnings.push_back(coarse);
     std::move(table.remarks.begin(), table.remarks.end(), std::back_inserter(scan->warnings));
     if (infinite > 0)
-        scan->warnings.push_back(counted(infinite, "point with infinite or absurdly large coordinates was",
-                                         "points with infinite or absurdly large coordinates were") +
-                                 " taken as no return.");
+        scan->warnings.push_back(counted(infinite, "point with infinite or absurdly large coordinates was taken as no return.",
+                                         "points with infinite or absurdly large coordinates were taken as no return."));
     return scan;
 }
 

@@ -1,5 +1,6 @@
 // Reads and writes the pose sidecar of a scan.
 #include "core/files/open_save/pose_sidecar.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/pipe.h"
 #include "core/base/whole_file.h"
@@ -40,7 +41,8 @@ Result<Done> writePoseSidecar(const fs::path& scan, const std::optional<std::str
     std::error_code trouble;
     if (!text) {
         fs::remove(path, trouble);
-        if (trouble) return Error{"the pose could not be removed (" + trouble.message() + ")", path.string(), "remove the file by hand"};
+        if (trouble)
+            return Error{withValues("the pose could not be removed (%1)", {trouble.message()}), path.string(), "remove the file by hand"};
         return Done{};
     }
     return replaceOwnSidecar(path, *text);

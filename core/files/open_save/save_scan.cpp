@@ -1,5 +1,6 @@
 // Chooses the writer by extension.
 #include "core/files/open_save/save_scan.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
@@ -16,8 +17,8 @@ namespace {
 Error unknownFormat(const std::filesystem::path& path, bool wholeScans) {
     const std::string extension = path.extension().string();
     return {extension.empty() ? "the file name has no extension that names a format"
-                              : "\"" + extension + "\" is not a format that can be written",
-            path.string(), "use " + writtenExtensions(wholeScans)};
+                              : withValues("\"%1\" is not a format that can be written", {extension}),
+            path.string(), withValues("use %1", {writtenExtensions(wholeScans)})};
 }
 
 /// The format of a cloud; null when the file's name does not choose one.
@@ -34,8 +35,7 @@ Result<std::string> bytesOf(CloudColumns columns, const Format& format, const st
 
 Result<Done> checkMask(const Scan& scan, const Grid<std::uint8_t>& mask, const std::filesystem::path& path) {
     if (mask.lines == scan.lines() && mask.beams == scan.beams()) return Done{};
-    return Error{"the edge mask has " + std::to_string(mask.lines) + " x " + std::to_string(mask.beams) + " cells and the scan " +
-                     std::to_string(scan.lines()) + " x " + std::to_string(scan.beams()),
+    return Error{withValues("the edge mask has %1 x %2 cells and the scan %3 x %4", {mask.lines, mask.beams, scan.lines(), scan.beams()}),
                  path.string(), "detect the edges of this scan again"};
 }
 
@@ -67,7 +67,7 @@ Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem
     if (format->writeScan != nullptr && options.frame == CoordinateFrame::Scanner) return format->writeScan(scan, path);
     if (format->write == nullptr)
         return Error{"a raw grid or a recording holds ranges and no coordinates", path.string(),
-                     "save it without a frame, or as " + writtenExtensions(false)};
+                     withValues("save it without a frame, or as %1", {writtenExtensions(false)})};
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
     const bool allPoints = options.includeAttached && !scan.attached.empty();
     CloudColumns columns = allPoints               ? validPoints(scan, nullptr, options.frame, true)
@@ -100,24 +100,25 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
     const std::size_t without = scan.cells() - valid;
     const bool attached = !scan.attached.empty();
     if (attached && !options.includeAttached)
-        lost.push_back(
-            counted(scan.attached.size(), "point behind the nearest of its cell is", "points behind the nearest of their cell are") +
-            " not in this file: --include-attached saves all points.");
+        lost.push_back(counted(scan.attached.size(),
+                               "point behind the nearest of its cell is not in this file: --include-attached saves all points.",
+                               "points behind the nearest of their cell are not in this file: --include-attached saves all points."));
     const bool bySidecar = format->keeps == Keeps::Sidecar;
     const bool needsSidecar = bySidecar && !options.choices.comments;
     const bool list = format->keeps == Keeps::Points || (attached && options.includeAttached);
     if (list)
-        lost.push_back("The file holds points and no grid: " + std::to_string(without) + " cells without a range are not in it.");
+        lost.push_back(withValues("The file holds points and no grid: %1 cells without a range are not in it.", {without}));
     else if ((format->keeps == Keeps::NoReturns || needsSidecar) && without > noReturn)
-        lost.push_back("This file knows only points and no returns: " + std::to_string(without - noReturn) +
-                       " cells of other states become no returns.");
+        lost.push_back(
+            withValues("This file knows only points and no returns: %1 cells of other states become no returns.", {without - noReturn}));
     if (needsSidecar && !list)
-        lost.push_back("The file holds numbers only: keep " + path.filename().string() +
-                       ".provenance.json next to it, which holds the grid, or write it with --comments.");
+        lost.push_back(withValues(
+            "The file holds numbers only: keep %1.provenance.json next to it, which holds the grid, or write it with --comments.",
+            {path.filename().string()}));
     if (scan.intensity.size() > 0 && !format->keepsIntensity && !(bySidecar && options.choices.comments))
         lost.emplace_back("The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.");
     if (format->stepM > 0 && std::holds_alternative<PointGeometry>(scan.geometry) && options.frame == CoordinateFrame::Scanner)
-        lost.push_back("The file rounds the points to whole steps of " + significantText(format->stepM * 1000, 3) + " mm.");
+        lost.push_back(withValues("The file rounds the points to whole steps of %1 mm.", {significantText(format->stepM * 1000, 3)}));
     if (scan.placement && options.frame == CoordinateFrame::Scanner && format->keeps != Keeps::States &&
         !(bySidecar && options.choices.comments))
         lost.emplace_back(
@@ -125,9 +126,9 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
     constexpr double kMovesM = 0.0005;
     if (format->keeps == Keeps::NoReturns && scan.placement && options.frame != CoordinateFrame::Scanner) {
         if (const double moves = scannerMovesM(scan); moves > kMovesM)
-            lost.push_back("The file has room for one place of the scanner, and this scanner moved by up to " +
-                           significantText(moves * 1000, 2) + " mm: without " + path.filename().string() +
-                           ".provenance.json its ranges are as much off; its points are exact.");
+            lost.push_back(withValues("The file has room for one place of the scanner, and this scanner moved by up to %1 mm: without "
+                                      "%2.provenance.json its ranges are as much off; its points are exact.",
+                                      {significantText(moves * 1000, 2), path.filename().string()}));
     }
     return lost;
 }

@@ -1,5 +1,6 @@
 // From points and the sidecar of their file to cells: the sidecar lists the cell of each point.
 #include "core/files/open_save/sidecar_grid.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/checked_size.h"
 #include "core/base/inputs.h"
@@ -83,9 +84,9 @@ std::optional<Result<SidecarGrid>> gridOfSidecar(std::size_t points, const Sourc
     const auto path = sidecarOf(source.path);
     if (!path) return std::nullopt;
     const auto bytes = readInput(*path);
-    if (!bytes) return Error{"cannot be read (" + bytes.error().what + ")", path->string(), ""};
+    if (!bytes) return Error{withValues("cannot be read (%1)", {bytes.error().what}), path->string(), ""};
     const auto record = parseJsonObject(textOf(*bytes), kSidecarFormat, path->string());
-    if (!record) return Error{"cannot be read (" + record.error().what + ")", path->string(), ""};
+    if (!record) return Error{withValues("cannot be read (%1)", {record.error().what}), path->string(), ""};
     if (!record->contains("grid")) return std::nullopt;
     return gridOf(*record, points, source, path->string());
 }
@@ -157,7 +158,7 @@ std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<Written
     auto found = gridOfSidecar(listed, source);
     if (!found) return std::nullopt;
     const auto notUsed = [&](const std::string& why) {
-        table.remarks.push_back("The record next to the file " + why + ", so the grid in it was not used.");
+        table.remarks.push_back(withValues("The record next to the file %1, so the grid in it was not used.", {why}));
         return std::nullopt;
     };
     if (!*found) return notUsed(found->error().what);

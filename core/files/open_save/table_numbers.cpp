@@ -1,5 +1,6 @@
 // What the numbers of a table of points mean: their unit, how they were rounded, where the sensor is among them.
 #include "core/files/open_save/table_numbers.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
@@ -25,7 +26,7 @@ double farDistanceM(std::vector<double> ranges, double mmPerUnit) {
 
 } // namespace
 
-std::string coarseStep(const PointTable& table) {
+std::string coarseStep(const PointTable& table, const char* sentence) {
     double largest = 0;
     for (const Eigen::Vector3d& p : table.points) {
         if (!p.allFinite()) continue;
@@ -35,7 +36,7 @@ std::string coarseStep(const PointTable& table) {
     if (largest < 1e5) return {};
     const auto step = static_cast<double>(std::nextafter(static_cast<float>(largest), std::numeric_limits<float>::infinity())) -
                       static_cast<double>(static_cast<float>(largest));
-    return "numbers up to " + significantText(largest, 7) + " in this file have a resolution of about " + significantText(step, 3);
+    return withValues(sentence, {significantText(largest, 7), significantText(step, 3)});
 }
 
 Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& points) {
@@ -118,9 +119,9 @@ bool dropImpossibleSensor(PointTable& table, const Source& source) {
     }
     const double size = box.diagonal().norm(), away = box.exteriorDistance(table.sensor);
     if (!(size > 0) || away < kMostTimesTheirSize * size) return false;
-    table.remarks.push_back("The file puts the sensor " + significantText(away, 4) + " away from its points, which are all within " +
-                            significantText(size, 3) +
-                            " of each other (in its own numbers): no scanner measures so, and the place was not used.");
+    table.remarks.push_back(withValues("The file puts the sensor %1 away from its points, which are all within %2 of each other (in its "
+                                       "own numbers): no scanner measures so, and the place was not used.",
+                                       {significantText(away, 4), significantText(size, 3)}));
     table.sensor = Eigen::Vector3d::Zero();
     return true;
 }
@@ -146,9 +147,9 @@ std::optional<Error> wrongOrigin(const PointTable& table, const Source& source) 
         farthest = std::max(farthest, p.norm());
     }
     if (widest > kNarrowRad || widest > kNarrowCellRad * static_cast<double>(std::max(table.width, table.height))) return std::nullopt;
-    return source.refused("the " + std::to_string(returns) + " points of its grid lie in one direction from the origin, within " +
-                              significantText(degrees(widest), 3) + " degrees and up to " + significantText(farthest, 6) +
-                              " away: the scanner stood elsewhere",
+    return source.refused(withValues("the %1 points of its grid lie in one direction from the origin, within %2 degrees and up to %3 away: "
+                                     "the scanner stood elsewhere",
+                                     {returns, significantText(degrees(widest), 3), significantText(farthest, 6)}),
                           kGiveSensor);
 }
 
@@ -180,8 +181,8 @@ void applyGivenSensor(PointTable& table, const Source& source) {
     table.sensor = given * (1000.0 / best);
     if (agrees) return;
     table.unitMm = best;
-    table.remarks.push_back(std::string("Unit taken as ") + (best == 1000.0 ? "metres" : "millimetres") +
-                            ", in which the numbers fit the sensor position given.");
+    table.remarks.push_back(best == 1000.0 ? "Unit taken as metres, in which the numbers fit the sensor position given."
+                                           : "Unit taken as millimetres, in which the numbers fit the sensor position given.");
 }
 
 } // namespace edgescan::files

@@ -19,7 +19,8 @@ namespace edgescan::files {
 [[nodiscard]] RangeUnit unitOf(const PointTable& table, const std::vector<double>& ranges, const Source& source);
 
 /// How coarse the numbers are, in words, where they are so large that 4-byte floats hold them only in steps; else empty.
-[[nodiscard]] std::string coarseStep(const PointTable& table);
+[[nodiscard]] std::string coarseStep(const PointTable& table,
+                                     const char* sentence = "numbers up to %1 in this file have a resolution of about %2");
 
 /// `what`, and coarseStep behind it.
 [[nodiscard]] std::string withCoarseStep(std::string what, const PointTable& table);

@@ -132,8 +132,9 @@ Result<std::optional<PlainText>> plainText(const Source& source) {
     }
     if (const std::size_t zeros = zerosBehindRows(plain.bytes); zeros > 0) {
         plain.bytes = plain.bytes.first(plain.bytes.size() - zeros);
-        plain.warnings.push_back(counted(zeros, "byte of zero (NUL) follows", "bytes of zero (NUL) follow") +
-                                 " the last row, as a power cut leaves them: rows that were not written are missing.");
+        plain.warnings.push_back(
+            counted(zeros, "byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.",
+                    "bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing."));
         changed = true;
     }
     if (endsLinesWithCr(plain.bytes)) {

@@ -1,5 +1,6 @@
 // Records of PCAP and blocks of PCAPNG. Every length is compared with the bytes that are there; nothing is copied.
 #include "core/files/packet_capture/packets.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/utc_time.h"
 
@@ -171,7 +172,7 @@ Result<PacketFile> readPcapng(ByteView file, const std::string& where) {
     bool bigEndian = false;
     for (std::size_t at = 0; at < file.size();) {
         const auto damaged = [&](const std::string& what) {
-            return Error{"a block of this PCAPNG capture " + what, where + ": byte " + std::to_string(at), kCopyCapture};
+            return Error{withValues("a block of this PCAPNG capture %1", {what}), withValues("%1: byte %2", {where, at}), kCopyCapture};
         };
         found.cutOff = file.size() - at < kAround;
         if (found.cutOff) break;
@@ -182,7 +183,7 @@ Result<PacketFile> readPcapng(ByteView file, const std::string& where) {
         }
         const Numbers in(rest, bigEndian);
         const std::size_t length = in.u32(4);
-        if (length < kAround || length % 4 != 0) return damaged("says that it has " + std::to_string(length) + " bytes");
+        if (length < kAround || length % 4 != 0) return damaged(withValues("says that it has %1 bytes", {length}));
         found.cutOff = length > rest.size();
         if (found.cutOff) break;
         const Block block{in.u32(0), rest.subspan(8, length - kAround)};

@@ -1,6 +1,7 @@
 // From streams of bytes to a recording in memory, and from there like any recording.
 #include "core/files/packet_capture/read_capture.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/memory.h"
 #include "core/files/addons/addon.h"
@@ -146,20 +147,25 @@ void tellLosses(std::vector<std::string>& warnings, const PacketFile& file, cons
     }
     if (file.cutOff) warnings.emplace_back("The capture was cut off: everything up to the cut is here.");
     if (file.outOfTime > 0)
-        warnings.push_back(counted(file.outOfTime, "packet has", "packets have") +
-                           " a time before 1970 or after 2262 and count as of 1970.");
+        warnings.push_back(counted(file.outOfTime, "packet has a time before 1970 or after 2262 and count as of 1970.",
+                                   "packets have a time before 1970 or after 2262 and count as of 1970."));
     if (missing > 0) {
-        warnings.push_back(counted(missing, "byte that the scanner sent is missing", "bytes that the scanner sent are missing") +
-                           " in the capture, in " + counted(gaps, "place", "places") + ": the telegrams there are lost.");
+        warnings.push_back(
+            withValues(counted(missing, "byte that the scanner sent is missing in the capture, in %1: the telegrams there are lost.",
+                               "bytes that the scanner sent are missing in the capture, in %1: the telegrams there are lost."),
+                       {counted(gaps, "place", "places")}));
     }
     if (missing == 0 && speaker.heard.skipped > 0)
-        warnings.push_back(counted(speaker.heard.skipped, "byte that the scanner sent belongs", "bytes that the scanner sent belong") +
-                           " to no whole telegram.");
+        warnings.push_back(counted(speaker.heard.skipped, "byte that the scanner sent belongs to no whole telegram.",
+                                   "bytes that the scanner sent belong to no whole telegram."));
     if (repeated > 0 || late > 0) {
-        warnings.push_back(counted(late, "packet", "packets") + " came out of order and " + std::to_string(repeated) +
-                           " brought bytes again; they were put in order.");
+        warnings.push_back(withValues(counted(late, "packet came out of order and %1 brought bytes again; they were put in order.",
+                                              "packets came out of order and %1 brought bytes again; they were put in order."),
+                                      {repeated}));
     }
-    if (tcp.fragments > 0) warnings.push_back(counted(tcp.fragments, "fragment", "fragments") + " of IP packets were not put together.");
+    if (tcp.fragments > 0)
+        warnings.push_back(
+            counted(tcp.fragments, "fragment of IP packets were not put together.", "fragments of IP packets were not put together."));
 }
 
 } // namespace
@@ -187,21 +193,23 @@ Result<Scan> readPacketCapture(const Source& source) {
     if (best == speakers.end() || best->heard.scans == 0) {
         const auto readOther = addon().readPackets;
         if (readOther == nullptr)
-            return source.refused(std::string("this capture holds no scan telegram of a SICK scanner, and ") + kNoRobots, kBuildWithRobots);
+            return source.refused(withValues("this capture holds no scan telegram of a SICK scanner, and %1", {kNoRobots}),
+                                  kBuildWithRobots);
         if (auto other = readOther(*file, source)) return std::move(*other);
-        return source.refused("this capture holds " + counted(file->packets.size(), "packet", "packets") + ", " +
-                                  std::to_string(tcp.packets) +
-                                  " of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster",
-                              "capture the connection to the scanner's port (2111 or 2112) while it scans");
+        return source.refused(
+            withValues(
+                "this capture holds %1, %2 of them TCP, and no scan telegram of a SICK scanner and no packet of a VLP-16 or an Ouster",
+                {counted(file->packets.size(), "packet", "packets"), tcp.packets}),
+            "capture the connection to the scanner's port (2111 or 2112) while it scans");
     }
     std::vector<std::string> warnings;
     const auto others = std::ranges::count_if(speakers, [](const Speaker& s) { return s.heard.scans > 0; }) - 1;
     if (tcp.streams.size() > 1) {
+        const std::string more = counted(static_cast<std::size_t>(others), "other sender has some too", "other senders have some too");
         warnings.push_back(
-            "The capture holds " + std::to_string(tcp.streams.size()) + " streams; that of " + best->from.text() + " with " +
-            counted(best->heard.scans, "scan telegram", "scan telegrams") + " was opened" +
-            (others > 0 ? ", and " + counted(static_cast<std::size_t>(others), "other sender has", "other senders have") + " some too."
-                        : "."));
+            withValues(others > 0 ? "The capture holds %1 streams; that of %2 with %3 was opened, and %4."
+                                  : "The capture holds %1 streams; that of %2 with %3 was opened.",
+                       {tcp.streams.size(), best->from.text(), counted(best->heard.scans, "scan telegram", "scan telegrams"), more}));
     }
     tellLosses(warnings, *file, tcp, *best);
     auto scan = scanOfHeard(std::move(best->heard), "capture", source);
@@ -223,16 +231,16 @@ Result<Scan> readColaCapture(const Source& source) {
         if (!source.goOn("finding telegrams", 0.1)) return source.cancelled();
     }
     if (heard.scans == 0) {
-        return source.refused("these are " + counted(heard.messages.size(), "telegram", "telegrams") +
-                                  " of a SICK device and none is a scan",
-                              "capture while the scanner sends scans (sEN LMDscandata 1)");
+        return source.refused(
+            withValues("these are %1 of a SICK device and none is a scan", {counted(heard.messages.size(), "telegram", "telegrams")}),
+            "capture while the scanner sends scans (sEN LMDscandata 1)");
     }
     const std::uint64_t skipped = stream.counts().skipped + stream.waiting();
     auto scan = scanOfHeard(std::move(heard), "CoLa stream", source);
     if (!scan) return scan;
     if (skipped > 0)
-        scan->warnings.insert(scan->warnings.begin(),
-                              counted(skipped, "byte of the stream belongs", "bytes of the stream belong") + " to no whole telegram.");
+        scan->warnings.insert(scan->warnings.begin(), counted(skipped, "byte of the stream belongs to no whole telegram.",
+                                                              "bytes of the stream belong to no whole telegram."));
     if (scan->acquisition) { // the scanner's clock measures durations and not the time of day
         auto named = std::make_shared<Acquisition>(*scan->acquisition);
         named->startUtc.clear();

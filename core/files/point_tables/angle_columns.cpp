@@ -1,5 +1,6 @@
 // One table of words; then numbers.
 #include "core/files/point_tables/angle_columns.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/angles.h"
 #include "core/files/point_tables/axis_words.h"
@@ -232,10 +233,12 @@ void setPointsFromAngles(PointTable& table, const AngleColumns& columns) {
     setCellsFromAngles(table, angles, columns);
     const double rounding = table.line.empty() ? 0.5 * std::max(angleStepOf(angles, 0), angleStepOf(angles, 1)) * unitRad : 0.0;
     table.precision = {0.0, 1e-14 + rounding};
-    table.remarks.push_back(std::string("Points were computed from the columns of angles and ranges, with angles ") +
-                            (columns.unitDeg ? "in " : "taken as ") + angleUnitWord(unitDeg) + ", azimuths " +
-                            (columns.clockwise ? "clockwise from y" : "counter-clockwise from x") +
-                            (columns.fromZenith ? " and heights from the zenith." : "."));
+    const std::string how = withValues(columns.unitDeg ? "angles in %1, azimuths %2" : "angles taken as %1, azimuths %2",
+                                       {angleUnitWord(unitDeg), columns.clockwise ? "clockwise from y" : "counter-clockwise from x"});
+    table.remarks.push_back(
+        withValues(columns.fromZenith ? "Points were computed from the columns of angles and ranges, with %1 and heights from the zenith."
+                                      : "Points were computed from the columns of angles and ranges, with %1.",
+                   {how}));
 }
 
 } // namespace edgescan::files

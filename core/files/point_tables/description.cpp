@@ -5,6 +5,7 @@
 #include "core/base/json_fields.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 #include "core/scan/georef/placement_json.h"
 
 #include <nlohmann/json.hpp>
@@ -42,13 +43,13 @@ struct OwnFile {
     std::string_view format, what, hint;
 };
 constexpr std::array kOwnFiles = std::to_array<OwnFile>({
-    {"edgescan-preset/1", "a preset", "choose it in the panel Edges, or give it with --preset"},
-    {"edgescan-pose/1", "a pose", "open its scan and give it with --pose"},
-    {"edgescan-calibration/1", "a calibration", "open its scan and give it with --calibration"},
-    {"edgescan-targets/1", "a file of targets", "open its scan"},
-    {"edgescan-rock-edits/1", "edits of rocks", "open its scan, or give it with --edits"},
-    {"edgescan-record/1", "a record of an export", "open its scan, or check it with edgescan-cli verify"},
-    {"edgescan-provenance/1", "a record of an export", "open its scan, or check it with edgescan-cli verify"},
+    {"edgescan-preset/1", "this is a preset and not a scan", "choose it in the panel Edges, or give it with --preset"},
+    {"edgescan-pose/1", "this is a pose and not a scan", "open its scan and give it with --pose"},
+    {"edgescan-calibration/1", "this is a calibration and not a scan", "open its scan and give it with --calibration"},
+    {"edgescan-targets/1", "this is a file of targets and not a scan", "open its scan"},
+    {"edgescan-rock-edits/1", "this is edits of rocks and not a scan", "open its scan, or give it with --edits"},
+    {"edgescan-record/1", "this is a record of an export and not a scan", "open its scan, or check it with edgescan-cli verify"},
+    {"edgescan-provenance/1", "this is a record of an export and not a scan", "open its scan, or check it with edgescan-cli verify"},
 });
 
 std::vector<std::uint32_t> codesIn(JsonFields& fields, const char* key, std::vector<std::uint32_t> missing) {
@@ -59,7 +60,7 @@ std::vector<std::uint32_t> codesIn(JsonFields& fields, const char* key, std::vec
         codes.push_back(static_cast<std::uint32_t>(value));
     }
     if (codes.size() > kMostCodes)
-        return fields.refuse(key, "holds " + counted(codes.size(), "count") + ", and there are " + std::to_string(kMostCodes)), missing;
+        return fields.refuse(key, withValues("holds %1, and there are %2", {counted(codes.size(), "count"), kMostCodes})), missing;
     return codes;
 }
 
@@ -71,7 +72,7 @@ std::optional<AngleList> anglesIn(JsonFields& fields, const char* key, std::uint
         return AngleSteps{steps.number("start", 0, limits), steps.number("step", 0, physical::kStepDeg.limits)};
     }
     auto list = fields.numbers(key, limits);
-    if (list.size() != count) fields.refuse(key, "holds " + counted(list.size(), "angle") + ", " + std::to_string(count) + " are needed");
+    if (list.size() != count) fields.refuse(key, withValues("holds %1, %2 are needed", {counted(list.size(), "angle"), count}));
     return AngleList{std::move(list)};
 }
 
@@ -101,7 +102,7 @@ void readStateRuns(JsonFields& fields, GridDescription& grid) {
     for (std::size_t i = 1; i < grid.stateRuns.size(); ++i) {
         const StateRun& before = grid.stateRuns[i - 1];
         if (before.firstCell + before.cells > grid.stateRuns[i].firstCell)
-            return fields.refuse("state_runs", "names cell " + std::to_string(grid.stateRuns[i].firstCell) + " twice");
+            return fields.refuse("state_runs", withValues("names cell %1 twice", {grid.stateRuns[i].firstCell}));
     }
 }
 
@@ -157,7 +158,7 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
         const auto own = std::ranges::find_if(
             kOwnFiles, [&](const OwnFile& one) { return json.find("\"" + std::string(one.format) + "\"") != json.npos; });
         if (own == kOwnFiles.end()) return object.error();
-        return Error{"this is " + std::string(own->what) + " and not a scan", where, std::string(own->hint)};
+        return Error{std::string(own->what), where, std::string(own->hint)};
     }
     JsonFields fields(*object, where, kSeeFormat);
     GridDescription grid;

@@ -1,6 +1,7 @@
 // Records to points.
 #include "core/files/point_tables/point_columns.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bytes_behind.h"
 #include "core/files/point_tables/column_names.h"
@@ -127,8 +128,8 @@ Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t 
                        const Source& source) {
     const auto rest = held.subspan(promised * recordBytes); // the caller has checked that so many are there
     if (rest.size() >= recordBytes && !isPadding(rest)) {
-        return source.refused("the header promises " + counted(promised, "point") + " of " + std::to_string(recordBytes) +
-                                  " bytes and the file holds " + std::to_string(held.size()) + " bytes of them, which is more",
+        return source.refused(withValues("the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more",
+                                         {counted(promised, "point"), recordBytes, held.size()}),
                               "export the file again");
     }
     if (auto behind = bytesBehind(rest, "the points")) table.remarks.push_back(std::move(*behind));
@@ -149,7 +150,7 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
     while (table.points.size() < points && rows.next(row)) {
         if (row.size() != columns) {
             return source.refusedAtLine(rows.lineNumber(),
-                                        "holds " + counted(row.size(), "number") + " where the header promises " + std::to_string(columns),
+                                        withValues("holds %1 where the header promises %2", {counted(row.size(), "number"), columns}),
                                         "copy the file again");
         }
         table.points.emplace_back(row[fields.x.column], row[fields.y.column], row[fields.z.column]);
@@ -165,13 +166,12 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
     }
     if (rows.problem()) return *rows.problem();
     if (table.points.size() != points) {
-        return source.refused("the header promises " + counted(points, "point") + " and the file holds " +
-                                  std::to_string(table.points.size()),
+        return source.refused(withValues("the header promises %1 and the file holds %2", {counted(points, "point"), table.points.size()}),
                               "copy the file again, it may be cut off");
     }
     if (last && (rows.next(row) || rows.problem())) {
         return source.refusedAtLine(rows.lineNumber(),
-                                    "the header promises " + counted(points, "point") + ", and more text follows them here",
+                                    withValues("the header promises %1, and more text follows them here", {counted(points, "point")}),
                                     "export the file again");
     }
     if (last && endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);

@@ -1,5 +1,6 @@
 // The causes, the likeliest first.
 #include "core/files/point_tables/text_refusals.h"
+#include "core/base/translated_text.h"
 
 #include "core/files/point_tables/text_layout.h"
 #include "core/files/point_tables/text_words.h"
@@ -61,12 +62,13 @@ std::optional<WrongCell> wrongCellBelowNames(std::string_view text) {
 Error thousandsApart(const Source& source, const GroupedNumber& number) {
     if (number.mayBeDecimals) {
         return source.refusedAtLine(number.line,
-                                    "holds " + inQuotes(number.word) +
-                                        " in a column whose numbers have three digits behind their mark or no mark at all, so that it may "
-                                        "separate decimals or thousands",
+                                    withValues("holds %1 in a column whose numbers have three digits behind their mark or no mark at all, "
+                                               "so that it may separate decimals or thousands",
+                                               {inQuotes(number.word)}),
                                     "save the file with the same count of decimals in each number, or without separators of thousands");
     }
-    return source.refusedAtLine(number.line, "holds " + inQuotes(number.word) + ", a number whose thousands are set apart", kPlainNumbers);
+    return source.refusedAtLine(number.line, withValues("holds %1, a number whose thousands are set apart", {inQuotes(number.word)}),
+                                kPlainNumbers);
 }
 
 Error noNumber(const Source& source, std::size_t line, std::string_view cell) {
@@ -77,18 +79,18 @@ Error noNumber(const Source& source, std::size_t line, std::string_view cell) {
     std::string withPoint(trimmed(cell));
     std::ranges::replace(withPoint, ',', '.');
     if (withPoint != trimmed(cell) && isNumber(withPoint))
-        return source.refusedAtLine(line, inQuotes(cell) + " has a decimal comma", "save the file with decimal points");
+        return source.refusedAtLine(line, withValues("%1 has a decimal comma", {inQuotes(cell)}), "save the file with decimal points");
     const auto words = wordsIn(cell);
     if (words.size() > 1 && std::ranges::all_of(words, isNumber))
-        return source.refusedAtLine(line, inQuotes(cell) + " is more than one number between two separators",
+        return source.refusedAtLine(line, withValues("%1 is more than one number between two separators", {inQuotes(cell)}),
                                     "correct the line or export the file again");
-    return source.refusedAtLine(line, inQuotes(cell) + " is not a number", "correct the line or export the file again");
+    return source.refusedAtLine(line, withValues("%1 is not a number", {inQuotes(cell)}), "correct the line or export the file again");
 }
 
 Error textWithoutNumbers(const Source& source) {
     const std::string_view text = source.text();
     if (const auto wrong = wrongCellBelowNames(text))
-        return source.refusedAtLine(wrong->line, inQuotes(wrong->cell) + " is below x, y or z and is not a number",
+        return source.refusedAtLine(wrong->line, withValues("%1 is below x, y or z and is not a number", {inQuotes(wrong->cell)}),
                                     "save the file with plain numbers in these columns, without units or marks");
     std::size_t at = 0;
     for (std::size_t number = 1; at < text.size() && number <= kSampleRows; ++number) {
@@ -100,8 +102,9 @@ Error textWithoutNumbers(const Source& source) {
                                         "write a first row with the names of the columns, such as id,x,y,z,code");
         }
         if (const auto odd = oddSeparatorIn(line.text)) {
-            return source.refusedAtLine(number, std::string("its numbers are separated by \"") + *odd + "\", which separates none here",
-                                        "save the file with commas, semicolons, tabs or blanks between its numbers");
+            return source.refusedAtLine(
+                number, withValues("its numbers are separated by \"%1\", which separates none here", {std::string(1, *odd)}),
+                "save the file with commas, semicolons, tabs or blanks between its numbers");
         }
     }
     return source.refused("this is text without a row of numbers, so no scan", kChooseScan);

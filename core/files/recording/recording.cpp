@@ -1,5 +1,6 @@
 // Reading a recording.
 #include "core/files/recording/recording.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/inputs.h"
 #include "core/base/utc_time.h"
@@ -53,12 +54,12 @@ Result<Done> Recording::load(Bytes bytes, const std::string& where, const std::f
     if (!content_.clean && content_.badChunks == 0 && content_.warnings.empty())
         warnings_.emplace_back("The recording was cut off: everything up to the cut is here.");
     if (later > 0)
-        warnings_.push_back(std::to_string(later) + " times in the recording are after " + utcText(static_cast<double>(kLatestNs) * 1e-9) +
-                            " and were read as this time.");
+        warnings_.push_back(withValues("%1 times in the recording are after %2 and were read as this time.",
+                                       {later, utcText(static_cast<double>(kLatestNs) * 1e-9)}));
     if (metadata_.empty() && messages_.empty()) {
         const std::string leftOut = whatWasLeftOut();
         if (leftOut.empty()) return Error{"this MCAP file holds nothing that a laser scanner sent", where, "choose a recording of a sweep"};
-        return Error{"nothing that a laser scanner sent can be read in this MCAP file" + leftOut, where, "copy it again"};
+        return Error{withValues("nothing that a laser scanner sent can be read in this MCAP file%1", {leftOut}), where, "copy it again"};
     }
     return Done{};
 }
@@ -66,7 +67,7 @@ Result<Done> Recording::load(Bytes bytes, const std::string& where, const std::f
 std::string Recording::whatWasLeftOut() const {
     if (content_.warnings.empty()) return {};
     const std::size_t more = content_.warnings.size() - 1;
-    return "; " + content_.warnings.front() + (more > 0 ? ", and " + std::to_string(more) + " more" : "");
+    return "; " + content_.warnings.front() + (more > 0 ? withValues(", and %1 more", {more}) : "");
 }
 
 } // namespace edgescan::files

@@ -1,5 +1,6 @@
 // Playing recordings.
 #include "core/files/recording/replay.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bounded_json.h"
 #include "core/base/number_text.h"
@@ -84,7 +85,8 @@ private:
         return v;
     }
     void refuse(const char* key) {
-        refused_.push_back("the recording's \"" + std::string(key) + "\" is \"" + text(key).substr(0, 40) + "\", which cannot be used.");
+        refused_.push_back(
+            withValues("the recording's \"%1\" is \"%2\", which cannot be used.", {std::string(key), text(key).substr(0, 40)}));
     }
 
     const scanner::SweepMetadata& metadata_;
@@ -223,7 +225,8 @@ std::optional<PoseTrack> posesOf(const Recording& recording, double startS, doub
         if (poses.grid.empty()) poses.grid = gridOf(reading);
     }
     if (unusable > 0)
-        warnings.push_back(counted(unusable, "reading of inclinometer or TALIN", "readings of inclinometer or TALIN") + " cannot be used.");
+        warnings.push_back(
+            counted(unusable, "reading of inclinometer or TALIN cannot be used.", "readings of inclinometer or TALIN cannot be used."));
     cutToSweep(poses.inclinometer, startS, endS);
     cutToSweep(poses.talin, startS, endS);
     if (poses.inclinometer.empty() || poses.talin.empty()) return std::nullopt;
@@ -271,7 +274,7 @@ Result<Known> knownOf(RecordedRobot robot, const ReadingOptions& options, const 
         known.calibration = *calibration;
         const auto source = sourceOf(options.calibration);
         if (!source) return source.error();
-        known.source += " with " + *source;
+        known.source += withValues(" with %1", {*source});
     }
     if (!options.pose.empty() && !known.calibration)
         return Error{"a pose needs the robot's calibration, and the recording holds none", where, "give --calibration ROBOT.json too"};
@@ -313,7 +316,7 @@ Result<Done> placeRecordedSweep(Scan& scan, const Recording& recording, const Re
     const auto placed = placeScan(scan, *known->calibration, *known->poses, times);
     if (!placed && asked) return Error{placed.error().what, where, placed.error().hint};
     if (!placed) {
-        scan.warnings.push_back("The recording's pose cannot be used: " + placed.error().what + ".");
+        scan.warnings.push_back(withValues("The recording's pose cannot be used: %1.", {placed.error().what}));
         return Done{};
     }
     auto named = std::make_shared<Placement>(**placed);
@@ -465,31 +468,29 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     collect();
     const std::int64_t undecodable = replay.feed().undecodable();
     const scanner::TelegramAccount account = replay.progress().account;
-    if (!best.scan && sweeps > 0) return noSuchScan(*options.scanIndex, static_cast<std::size_t>(sweeps), "the recording", "sweep");
+    if (!best.scan && sweeps > 0)
+        return noSuchScan(*options.scanIndex, static_cast<std::size_t>(sweeps), "the recording", "one sweep", "%1 sweeps");
     if (!best.scan) {
         const std::string why = replay.feed().whyUndecodable();
         return Error{account.telegrams > 0
-                         ? "the " + std::to_string(account.telegrams) + " scan telegrams in this recording hold no line of ranges"
-                     : undecodable > 0 ? "no scan telegram in this recording can be decoded" + (why.empty() ? why : ": " + why)
-                                       : "this recording holds no scan telegram" + recording->whatWasLeftOut(),
+                         ? withValues("the %1 scan telegrams in this recording hold no line of ranges", {account.telegrams})
+                     : undecodable > 0 ? withValues("no scan telegram in this recording can be decoded%1", {why.empty() ? why : ": " + why})
+                                       : withValues("this recording holds no scan telegram%1", {recording->whatWasLeftOut()}),
                      where, "choose another recording"};
     }
     Scan scan = *best.scan;
     scan.warnings.insert(scan.warnings.begin(), replay.warnings().begin(), replay.warnings().end());
     if (sweeps > 1 && !options.scanIndex) {
-        scan.warnings.push_back("The recording holds " + std::to_string(sweeps) + " sweeps; sweep " +
-                                std::to_string(best.progress.number + 1) + " was opened; no other has more lines.");
+        scan.warnings.push_back(
+            withValues("The recording holds %1 sweeps; sweep %2 was opened; no other has more lines.", {sweeps, best.progress.number + 1}));
     }
     if (undecodable > 0)
-        scan.warnings.push_back(std::to_string(undecodable) + " scan telegrams could not be decoded: " + replay.feed().whyUndecodable() +
-                                ".");
+        scan.warnings.push_back(withValues("%1 scan telegrams could not be decoded: %2.", {undecodable, replay.feed().whyUndecodable()}));
     if (const std::int64_t torn = replay.feed().torn(); torn > 0)
-        scan.warnings.push_back(counted(torn, "message holds bytes that are not a whole telegram: what was in it is",
-                                        "messages hold bytes that are not a whole telegram: what was in them is") +
-                                " lost.");
+        scan.warnings.push_back(counted(torn, "message holds bytes that are not a whole telegram: what was in it is lost.",
+                                        "messages hold bytes that are not a whole telegram: what was in them is lost."));
     if (!recording->clean() && best.progress.expected == 0)
-        scan.warnings.push_back("INCOMPLETE: " + std::to_string(best.progress.received) +
-                                " lines are there, how many there were is not known.");
+        scan.warnings.push_back(withValues("INCOMPLETE: %1 lines are there, how many there were is not known.", {best.progress.received}));
     return describedSweep(std::move(scan), *recording, where, options);
 }
 

@@ -1,5 +1,6 @@
 // Writing a scan as a recording.
 #include "core/files/recording/save_recording.h"
+#include "core/base/translated_text.h"
 
 #include "core/files/point_tables/description.h"
 #include "core/files/recording/recorded_grid.h"
@@ -71,8 +72,8 @@ Result<std::uint16_t> countOf(const Scan& scan, const CountStates& states, std::
         return static_cast<std::uint16_t>(scan.noReturnCodes.empty() ? 0 : scan.noReturnCodes.front());
     if (whole || (state != CellState::Valid && state != CellState::DeviceStatus)) return count;
     const auto beams = static_cast<std::size_t>(scan.beams());
-    return Error{"a recording holds whole counts of its unit up to 65535, and the range at line " + std::to_string(k / beams) + ", beam " +
-                     std::to_string(k % beams) + " is none",
+    return Error{withValues("a recording holds whole counts of its unit up to 65535, and the range at line %1, beam %2 is none",
+                            {k / beams, k % beams}),
                  where, kUsePcd};
 }
 
@@ -131,9 +132,7 @@ Result<Bytes> recordingOf(const Scan& scan, const std::string& where) {
     scanner::SweepSettings settings;
     if (scan.cells() == 0) return Error{"the scan has no cells", where, "open a scan first"};
     if (scan.beams() > kMostBeams || scan.lines() > settings.mostLines) {
-        return Error{"a recording holds at most " + std::to_string(settings.mostLines) + " lines of " + std::to_string(kMostBeams) +
-                         " beams",
-                     where, kUsePcd};
+        return Error{withValues("a recording holds at most %1 lines of %2 beams", {settings.mostLines, kMostBeams}), where, kUsePcd};
     }
     settings.axis = polar->axis;
     settings.lineDirection = polar->lineDirection;

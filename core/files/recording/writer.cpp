@@ -1,5 +1,6 @@
 // The recording thread and the ring buffer.
 #include "core/files/recording/writer.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
@@ -39,7 +40,7 @@ std::string lagText(const RecordingState& state) {
     constexpr double kTold = 2.0; // seconds
     if (state.lagSeconds < kTold) return {};
     const double behind = static_cast<double>(state.waiting + state.unsynced()) / 1e6;
-    return "the disk is " + fixedText(state.lagSeconds, 0) + " s behind (" + fixedText(behind, 1) + " MB)";
+    return withValues("the disk is %1 s behind (%2 MB)", {fixedText(state.lagSeconds, 0), fixedText(behind, 1)});
 }
 
 struct RecordingWriter::Work {

@@ -175,9 +175,7 @@ constexpr int kFewCells = 3;            // an end within so many cells of its cl
 
 /// Why a throat is not where it was clicked, or longer than the way between the clicks. Empty: it is there.
 std::string clicksPart(const MeasuredCells& measured, Translated translated) {
-    const auto say = [&](const char* pattern, std::initializer_list<std::string> values) {
-        return withValues(translated(pattern), values);
-    };
+    const auto say = [&](const char* pattern, std::initializer_list<ValueText> values) { return withValues(translated(pattern), values); };
     if (measured.isLongerThanClicks())
         return say("▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them",
                    {fixedText(measured.clicksM, 3), fixedText(measured.fromClicksM, 2)});
@@ -394,7 +392,7 @@ std::string measureText(const MeasuredCells& measured) {
 }
 
 std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translated translated) {
-    const auto say = [&](const char* pattern, std::initializer_list<std::string> values = {}) {
+    const auto say = [&](const char* pattern, std::initializer_list<ValueText> values = {}) {
         return withValues(translated(pattern), values);
     };
     std::string ranges;

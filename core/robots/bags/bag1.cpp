@@ -1,6 +1,7 @@
 // Bags of ROS 1: records of header fields and data.
 #include "core/base/checked_size.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 #include "core/robots/bags/bag.h"
 
 #include <algorithm>
@@ -49,16 +50,16 @@ public:
         const std::size_t used = records(rest, true);
         if (isCancelled()) return Error{"cancelled", where_, ""};
         if (std::ranges::any_of(rest.subspan(used), [](std::uint8_t byte) { return byte != 0; }))
-            bag_.warnings.push_back("The bag is cut off or damaged at byte " + std::to_string(kMagic.size() + used) + ": the last " +
-                                    counted(rest.size() - used, "byte was not read", "bytes were not read") + ".");
+            bag_.warnings.push_back(
+                withValues("The bag is cut off or damaged at byte %1: the last %2.",
+                           {kMagic.size() + used, counted(rest.size() - used, "byte was not read", "bytes were not read")}));
         nameTopics();
         if (badChunks_ > 0)
-            bag_.warnings.push_back(counted(badChunks_, "chunk is damaged and was", "chunks are damaged and were") + " left out (" +
-                                    whyBad_ + ").");
+            bag_.warnings.push_back(withValues(
+                counted(badChunks_, "chunk is damaged and was left out (%1).", "chunks are damaged and were left out (%1)."), {whyBad_}));
         if (strangers_ > 0)
-            bag_.warnings.push_back(
-                counted(strangers_, "message belongs to no topic of the bag and was", "messages belong to no topic of the bag and were") +
-                " left out.");
+            bag_.warnings.push_back(counted(strangers_, "message belongs to no topic of the bag and was left out.",
+                                            "messages belong to no topic of the bag and were left out."));
         return std::move(bag_);
     }
 

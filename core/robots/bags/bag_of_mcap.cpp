@@ -92,8 +92,8 @@ Result<RosBag> rosBagOf(const containers::McapContent& content, const std::strin
     if (!content.clean && content.badChunks == 0 && content.warnings.empty())
         bag.warnings.emplace_back("The bag was cut off: everything up to the cut is here.");
     if (bad > 0)
-        bag.warnings.push_back(counted(bad, "message is compressed and damaged and was", "messages are compressed and damaged and were") +
-                               " left out.");
+        bag.warnings.push_back(
+            counted(bad, "message is compressed and damaged and was left out.", "messages are compressed and damaged and were left out."));
     return bag;
 }
 

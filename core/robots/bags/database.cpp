@@ -2,6 +2,7 @@
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 #include "core/robots/bags/bag.h"
 
 #include <algorithm>
@@ -82,7 +83,8 @@ private:
         const bool isPlain = numberOf(named + " AND type = 'table' AND rootpage > 0") == 1 &&
                              numberOf("SELECT count(*) FROM pragma_table_xinfo('" + table + "') WHERE hidden > 0") == 0;
         if (!isPlain && !isDamaged())
-            return Error{"this SQLite database is not a ROS bag: \"" + table + "\" is not a plain table", where_, "choose another file"};
+            return Error{withValues("this SQLite database is not a ROS bag: \"%1\" is not a plain table", {table}), where_,
+                         "choose another file"};
         return prepared("SELECT " + columns + " FROM " + table + " NOT INDEXED");
     }
 
@@ -140,11 +142,11 @@ private:
         std::ranges::stable_sort(found, {}, [](const auto& numbered) { return numbered.first; });
         for (auto& [number, message] : found) bag_.messages.push_back(message);
         if (state != SQLITE_DONE)
-            bag_.warnings.push_back("The database is cut off or damaged (" + std::string(sqlite3_errmsg(database_)) +
-                                    "): messages behind the first " + std::to_string(bag_.messages.size()) + " were not read.");
+            bag_.warnings.push_back(withValues("The database is cut off or damaged (%1): messages behind the first %2 were not read.",
+                                               {sqlite3_errmsg(database_), bag_.messages.size()}));
         if (bad > 0)
-            bag_.warnings.push_back(
-                counted(bad, "message is compressed and damaged and was", "messages are compressed and damaged and were") + " left out.");
+            bag_.warnings.push_back(counted(bad, "message is compressed and damaged and was left out.",
+                                            "messages are compressed and damaged and were left out."));
         return Done{};
     }
 
@@ -230,8 +232,8 @@ Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where, const s
     if (!bag) return bag;
     bag->warnings.insert(bag->warnings.begin(), whole->warnings.begin(), whole->warnings.end());
     if (behind > 0)
-        bag->warnings.push_back(counted(behind, "byte behind the end of the database was", "bytes behind the end of the database were") +
-                                " not read.");
+        bag->warnings.push_back(
+            counted(behind, "byte behind the end of the database was not read.", "bytes behind the end of the database were not read."));
     return bag;
 }
 

@@ -1,6 +1,7 @@
 // Counts steps and bytes, and lets SQLite recover a copy of a database.
 #ifdef EDGESCAN_SQLITE
 #include "core/robots/bags/database_log.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/memory.h"
 #include "core/base/whole_file.h"
@@ -91,7 +92,7 @@ void addLog(WholeDatabase& whole, ByteView database, const DatabaseLog& log, con
     sqlite3* opened = nullptr;
     const bool open = sqlite3_open(copy.c_str(), &opened) == SQLITE_OK;
     const Database closing(opened);
-    const std::string unread = "The log " + log.name + " of the recorder could not be read: its messages are not in the scan.";
+    const std::string unread = withValues("The log %1 of the recorder could not be read: its messages are not in the scan.", {log.name});
     if (!open) return whole.warnings.push_back(unread);
     const DatabaseAllowance allowance(opened, database.size() + log.bytes.size(), goOn);
     // Alone on the file, SQLite needs no shared memory.
@@ -101,14 +102,16 @@ void addLog(WholeDatabase& whole, ByteView database, const DatabaseLog& log, con
     if (pages.empty()) return whole.warnings.push_back(unread);
     const bool changes = !std::ranges::equal(pages, database);
     if (changes) whole.database = std::move(pages);
-    if (changes && isWal) whole.warnings.push_back("The recorder was not ended: its newest messages were read from " + log.name + ".");
+    if (changes && isWal)
+        whole.warnings.push_back(withValues("The recorder was not ended: its newest messages were read from %1.", {log.name}));
     if (changes && !isWal)
-        whole.warnings.push_back("The recorder was ended within a change: the database was read as it was before it, by " + log.name + ".");
+        whole.warnings.push_back(
+            withValues("The recorder was ended within a change: the database was read as it was before it, by %1.", {log.name}));
     if (!isWal) return;
     const std::int64_t written = std::max<std::int64_t>(0, numberOf(opened, "PRAGMA wal_checkpoint", 1));
     if (const std::int64_t left = pagesBegun(log.bytes) - written; left > 0)
-        whole.warnings.push_back("The log " + log.name + " of the recorder ends with " + std::to_string(left) +
-                                 " pages that are not whole: their messages are not in the scan.");
+        whole.warnings.push_back(withValues(
+            "The log %1 of the recorder ends with %2 pages that are not whole: their messages are not in the scan.", {log.name, left}));
 }
 
 } // namespace
@@ -148,8 +151,8 @@ Result<WholeDatabase> withLogs(ByteView database, const std::vector<DatabaseLog>
     WholeDatabase whole;
     for (const DatabaseLog& log : logs) {
         if (!log.name.ends_with(kWal) && namesAnother(log.bytes)) {
-            whole.warnings.push_back("The log " + log.name +
-                                     " belongs to several databases and was not read: the last change may be in part.");
+            whole.warnings.push_back(
+                withValues("The log %1 belongs to several databases and was not read: the last change may be in part.", {log.name}));
             continue;
         }
         if (auto enough = checkMemory(2 * (database.size() + log.bytes.size()), where); !enough) return enough.error();
@@ -159,7 +162,7 @@ Result<WholeDatabase> withLogs(ByteView database, const std::vector<DatabaseLog>
         const fs::path copy = folder.path() / "database";
         const std::string ending = log.name.ends_with(kWal) ? kWal : "-journal";
         if (folder.path().empty())
-            return Error{"the log " + log.name + " cannot be read: the folder for temporary files is missing", where,
+            return Error{withValues("the log %1 cannot be read: the folder for temporary files is missing", {log.name}), where,
                          "set TMPDIR to a folder"};
         for (const auto& [path, bytes] : {std::pair(copy, now), std::pair(fs::path(copy.string() + ending), log.bytes)}) {
             if (auto written = writeWholeFile(path, std::as_bytes(bytes)); !written) return written.error();

@@ -1,5 +1,6 @@
 // Parses the text of message definitions.
 #include "core/robots/bags/definition.h"
+#include "core/base/translated_text.h"
 
 #include "core/robots/bags/bag.h"
 
@@ -108,7 +109,7 @@ public:
             if (auto taken = field(type, line); !taken) return taken.error();
         }
         for (std::size_t n = 0; n < given_.size(); ++n) {
-            if (!given_[n]) return refused("the type " + definition_.types[n].name + " is not defined");
+            if (!given_[n]) return refused(withValues("the type %1 is not defined", {definition_.types[n].name}));
         }
         if (!endsEverywhere()) return refused("a type contains itself, or types are nested more than 32 deep");
         return std::move(definition_);
@@ -116,7 +117,7 @@ public:
 
 private:
     [[nodiscard]] Error refused(const std::string& why) const {
-        return {"the definition of the message type " + names_.front() + " cannot be read: " + why, where_,
+        return {withValues("the definition of the message type %1 cannot be read: %2", {names_.front(), why}), where_,
                 "record the bag again, or convert it with the program that wrote it"};
     }
 
@@ -145,11 +146,12 @@ private:
         line = trimmed(line.substr(0, commentIn(line)));
         if (line.empty()) return Done{};
         const std::size_t gap = line.find_first_of(" \t");
-        if (gap == std::string_view::npos) return refused("a line has a type and no name: \"" + std::string(line.substr(0, 40)) + '"');
+        if (gap == std::string_view::npos)
+            return refused(withValues("a line has a type and no name: \"%1\"", {std::string(line.substr(0, 40))}));
         std::string_view kind = line.substr(0, gap);
         const std::string_view rest = trimmed(line.substr(gap));
         const std::string_view name = rest.substr(0, rest.find_first_of(" \t=\"'"));
-        if (name.empty()) return refused("a field has no name: \"" + std::string(line.substr(0, 40)) + '"');
+        if (name.empty()) return refused(withValues("a field has no name: \"%1\"", {std::string(line.substr(0, 40))}));
         if (trimmed(rest.substr(name.size())).starts_with('=')) return Done{};
         RosField field;
         field.name = name;
@@ -159,7 +161,7 @@ private:
             if (field.length == RosLength::Fixed) {
                 const auto [end, problem] = std::from_chars(inside.data(), inside.data() + inside.size(), field.count);
                 if (problem != std::errc{} || end != inside.data() + inside.size())
-                    return refused("the length of \"" + field.name + "\" is not a number");
+                    return refused(withValues("the length of \"%1\" is not a number", {field.name}));
             }
             kind = kind.substr(0, bracket);
         }

@@ -1,5 +1,6 @@
 // Walks a message's bytes along its definition.
 #include "core/robots/bags/message.h"
+#include "core/base/translated_text.h"
 
 #include <algorithm>
 #include <array>
@@ -212,8 +213,8 @@ Result<RosValue> rosMessage(const RosDefinition& definition, RosEncoding encodin
     if (encoding == RosEncoding::Cdr) {
         const auto known = bytes.size() >= kEncapsulation && bytes[0] == 0 ? cdrLayout(bytes[1]) : std::nullopt;
         if (!known)
-            return Error{"a message of type " + definition.types.front().name +
-                             " is encoded in a way that is not read (PLAIN_CDR and PLAIN_CDR2 are)",
+            return Error{withValues("a message of type %1 is encoded in a way that is not read (PLAIN_CDR and PLAIN_CDR2 are)",
+                                    {definition.types.front().name}),
                          where, "record it with another middleware, or convert the bag"};
         layout = *known;
         bytes = bytes.subspan(kEncapsulation);
@@ -221,8 +222,8 @@ Result<RosValue> rosMessage(const RosDefinition& definition, RosEncoding encodin
     RosValue value;
     Walk walk(definition, layout, bytes);
     if (!walk.message(definition.types.front(), value))
-        return Error{"a message of type " + definition.types.front().name + " ends too early or does not fit its definition", where,
-                     "copy the bag again"};
+        return Error{withValues("a message of type %1 ends too early or does not fit its definition", {definition.types.front().name}),
+                     where, "copy the bag again"};
     return value;
 }
 

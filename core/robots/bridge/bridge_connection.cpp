@@ -1,5 +1,6 @@
 // Chooses topics of a bridge, subscribes to them and passes their messages on.
 #include "core/robots/bridge/bridge_connection.h"
+#include "core/base/translated_text.h"
 
 #include "core/scanner/cola/link_socket.h"
 
@@ -22,7 +23,7 @@ Error brokenError(const error_code& problem, const std::string& where) {
     if (problem == asio::error::eof || problem == websocket::error::closed) return {"the bridge closed the connection", where, {}};
     if (problem == websocket::error::message_too_big || problem == websocket::error::buffer_overflow)
         return {"the bridge sends a message of more than 64 MB", where, "choose another topic"};
-    return {"the connection broke (" + problem.message() + ")", where, {}};
+    return {withValues("the connection broke (%1)", {problem.message()}), where, {}};
 }
 
 } // namespace
@@ -103,7 +104,7 @@ Result<Done> WebSocket::send(const std::string& text, Clock::duration timeout) {
         done = true;
     });
     if (!s.finished(done, Clock::now() + timeout)) problem = asio::error::timed_out;
-    if (problem) return Error{"the subscription cannot be sent (" + problem.message() + ")", s.where, "check the network"};
+    if (problem) return Error{withValues("the subscription cannot be sent (%1)", {problem.message()}), s.where, "check the network"};
     return Done{};
 }
 
@@ -144,7 +145,7 @@ Result<Done> BridgeConnection::start() {
     lines_.reset();
     noChoice_.reset();
     said_.clear();
-    enter(scanner::ConnectionPhase::Identifying, where() + " accepts the connection; asking for its topics.");
+    enter(scanner::ConnectionPhase::Identifying, withValues("%1 accepts the connection; asking for its topics.", {where()}));
     return Done{};
 }
 
@@ -161,9 +162,10 @@ Result<Done> BridgeConnection::receive(Clock::time_point deadline) {
 
 Error BridgeConnection::silent(const std::string& time) const {
     if (noChoice_) return *noChoice_;
-    if (!said_.empty()) return {"the bridge says: " + said_, where(), "check foxglove_bridge on the robot"};
+    if (!said_.empty()) return {withValues("the bridge says: %1", {said_}), where(), "check foxglove_bridge on the robot"};
     if (!lines_) return {"the bridge offers no topics", where(), "check that the robot's programs run"};
-    return {"no scan line of " + lines_->topic + " for " + time, where(), "check whether the laser runs and publishes this topic"};
+    return {withValues("no scan line of %1 for %2", {lines_->topic, time}), where(),
+            "check whether the laser runs and publishes this topic"};
 }
 
 Result<Done> BridgeConnection::receiveText(std::string_view json) {

@@ -1,5 +1,6 @@
 // Chooses topics, counts messages, and passes them to the laser or to the clouds.
 #include "core/robots/live/robot_source.h"
+#include "core/base/translated_text.h"
 
 #include "core/files/formats/reading.h"
 #include "core/files/live_feed/live_feed.h"
@@ -35,7 +36,7 @@ std::string namesOf(const std::vector<BridgeChannelPtr>& channels) {
     constexpr std::size_t kLongest = 300;
     std::string names;
     for (const BridgeChannelPtr& channel : channels) {
-        if (names.size() > kLongest) return names + " and others";
+        if (names.size() > kLongest) return withValues("%1 and others", {names});
         names += (names.empty() ? "" : ", ") + channel->topic;
     }
     return names;
@@ -137,7 +138,7 @@ void RobotSource::complete(files::LiveStatus& status) const {
     status.wholeClouds = cloud_ != nullptr;
     const bool live = status.connection.phase == kLive;
     if (const std::string wait = laser_.waitsFor(); !wait.empty() && status.lines == 0 && live) {
-        const Error unknown{"lines come, but their angle is not known: " + wait, linesTopic_,
+        const Error unknown{withValues("lines come, but their angle is not known: %1", {wait}), linesTopic_,
                             "give the joint that turns the laser (--joint), or the step from line to line (--line-step)"};
         status.connection.sentence = unknown.sentence();
         status.connection.problem = unknown;
@@ -290,19 +291,20 @@ Result<BridgeChoice> chooseTopics(const std::vector<BridgeChannelPtr>& offered, 
     std::ranges::stable_sort(clouds, {}, byName);
     lasers.insert(lasers.end(), clouds.begin(), clouds.end());
     if (lasers.empty())
-        return Error{"the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)" +
-                         (offered.empty() ? std::string() : ": " + namesOf(offered)),
+        return Error{withValues("the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)%1",
+                                {offered.empty() ? std::string() : ": " + namesOf(offered)}),
                      where, "check that the laser's driver runs"};
     const auto taken =
         topic.empty() ? lasers.begin() : std::ranges::find(lasers, topic, [](const auto& channel) { return channel->topic; });
     if (taken == lasers.end())
-        return Error{"the bridge offers no topic of a laser called \"" + topic + "\"", where, "choose one of " + namesOf(lasers)};
+        return Error{withValues("the bridge offers no topic of a laser called \"%1\"", {topic}), where,
+                     withValues("choose one of %1", {namesOf(lasers)})};
     choice.lines = *taken;
     if (isCloud(**taken)) choice.channels.clear(); // its points need no angles
     choice.channels.push_back(*taken);
     lasers.erase(taken);
     if (topic.empty() && !lasers.empty())
-        choice.note = "GUESS: the topic " + choice.lines->topic + " was taken; --topic chooses another: " + namesOf(lasers) + ".";
+        choice.note = withValues("GUESS: the topic %1 was taken; --topic chooses another: %2.", {choice.lines->topic, namesOf(lasers)});
     return choice;
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/inputs.h"
 #include "core/base/pipe.h"
 #include "core/base/sha256.h"
+#include "core/base/translated_text.h"
 #include "core/base/utc_time.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/pose_sidecar.h"
@@ -42,8 +43,8 @@ RosBag onceEach(RosBag bag) {
     });
     for (const auto& [name, messages] : topics) {
         if (messages.second > 0 && !name.ends_with("tf_static"))
-            bag.warnings.push_back(std::to_string(messages.second) + " messages of the topic " + name +
-                                   " are in the bag twice: each was read once.");
+            bag.warnings.push_back(
+                withValues("%1 messages of the topic %2 are in the bag twice: each was read once.", {messages.second, name}));
     }
     return bag;
 }
@@ -212,8 +213,8 @@ Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& 
         }
         if (bag.error().what == "cancelled") return bag.error();
         if (!first) first = Error{bag.error().what, where, bag.error().hint};
-        whole.bag.warnings.push_back("The part " + name + " of the bag could not be read (" + bag.error().what +
-                                     "): its messages are not in the scan.");
+        whole.bag.warnings.push_back(
+            withValues("The part %1 of the bag could not be read (%2): its messages are not in the scan.", {name, bag.error().what}));
     }
     if (whole.bag.topics.empty() && first) return *first;
     whole.bag = onceEach(std::move(whole.bag));
@@ -235,15 +236,15 @@ Result<SplitBag> holdSplitBag(const BagFiles& bag, const ReadingOptions& options
     Sha256 sha256;
     std::optional<Error> first;
     const auto leaveOut = [&](const std::filesystem::path& part, const Error& error) {
-        all.warnings.push_back("The part " + part.filename().string() + " of the bag could not be read (" + error.what +
-                               "): its messages are not in the scan.");
+        all.warnings.push_back(withValues("The part %1 of the bag could not be read (%2): its messages are not in the scan.",
+                                          {part.filename().string(), error.what}));
         if (!first) first = error;
     };
     for (const std::string& name : bag.missing)
-        all.warnings.push_back("The part " + name + " of the bag is missing: its messages are not in the scan.");
+        all.warnings.push_back(withValues("The part %1 of the bag is missing: its messages are not in the scan.", {name}));
     for (const std::string& name : bag.others)
-        all.warnings.push_back("metadata.yaml names " + name +
-                               ", whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.");
+        all.warnings.push_back(withValues(
+            "metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.", {name}));
     for (const std::filesystem::path& part : bag.parts) {
         if (options.progress && !options.progress("reading", 0.0)) return Error{"cancelled", bag.path.string(), ""};
         claimInput(part);

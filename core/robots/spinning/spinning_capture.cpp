@@ -1,6 +1,7 @@
 // UDP packets to columns, and the turn that is opened.
 #include "core/robots/spinning/spinning_capture.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bytes.h"
 #include "core/base/inputs.h"
@@ -263,7 +264,7 @@ Result<Scan> chosenTurn(const std::vector<SpinningColumn>& columns, const Spinni
     const std::vector<std::size_t> firsts = turnsOf(columns);
     const auto lastOf = [&](std::size_t turn) { return turn + 1 < firsts.size() ? firsts[turn + 1] : columns.size(); };
     const std::optional<std::size_t> wanted = source.options->scanIndex;
-    if (wanted.value_or(0) >= firsts.size()) return noSuchScan(wanted.value_or(0), firsts.size(), "the capture", "turn");
+    if (wanted.value_or(0) >= firsts.size()) return noSuchScan(wanted.value_or(0), firsts.size(), "the capture", "one turn", "%1 turns");
     std::size_t turn = wanted.value_or(0);
     for (std::size_t n = 0; n < firsts.size() && !wanted; ++n) {
         if (lastOf(n) - firsts[n] > lastOf(turn) - firsts[turn]) turn = n;
@@ -271,27 +272,27 @@ Result<Scan> chosenTurn(const std::vector<SpinningColumn>& columns, const Spinni
     Scan scan = scanOfTurn(columns, firsts[turn], lastOf(turn), beams);
     scan.format = "capture";
     if (firsts.size() > 1)
-        scan.warnings.push_back("The capture holds " + std::to_string(firsts.size()) + " turns of the scanner; turn " +
-                                std::to_string(turn) + ", counted from 0, was opened. --scan chooses another.");
+        scan.warnings.push_back(
+            withValues("The capture holds %1 turns of the scanner; turn %2, counted from 0, was opened. --scan chooses another.",
+                       {firsts.size(), turn}));
     return scan;
 }
 
 void sayLosses(Scan& scan, const UdpDatagrams& udp, const files::PacketFile& file, const ScannerPackets& of) {
     std::vector<std::string> said;
     if (of.late > 0)
-        said.push_back(counted(of.late, "packet came out of order and was", "packets came out of order and were") +
-                       " put in the order of the scanner's clock.");
+        said.push_back(counted(of.late, "packet came out of order and was put in the order of the scanner's clock.",
+                               "packets came out of order and were put in the order of the scanner's clock."));
     if (file.cutOff) said.emplace_back("The capture was cut off: everything up to the cut is here.");
     if (udp.torn > 0)
-        said.push_back(
-            counted(udp.torn, "packet is missing in part in the capture: its", "packets are missing in part in the capture: their") +
-            " lines are lost.");
+        said.push_back(counted(udp.torn, "packet is missing in part in the capture: its lines are lost.",
+                               "packets are missing in part in the capture: their lines are lost."));
     if (const std::size_t repeated = udp.repeated + of.repeated; repeated > 0)
-        said.push_back(counted(repeated, "packet is in the capture twice: it was", "packets are in the capture twice: each was") +
-                       " read once.");
+        said.push_back(counted(repeated, "packet is in the capture twice: it was read once.",
+                               "packets are in the capture twice: each was read once."));
     if (of.otherScanners > 0)
-        said.push_back("The capture holds packets of " + std::to_string(of.otherScanners + 1) +
-                       " scanners; the one with most of them was opened.");
+        said.push_back(
+            withValues("The capture holds packets of %1 scanners; the one with most of them was opened.", {of.otherScanners + 1}));
     scan.warnings.insert(scan.warnings.begin(), said.begin(), said.end());
 }
 
@@ -308,8 +309,8 @@ std::optional<Result<Scan>> velodyneIn(const UdpDatagrams& udp, const files::Pac
     auto scan = chosenTurn(all.columns(), vlp16Beams(), source);
     if (!scan) return scan;
     if (all.others() > 0)
-        scan->warnings.push_back("The scanner sent two returns for each beam: the strongest ones are here, and " +
-                                 counted(all.others(), "other of the capture was", "others of the capture were") + " left out.");
+        scan->warnings.push_back(withValues("The scanner sent two returns for each beam: the strongest ones are here, and %1 left out.",
+                                            {counted(all.others(), "other of the capture was", "others of the capture were")}));
     scan->warnings.emplace_back("The beams of a VLP-16 begin up to 11 mm above and below its middle: points are that far off.");
     sayLosses(*scan, udp, file, found);
     return scan;
@@ -322,7 +323,7 @@ std::optional<Result<Scan>> ousterIn(const UdpDatagrams& udp, const files::Packe
     std::error_code unknown;
     if (source.inMemory || !std::filesystem::exists(metadata, unknown))
         return source.refused("the packets of an Ouster do not say the angles of its beams",
-                              "save the sensor's metadata as " + metadata.filename().string() + " next to the capture");
+                              withValues("save the sensor's metadata as %1 next to the capture", {metadata.filename().string()}));
     const auto text = readInput(metadata);
     if (!text) return text.error();
     const auto sensor = osSensor({reinterpret_cast<const char*>(text->data()), text->size()}, metadata.string());
@@ -332,7 +333,7 @@ std::optional<Result<Scan>> ousterIn(const UdpDatagrams& udp, const files::Packe
     std::vector<SpinningColumn> columns;
     for (const auto& one : found.packets) std::ranges::move(*decodeOs(one.payload, *sensor, one.timeNs), std::back_inserter(columns));
     if (columns.empty())
-        return source.refused("no packet of the capture fits the sensor of " + metadata.filename().string(),
+        return source.refused(withValues("no packet of the capture fits the sensor of %1", {metadata.filename().string()}),
                               "save the metadata of the sensor that was captured");
     auto scan = chosenTurn(columns, osBeams(*sensor), source);
     if (!scan) return scan;

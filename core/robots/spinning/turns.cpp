@@ -87,9 +87,8 @@ Scan scanOfTurn(const std::vector<SpinningColumn>& columns, std::size_t first, s
                                     (beams.azimuthDeg.empty() ? 0.0 : beams.azimuthDeg[j]));
     scan.geometry = std::move(polar);
     if (lost > 0)
-        scan.warnings.push_back(
-            counted(lost, "line of the turn is missing in the capture and is", "lines of the turn are missing in the capture and are") +
-            " shown as lost.");
+        scan.warnings.push_back(counted(lost, "line of the turn is missing in the capture and is shown as lost.",
+                                        "lines of the turn are missing in the capture and are shown as lost."));
     auto device = std::make_shared<Acquisition>();
     device->vendor = beams.vendor;
     device->model = beams.model;

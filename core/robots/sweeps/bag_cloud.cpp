@@ -2,6 +2,7 @@
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
+#include "core/base/translated_text.h"
 #include "core/files/point_tables/point_columns.h"
 #include "core/robots/sweeps/bag_sweep.h"
 #include "core/robots/sweeps/frames.h"
@@ -135,9 +136,9 @@ Result<files::PointTable> tableOf(const RosValue& message, const files::Source& 
     const std::size_t rowBytes = width * pointBytes, stride = std::max(wholeIn(message, "row_step"), rowBytes);
     const std::size_t held = data->bytes.size();
     if (height == 0 || width == 0 || pointBytes == 0 || width > held / pointBytes || height > (held - rowBytes) / stride + 1)
-        return source.refused("the cloud promises " + std::to_string(width) + " x " + std::to_string(height) + " points of " +
-                                  std::to_string(pointBytes) + " bytes and holds " + std::to_string(held) + " bytes",
-                              "choose another topic or message");
+        return source.refused(
+            withValues("the cloud promises %1 x %2 points of %3 bytes and holds %4 bytes", {width, height, pointBytes, held}),
+            "choose another topic or message");
     if (auto enough = checkMemory(std::uint64_t{height} * width * (sizeof(Eigen::Vector3d) + 16), source.path.string()); !enough)
         return enough.error();
     files::PointTable table;
@@ -216,7 +217,8 @@ Result<files::PointTable> cloudOfBag(const RosBag& bag, const BagTopic& topic, c
         }
         ++number;
     }
-    if (wanted.value_or(0) >= number) return noSuchScan(wanted.value_or(0), number, "the topic " + of.name, "cloud");
+    if (wanted.value_or(0) >= number)
+        return noSuchScan(wanted.value_or(0), number, withValues("the topic %1", {of.name}), "one cloud", "%1 clouds");
     const auto message = rosMessage(*definition, of.encoding, chosen->bytes, where);
     if (!message) return message.error();
     auto table = tableOf(*message, source);
@@ -226,8 +228,9 @@ Result<files::PointTable> cloudOfBag(const RosBag& bag, const BagTopic& topic, c
     if (of.assumed)
         table->remarks.emplace_back("The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.");
     if (number > 1)
-        table->remarks.push_back("The topic " + topicText(bag, topic) + " holds a cloud in each message; message " + std::to_string(index) +
-                                 ", counted from 0, was opened. --scan chooses another.");
+        table->remarks.push_back(
+            withValues("The topic %1 holds a cloud in each message; message %2, counted from 0, was opened. --scan chooses another.",
+                       {topicText(bag, topic), index}));
     return table;
 }
 

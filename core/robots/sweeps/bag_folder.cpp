@@ -1,6 +1,7 @@
 // Finds the files of a bag's folder by metadata.yaml, or by what is there.
 #include "core/robots/sweeps/bag_folder.h"
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/whole_file.h"
 
@@ -113,13 +114,13 @@ Result<BagFiles> filesOfBag(const fs::path& path) {
         std::vector<std::string> named = bag.missing;
         named.insert(named.end(), bag.others.begin(), bag.others.end());
         if (bag.parts.empty() && !named.empty())
-            return Error{"no file of messages that metadata.yaml names is in this folder: " + named.front() +
-                             (named.size() > 1 ? " and " + std::to_string(named.size() - 1) + " more" : ""),
+            return Error{withValues("no file of messages that metadata.yaml names is in this folder: %1%2",
+                                    {named.front(), named.size() > 1 ? withValues(" and %1 more", {named.size() - 1}) : ""}),
                          folder.string(), "copy the files of the bag into it"};
         if (bag.parts.empty()) return asItIs;
         if (bag.parts.size() > 1 && !orderParts(bag.parts))
-            return Error{"this folder holds " + counted(bag.parts.size(), "file") + " of several bags", path.string(),
-                         "open one of them, as " + bag.parts.front().filename().string()};
+            return Error{withValues("this folder holds %1 of several bags", {counted(bag.parts.size(), "file")}), path.string(),
+                         withValues("open one of them, as %1", {bag.parts.front().filename().string()})};
     }
     const bool hasMetadata = fs::is_regular_file(folder / kMetadata, problem);
     bag.path = !bag.isSplit() ? bag.parts.front() : hasMetadata ? folder / kMetadata : folder;
@@ -133,8 +134,8 @@ std::string partOfBag(const fs::path& file) {
     std::erase_if(names, [](const std::string& name) { return !holdsMessages(name); });
     const auto own = std::ranges::find(names, file.filename().string());
     if (names.size() < 2 || own == names.end()) return {};
-    return "This file is part " + std::to_string(own - names.begin() + 1) + " of " + std::to_string(names.size()) + " of a bag. Open " +
-           metadata.string() + " for all of it.";
+    return withValues("This file is part %1 of %2 of a bag. Open %3 for all of it.",
+                      {own - names.begin() + 1, names.size(), metadata.string()});
 }
 
 } // namespace edgescan::robots

@@ -1,5 +1,6 @@
 // Lines of a laser with their angles, assembled to sweeps.
 #include "core/robots/sweeps/bag_sweep.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
@@ -79,40 +80,38 @@ private:
         if (bag_.topics[topic_.topic].assumed)
             warn("The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.");
         if (lines_.unreadable > 0)
-            warn(counted(lines_.unreadable, "message of the topic was", "messages of the topic were") +
-                 " left out: " + lines_.whyUnreadable + ".");
+            warn(
+                withValues(counted(lines_.unreadable, "message of the topic was left out: %1.", "messages of the topic were left out: %1."),
+                           {lines_.whyUnreadable}));
         if (lines_.timesUnknown > 0)
-            warn(counted(lines_.timesUnknown, "message has a time_increment that cannot be",
-                         "messages have a time_increment that cannot be") +
-                 ": the beams of a line count as measured at once.");
+            warn(counted(lines_.timesUnknown, "message has a time_increment that cannot be: the beams of a line count as measured at once.",
+                         "messages have a time_increment that cannot be: the beams of a line count as measured at once."));
         if (lines_.disordered > 0)
             warn(counted(lines_.disordered, "line came out of order and was put in the order of its stamp",
                          "lines came out of order and were put in the order of their stamps") +
                  ".");
         if (lines_.repeated > 0)
-            warn(counted(lines_.repeated, "message of the topic is in the bag twice, with the same stamp and ranges: it was",
-                         "messages of the topic are in the bag twice, with the same stamp and ranges: each was") +
-                 " read once.");
+            warn(counted(lines_.repeated, "message of the topic is in the bag twice, with the same stamp and ranges: it was read once.",
+                         "messages of the topic are in the bag twice, with the same stamp and ranges: each was read once."));
         if (lines_.contradicting > 0)
-            warn("In " + counted(lines_.contradicting, "message") +
-                 " angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and the "
-                 "beams may be "
-                 "mirrored or turned.");
+            warn(withValues("In %1 angle_max is not where angle_min and angle_increment put the last beam: angle_increment was used, and "
+                            "the beams may be mirrored or turned.",
+                            {counted(lines_.contradicting, "message")}));
         if (!lines_.noReturns.empty()) warn(lines_.noReturns);
         if (!motion_) return;
         if (motion_->damagedMessages > 0)
-            warn(counted(motion_->damagedMessages, "message of joints is damaged and was", "messages of joints are damaged and were") +
-                 " left out.");
-        if (source_.options->joint.empty()) warn("GUESS: the angle of each line comes from " + motion_->source + ".");
+            warn(counted(motion_->damagedMessages, "message of joints is damaged and was left out.",
+                         "messages of joints are damaged and were left out."));
+        if (source_.options->joint.empty()) warn(withValues("GUESS: the angle of each line comes from %1.", {motion_->source}));
         if (motion_->axisAssumed && !source_.options->axis)
-            warn(std::string("A joint does not say how the laser is mounted on it. ASSUMED: the axis (") +
-                 (motion_->axis == Axis::Spin ? "spin" : "sweep, by the name of the joint") + "). Give --axis where that is wrong.");
+            warn(withValues("A joint does not say how the laser is mounted on it. ASSUMED: the axis (%1). Give --axis where that is wrong.",
+                            {motion_->axis == Axis::Spin ? "spin" : "sweep, by the name of the joint"}));
         if (motion_->outOfPlaneDeg > kWorthSayingDeg)
-            warn("The axis is " + significantText(motion_->outOfPlaneDeg, 2) +
-                 " degrees out of the plane of the fan: points are that far off.");
+            warn(withValues("The axis is %1 degrees out of the plane of the fan: points are that far off.",
+                            {significantText(motion_->outOfPlaneDeg, 2)}));
         if (motion_->offAxisM > kWorthSayingM)
-            warn("The laser is " + significantText(motion_->offAxisM * 1000, 3) +
-                 " mm off its axis: ranges are as measured, and points are as if it were on the axis.");
+            warn(withValues("The laser is %1 mm off its axis: ranges are as measured, and points are as if it were on the axis.",
+                            {significantText(motion_->offAxisM * 1000, 3)}));
     }
 
     /// Lines get their angles. Lines before the first and after the last angle, and lines of a laser at rest, are left out.
@@ -133,9 +132,8 @@ private:
         }
         std::erase_if(all, [](const LaserLine& line) { return !line.line.facts.stepperSettled; });
         if (outside > 0)
-            warn(counted(outside, "line was measured before the first or after the last angle and was",
-                         "lines were measured before the first or after the last angle and were") +
-                 " left out.");
+            warn(counted(outside, "line was measured before the first or after the last angle and was left out.",
+                         "lines were measured before the first or after the last angle and were left out."));
         const auto angleOf = [](const LaserLine& line) { return *line.line.facts.stepperDeg; };
         const auto [low, high] = std::ranges::minmax_element(all, {}, angleOf);
         if (all.empty() || angleOf(*high) - angleOf(*low) < kLeastTurnDeg) return all.clear();
@@ -150,9 +148,8 @@ private:
             if ((n > 0 && moved(n) > least) || (n == 0 && all.size() > 1 && moved(1) > least)) turning.push_back(std::move(all[n]));
         }
         if (turning.size() < all.size())
-            warn(counted(all.size() - turning.size(), "line was measured while the laser did not turn and was",
-                         "lines were measured while the laser did not turn and were") +
-                 " left out.");
+            warn(counted(all.size() - turning.size(), "line was measured while the laser did not turn and was left out.",
+                         "lines were measured while the laser did not turn and were left out."));
         all = std::move(turning);
     }
 
@@ -197,14 +194,14 @@ private:
         assembler.finish();
         collect();
         if (sweeps == 0)
-            return Error{"no line of the topic " + bag_.topics[topic_.topic].name + " could be placed", where_, "choose another topic"};
+            return Error{withValues("no line of the topic %1 could be placed", {bag_.topics[topic_.topic].name}), where_,
+                         "choose another topic"};
         if (!best.scan)
             return noSuchScan(source_.options->scanIndex.value_or(0), static_cast<std::size_t>(sweeps),
-                              "the topic " + bag_.topics[topic_.topic].name, "sweep");
+                              withValues("the topic %1", {bag_.topics[topic_.topic].name}), "one sweep", "%1 sweeps");
         Scan scan = *best.scan;
         if (sweeps > 1)
-            warn("The topic holds " + std::to_string(sweeps) + " sweeps; sweep " + std::to_string(number) +
-                 ", counted from 0, was opened. --scan chooses another.");
+            warn(withValues("The topic holds %1 sweeps; sweep %2, counted from 0, was opened. --scan chooses another.", {sweeps, number}));
         if (motion_ && source_.options->pose.empty()) placeByFrames(scan, tree_, *motion_, warnings_);
         scan.warnings.insert(scan.warnings.begin(), warnings_.begin(), warnings_.end());
         scan.format = bag_.kind;

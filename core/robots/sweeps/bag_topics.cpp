@@ -2,6 +2,7 @@
 #include "core/robots/sweeps/bag_topics.h"
 
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 #include "core/robots/sweeps/frames.h"
 #include "core/robots/sweeps/laser_lines.h"
 #include "core/robots/sweeps/laser_motion.h"
@@ -26,7 +27,7 @@ std::string textIn(const RosValue& value) { return {reinterpret_cast<const char*
 std::string joined(const std::vector<std::string>& names) {
     std::string text;
     for (std::size_t n = 0; n < std::min(names.size(), kMostNames); ++n) text += (n == 0 ? "" : ", ") + names[n];
-    return names.size() > kMostNames ? text + " and others" : text;
+    return names.size() > kMostNames ? withValues("%1 and others", {text}) : text;
 }
 
 std::size_t lengthOf(const RosValue& message, const char* path) {
@@ -60,24 +61,24 @@ std::string fieldsIn(const RosValue& message) {
     if (const RosValue* all = message.at("fields")) {
         for (const RosValue& field : all->inside) names.emplace_back(field.text("name"));
     }
-    return wholeText(message, "height") + " x " + wholeText(message, "width") + " points with " + joined(names);
+    return withValues("%1 x %2 points with %3", {wholeText(message, "height"), wholeText(message, "width"), joined(names)});
 }
 
 /// REP 145: a covariance of -1 means that there is no orientation.
 std::string inertialIn(const RosValue& message) {
     const std::vector<double> covariance = message.numbers("orientation_covariance");
     const bool oriented = covariance.empty() || covariance.front() != -1;
-    return std::string(oriented ? "orientation, " : "") +
-           "turn rates and accelerations, which are not used: transforms and joints turn the laser";
+    return withValues("%1turn rates and accelerations, which are not used: transforms and joints turn the laser",
+                      {std::string(oriented ? "orientation, " : "")});
 }
 
 std::string given(const std::string& type, const RosValue& message) {
     if (type == "sensor_msgs/LaserScan" || type == "sensor_msgs/MultiEchoLaserScan")
-        return "scan lines of " + std::to_string(lengthOf(message, "ranges")) + " beams";
+        return withValues("scan lines of %1 beams", {lengthOf(message, "ranges")});
     if (type == "sensor_msgs/PointCloud2") return fieldsIn(message);
     if (type == "sensor_msgs/JointState") return "joints: " + joined(jointsIn(message));
     if (type == "tf2_msgs/TFMessage" || type == "tf/tfMessage") return linksIn(message);
-    if (type == "geometry_msgs/PoseStamped") return "poses in the frame " + frameNameOf(message.text("header.frame_id"));
+    if (type == "geometry_msgs/PoseStamped") return withValues("poses in the frame %1", {frameNameOf(message.text("header.frame_id"))});
     if (type == "sensor_msgs/Imu") return inertialIn(message);
     return {};
 }
@@ -161,7 +162,7 @@ std::string listed(const RosBag& bag, const std::vector<BagTopic>& topics, bool 
     std::string text;
     for (const BagTopic& topic : topics) {
         if (scansOnly && topic.gives == TopicGives::Nothing) continue;
-        if (text.size() > kLongest) return text + " and others";
+        if (text.size() > kLongest) return withValues("%1 and others", {text});
         text += (text.empty() ? "" : ", ") + topicText(bag, topic);
     }
     return text;
@@ -263,8 +264,8 @@ std::vector<BagTopic> bagTopics(const RosBag& bag) {
 
 std::string topicText(const RosBag& bag, const BagTopic& topic) {
     const RosTopic& of = bag.topics[topic.topic];
-    return of.name + " (" + of.type + ", " + std::to_string(topic.messages) + (topic.messages == 1 ? " message" : " messages") +
-           (topic.hertz > 0 ? " at " + significantText(topic.hertz, 3) + " Hz" : "") + ")";
+    return of.name + " (" + of.type + ", " + counted(topic.messages, "message") +
+           (topic.hertz > 0 ? withValues(" at %1 Hz", {significantText(topic.hertz, 3)}) : "") + ")";
 }
 
 std::optional<std::string> guessText(const RosBag& bag, const BagTopic& taken, const std::string& name) {
@@ -272,7 +273,7 @@ std::optional<std::string> guessText(const RosBag& bag, const BagTopic& taken, c
     std::erase_if(others, [&](const BagTopic& topic) { return topic.topic == taken.topic; });
     const std::string scans = listed(bag, others);
     if (!name.empty() || scans.empty()) return std::nullopt;
-    return "GUESS: the topic " + topicText(bag, taken) + " was taken; --topic chooses another: " + scans + ".";
+    return withValues("GUESS: the topic %1 was taken; --topic chooses another: %2.", {topicText(bag, taken), scans});
 }
 
 Result<std::vector<BagTopic>> topicsToTry(const RosBag& bag, const std::string& name, const std::string& where) {
@@ -280,18 +281,19 @@ Result<std::vector<BagTopic>> topicsToTry(const RosBag& bag, const std::string& 
     const std::string scans = listed(bag, topics);
     const std::string leftOut = bag.warnings.empty() ? "" : "; " + bag.warnings.front().substr(0, bag.warnings.front().rfind('.'));
     if (scans.empty())
-        return Error{"no topic of this " + bag.kind + " is a laser's" + (topics.empty() ? "" : ": " + listed(bag, topics, false)) + leftOut,
+        return Error{withValues("no topic of this %1 is a laser's%2%3",
+                                {bag.kind, topics.empty() ? "" : ": " + listed(bag, topics, false), leftOut}),
                      where, "choose another bag"};
     std::vector<BagTopic> found;
     for (const BagTopic& topic : topics) {
         const bool wanted = name.empty() ? topic.gives != TopicGives::Nothing : bag.topics[topic.topic].name == name;
         if (wanted) found.push_back(topic);
     }
-    if (found.empty()) return Error{"the bag has no topic \"" + name + "\"", where, "choose one of " + scans};
+    if (found.empty()) return Error{withValues("the bag has no topic \"%1\"", {name}), where, withValues("choose one of %1", {scans})};
     const auto rank = [](const BagTopic& topic) { return std::pair(topic.gives == TopicGives::Lines, topic.messages * topic.largest); };
     std::ranges::stable_sort(found, std::greater<>(), rank);
     std::erase_if(found, [](const BagTopic& topic) { return topic.gives == TopicGives::Nothing; });
-    if (found.empty()) return Error{"the topic " + name + " holds no scan", where, "choose one of " + scans};
+    if (found.empty()) return Error{withValues("the topic %1 holds no scan", {name}), where, withValues("choose one of %1", {scans})};
     return found;
 }
 

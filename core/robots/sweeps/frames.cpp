@@ -1,5 +1,6 @@
 // Frames and their links.
 #include "core/robots/sweeps/frames.h"
+#include "core/base/translated_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,13 +111,13 @@ void FrameTree::warnOfWays() {
         for (; at != links_.end() && above.try_emplace(at->first, 0).second; at = links_.find(at->second.parent)) way.push_back(at->first);
         std::size_t length = at != links_.end() ? above[at->first] : 0;
         loops = at != links_.end() && length == 0;
-        if (loops) warnings_.push_back("The transforms of the bag form a loop at the frame " + start->first + ".");
+        if (loops) warnings_.push_back(withValues("The transforms of the bag form a loop at the frame %1.", {start->first}));
         for (; !way.empty(); way.pop_back()) above[way.back()] = ++length;
         isLong = isLong || length >= kLongestChain;
     }
     if (isLong)
-        warnings_.push_back("The transforms of the bag form a chain of more than " + std::to_string(kLongestChain) +
-                            " frames: those above are not used.");
+        warnings_.push_back(
+            withValues("The transforms of the bag form a chain of more than %1 frames: those above are not used.", {kLongestChain}));
 }
 
 std::vector<std::string> FrameTree::chain(const std::string& frame) const {

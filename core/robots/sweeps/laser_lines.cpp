@@ -1,5 +1,6 @@
 // Laser messages as scan lines.
 #include "core/robots/sweeps/laser_lines.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
@@ -155,7 +156,8 @@ void markNoReturns(LaserLines& all) {
     const auto found = noReturnIn(all.lines);
     if (!found) return;
     for (LaserLine& line : all.lines) leaveOutFrom(line, found->least);
-    all.noReturns = files::repeatedSentence(found->count, "ranges of the topic are " + significantText(found->least / kMmPerM, 6) + " m");
+    all.noReturns =
+        files::repeatedSentence(found->count, withValues("ranges of the topic are %1 m", {significantText(found->least / kMmPerM, 6)}));
 }
 
 } // namespace
@@ -280,8 +282,9 @@ Result<LaserLines> laserLines(const RosBag& bag, std::uint32_t topic, scanner::E
         all.lines.push_back(std::move(*line));
     }
     if (all.lines.empty())
-        return Error{"no message of the topic " + of.name + " is a line of ranges" + (all.unreadable > 0 ? ": " + all.whyUnreadable : ""),
-                     where, "choose another topic"};
+        return Error{
+            withValues("no message of the topic %1 is a line of ranges%2", {of.name, all.unreadable > 0 ? ": " + all.whyUnreadable : ""}),
+            where, "choose another topic"};
     std::ranges::stable_sort(all.lines, {}, &LaserLine::stampNs);
     leaveOutRepeated(all);
     if (!keepRepeated) markNoReturns(all);

@@ -4,6 +4,7 @@
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/base/translated_text.h"
 #include "core/scan/georef/chain.h"
 #include "core/scan/georef/place_scan.h"
 #include "core/scan/georef/rotations.h"
@@ -139,7 +140,7 @@ std::string namesOf(const JointAngles& joints) {
     constexpr std::size_t kMost = 500;
     std::string names;
     for (const auto& [name, angles] : joints) {
-        if (names.size() > kMost) return names + " and others";
+        if (names.size() > kMost) return withValues("%1 and others", {names});
         names += (names.empty() ? "" : ", ") + name;
     }
     return names;
@@ -169,8 +170,8 @@ void addPoses(FrameTree& tree, const RosBag& bag, const std::string& frame, std:
         bag, [](const std::string& type) { return type == "geometry_msgs/PoseStamped"; }, "", addPose, [] {}, {});
     if (!read || found.empty()) return; // a pose is only a guess
     for (const NamedPose& pose : found.begin()->second) tree.add(pose);
-    warnings.push_back("GUESS: the poses of the topic " + bag.topics[found.begin()->first].name + " are those of the frame " + highest +
-                       ".");
+    warnings.push_back(
+        withValues("GUESS: the poses of the topic %1 are those of the frame %2.", {bag.topics[found.begin()->first].name, highest}));
 }
 
 void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion, std::vector<std::string>& warnings) {
@@ -184,8 +185,9 @@ void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion,
         poses.push_back(*base * motion.base);
         const Eigen::Vector3d& at = poses.back().translationM;
         if (!physical::kPlaceM.hold(at.x()) || !physical::kPlaceM.hold(at.y()) || !physical::kElevationM.hold(at.z())) {
-            warnings.push_back("The transforms put the scanner at " + significantText(at.x(), 6) + ", " + significantText(at.y(), 6) +
-                               ", " + significantText(at.z(), 6) + " m, where nothing on earth is: the scan stays in the scanner's frame.");
+            warnings.push_back(withValues(
+                "The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.",
+                {significantText(at.x(), 6), significantText(at.y(), 6), significantText(at.z(), 6)}));
             return;
         }
     }
@@ -195,11 +197,11 @@ void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion,
     placement->originEnhM = chooseOrigin(poses.front().translationM);
     for (RigidTransform& pose : poses) pose.translationM -= placement->originEnhM;
     placement->poses = std::move(poses);
-    placement->grid = "the frame " + map + " of the bag";
+    placement->grid = withValues("the frame %1 of the bag", {map});
     placement->source = "the transforms of the bag";
     placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
-    placement->warnings = {"GUESS: the frame " + map +
-                           " of the bag is taken as the mine grid, with x to the east, y to the north and z up."};
+    placement->warnings = {
+        withValues("GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.", {map})};
     judgeSpeed(*placement, scan.acquisition->lineTimesS);
     scan.placement = std::move(placement);
 }
@@ -231,7 +233,7 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
         }
         LaserMotion motion;
         motion.mover = at;
-        motion.source = "the transform of the frame " + at + " in " + link->parent;
+        motion.source = withValues("the transform of the frame %1 in %2", {at, link->parent});
         double wobble = 0, last = 0;
         const double startDeg = angleOfJoint(poses.front().rotation, axis);
         for (const TimedPose& pose : poses) {
@@ -242,12 +244,12 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
             motion.angles.push_back({pose.ns, last = deg});
         }
         if (wobble > kMostWobbleDeg)
-            return Error{motion.source + " turns about more than one axis (" + significantText(wobble, 2) + " degrees off)", where,
-                         "choose another topic, or give the joint that turns the laser"};
+            return Error{withValues("%1 turns about more than one axis (%2 degrees off)", {motion.source, significantText(wobble, 2)}),
+                         where, "choose another topic, or give the joint that turns the laser"};
         Eigen::Vector3d u = laserInMover.rotation.transpose() * axis;
         motion.outOfPlaneDeg = std::abs(degrees(std::asin(std::clamp(u.z(), -1.0, 1.0))));
         if (motion.outOfPlaneDeg > kMostOutOfPlaneDeg)
-            return Error{motion.source + " turns the laser in the plane of its own fan: that is not a sweep", where,
+            return Error{withValues("%1 turns the laser in the plane of its own fan: that is not a sweep", {motion.source}), where,
                          "choose another topic"};
         motion.offAxisM = laserInMover.translationM.cross(axis).norm();
         // The axis from the middle of the fan on: 0 is a spin, -90 a sweep, and 180 more is the axis the other way round.
@@ -266,7 +268,7 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
         motion.mount = {laserInMover * RigidTransform{fan, Eigen::Vector3d::Zero()}, axis, -startDeg, turnAbout ? -1.0 : 1.0};
         return motion;
     }
-    return Error{"no transform turns the laser's frame " + frame + " while it measures", where,
+    return Error{withValues("no transform turns the laser's frame %1 while it measures", {frame}), where,
                  "give the joint that turns it (--joint), or the step from line to line (--line-step) and the axis (--axis)"};
 }
 
@@ -323,14 +325,14 @@ Result<LaserMotion> motionOfJoints(JointAngles joints, const std::string& joint,
         best = name;
     }
     if (!joints.contains(best))
-        return Error{joint.empty() ? "no joint turned while the laser measured" : "there is no joint called " + joint, where,
+        return Error{joint.empty() ? "no joint turned while the laser measured" : withValues("there is no joint called %1", {joint}), where,
                      joints.empty() ? "give the step from line to line (--line-step), or choose another topic"
-                                    : "choose one of " + namesOf(joints)};
+                                    : withValues("choose one of %1", {namesOf(joints)})};
     LaserMotion motion;
     motion.axis = axisByName(best);
     motion.axisAssumed = true;
     motion.mover = best;
-    motion.source = "the joint " + best;
+    motion.source = withValues("the joint %1", {best});
     motion.angles = std::move(joints[best]);
     return motion;
 }

@@ -1,5 +1,6 @@
 // Converts displacements in index steps to angles.
 #include "core/scan/angle_correction/straighten_scan.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
@@ -119,15 +120,15 @@ const PolarGeometry* anglesOf(const Scan& scan) {
     return polar != nullptr && polar->lineDeg.size() >= 2 ? polar : nullptr;
 }
 
-std::string degreesText(double deg) { return (deg < 0.1 ? significantText(deg, 2) : fixedText(deg, 2)) + " degrees"; }
+std::string degreesText(double deg) { return withValues("%1 degrees", {deg < 0.1 ? significantText(deg, 2) : fixedText(deg, 2)}); }
 
 // ", 40 times its uncertainty"
-std::string sureText(double surest) { return ", " + fixedText(std::floor(surest), 0) + " times its uncertainty"; }
+std::string sureText(double surest) { return withValues(", %1 times its uncertainty", {fixedText(std::floor(surest), 0)}); }
 
 // "odd beams lie 0.12 degrees ahead of even ones"
 std::string interlaceText(double oddAheadDeg, double surest) {
-    return "odd beams lie " + degreesText(std::abs(oddAheadDeg)) + (oddAheadDeg > 0 ? " ahead of even ones" : " behind even ones") +
-           sureText(surest);
+    return withValues(oddAheadDeg > 0 ? "odd beams lie %1 ahead of even ones%2" : "odd beams lie %1 behind even ones%2",
+                      {degreesText(std::abs(oddAheadDeg)), sureText(surest)});
 }
 
 std::string slipText(const Displacement& found) {
@@ -135,17 +136,18 @@ std::string slipText(const Displacement& found) {
     const auto first = std::find_if(found.slipSteps.begin(), found.slipSteps.end(), slipped) - found.slipSteps.begin();
     double most = 0;
     for (const double steps : found.slipSteps) most = std::max(most, std::abs(steps * found.stepDeg));
-    const std::string sure =
-        found.uneven > 0 ? ", " + fixedText(std::floor(found.surest / found.uneven), 0) + " times the usual unevenness of its steps" : "";
-    return "the stepper slipped at " + std::to_string(found.slipCount) + (found.slipCount == 1 ? " line" : " lines") + " (first at line " +
-           std::to_string(first + 1) + ", by up to " + degreesText(most) + sure + ")";
+    const std::string sure = found.uneven > 0 ? withValues(", %1 times the usual unevenness of its steps",
+                                                           {fixedText(std::floor(found.surest / found.uneven), 0)})
+                                              : "";
+    return withValues("the stepper slipped at %1 (first at line %2, by up to %3%4)",
+                      {counted(static_cast<std::size_t>(found.slipCount), "line"), first + 1, degreesText(most), sure});
 }
 
 // Empty if nothing is displaced.
 std::string displacementText(const Displacement& found) {
     std::string text;
     if (found.oddAheadDeg != 0) text = interlaceText(found.oddAheadDeg, found.oddSurest);
-    if (found.slipCount > 0) text += (text.empty() ? "" : ", and ") + slipText(found);
+    if (found.slipCount > 0) text = text.empty() ? slipText(found) : withValues("%1, and %2", {text, slipText(found)});
     return text;
 }
 
@@ -160,18 +162,16 @@ LinePhases phasesIn(const Scan& scan, const InverseRange& inverse) {
 std::string phasesText(const LinePhases& found, const PolarGeometry& polar) {
     const std::vector<double>& phases = found.steps;
     const double stepDeg = std::abs(meanStepDeg(polar.beamDeg));
-    std::string degrees;
-    for (std::size_t k = 0; k < phases.size(); ++k)
-        degrees += (k == 0 ? "" : k + 1 == phases.size() ? " and " : ", ") + significantText(phases[k] * stepDeg, 3);
-    return "the beams of " + std::to_string(phases.size()) + " lines in turn lie " + degrees + " degrees ahead of where they should be" +
-           sureText(found.significance);
+    std::string first; // all but the last
+    for (std::size_t k = 0; k + 1 < phases.size(); ++k) first += (k == 0 ? "" : ", ") + significantText(phases[k] * stepDeg, 3);
+    return withValues("the beams of %1 lines in turn lie %2 and %3 degrees ahead of where they should be%4",
+                      {phases.size(), first, significantText(phases.back() * stepDeg, 3), sureText(found.significance)});
 }
 
 // A sentence about the lines at which the stepper turned; empty if it did not.
 std::string turnText(const Displacement& found) {
     if (found.turnedSteps == 0) return "";
-    return " At " + std::to_string(found.turnedSteps) +
-           " of the first and last lines the stepper still swung back: folds there are left out.";
+    return withValues(" At %1 of the first and last lines the stepper still swung back: folds there are left out.", {found.turnedSteps});
 }
 
 constexpr const char* kDisplaced = "Not measured at the angles that the file gives: ";
@@ -186,8 +186,8 @@ Scan straightened(Scan scan) {
     InverseRange inverse = inverseRange(scan);
     if (const auto phases = phasesIn(scan, inverse); !phases.steps.empty()) {
         Scan folded = withPhasesFolded(scan, phases.steps);
-        folded.warnings.push_back("Straightened: " + phasesText(phases, std::get<PolarGeometry>(scan.geometry)) +
-                                  ", and were put side by side: " + std::to_string(phases.steps.size()) + " lines make one.");
+        folded.warnings.push_back(withValues("Straightened: %1, and were put side by side: %2 lines make one.",
+                                             {phasesText(phases, std::get<PolarGeometry>(scan.geometry)), phases.steps.size()}));
         return folded;
     }
     auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
@@ -196,13 +196,13 @@ Scan straightened(Scan scan) {
     moveLines(*polar, found.slipSteps, found.stepDeg);
     const std::string text = displacementText(found);
     if (!text.empty())
-        scan.warnings.push_back("Straightened: " + text + "." + turnText(found));
+        scan.warnings.push_back(withValues("Straightened: %1.%2", {text, turnText(found)}));
     else if (found.left == 0)
         scan.warnings.emplace_back("Straightened: no interlaced beams and no slips were found; the angles stay.");
     if (found.left > 0)
-        scan.warnings.push_back(std::to_string(found.left) +
-                                (found.left == 1 ? " slip was seen in every second beam only, and is left as it is."
-                                                 : " slips were seen in every second beam only, and are left as they are."));
+        scan.warnings.push_back(counted(static_cast<std::size_t>(found.left),
+                                        "slip was seen in every second beam only, and is left as it is.",
+                                        "slips were seen in every second beam only, and are left as they are."));
     return scan;
 }
 

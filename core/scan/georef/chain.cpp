@@ -1,5 +1,6 @@
 // The steps of the chain of frames.
 #include "core/scan/georef/chain.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/scan/georef/rotations.h"
@@ -19,8 +20,8 @@ RigidTransform moverFromSensor(const Vector3d& mountRpyDeg, const Vector3d& moun
 Result<PitchRoll> pitchRollOfElevations(double tiltXDeg, double tiltYDeg) {
     const double sine = std::sin(radians(tiltYDeg)) / std::cos(radians(tiltXDeg));
     if (!(std::abs(tiltXDeg) < 90.0) || !(std::abs(sine) <= 1.0)) {
-        return Error{"the inclinometer's two axes cannot be raised by " + significantText(tiltXDeg, 6) + " and " +
-                         significantText(tiltYDeg, 6) + " degrees at once",
+        return Error{withValues("the inclinometer's two axes cannot be raised by %1 and %2 degrees at once",
+                                {significantText(tiltXDeg, 6), significantText(tiltYDeg, 6)}),
                      "", "check whether it reads pitch and roll instead of the elevations of its axes"};
     }
     return PitchRoll{tiltXDeg, degrees(std::asin(sine))};
@@ -57,8 +58,8 @@ Result<double> boomAzimuthOfSlew(const PitchRoll& robot, double slewDeg, double 
     const double across = up.z();
     const double sine = std::sin(radians(boomElevationDeg)) / std::hypot(along, across);
     if (!(std::abs(sine) <= 1.0)) {
-        return Error{"a boom slewed by " + significantText(slewDeg, 6) + " degrees on this robot cannot be raised by " +
-                         significantText(boomElevationDeg, 6),
+        return Error{withValues("a boom slewed by %1 degrees on this robot cannot be raised by %2",
+                                {significantText(slewDeg, 6), significantText(boomElevationDeg, 6)}),
                      "", "check the slew angle and the inclinometer"};
     }
     const double eps = std::asin(sine) - std::atan2(along, across);

@@ -1,5 +1,6 @@
 // Two tables of fields, and files made of texts.
 #include "core/scan/georef/place_form.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
@@ -179,11 +180,13 @@ Json soundValue(const PlaceField& field) {
 /// The sentence about a text that is not a value at all; empty: it is one.
 std::string unreadable(const PlaceField& field, const std::string& typed) {
     const std::string_view text = trimmed(typed);
-    if (text.empty()) return field.usual == nullptr ? nameOf(field) + " is missing." : "";
+    if (text.empty()) return field.usual == nullptr ? withValues("%1 is missing.", {nameOf(field)}) : "";
     if (!valueOf(field, text).is_null()) return "";
     const std::size_t count = numbersOf(field.kind);
-    const char* wanted = count == 1 ? "a number." : count == 3 ? "three numbers." : "nine numbers.";
-    return nameOf(field) + ": \"" + std::string(text) + "\" is not " + wanted;
+    const char* refused = count == 1   ? "%1: \"%2\" is not a number."
+                          : count == 3 ? "%1: \"%2\" is not three numbers."
+                                       : "%1: \"%2\" is not nine numbers.";
+    return withValues(refused, {nameOf(field), std::string(text)});
 }
 
 /// One sentence per wrong text. `other`: a fault of the file that no single text has.

@@ -1,5 +1,6 @@
 // Computes the place of a scan from calibration and readings, and warns about doubtful values.
 #include "core/scan/georef/place_scan.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
@@ -27,7 +28,7 @@ Error refused(const PoseTrack& poses, std::string what, std::string hint) { retu
 
 Result<Done> checkTogether(const Scan& scan, const Calibration& calibration, const PoseTrack& poses) {
     if (!poses.robot.empty() && !calibration.robot.empty() && poses.robot != calibration.robot) {
-        return refused(poses, "the pose is of robot \"" + poses.robot + "\" and the calibration of \"" + calibration.robot + "\"",
+        return refused(poses, withValues("the pose is of robot \"%1\" and the calibration of \"%2\"", {poses.robot, calibration.robot}),
                        "give the calibration of the robot that made the scan");
     }
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
@@ -37,8 +38,8 @@ Result<Done> checkTogether(const Scan& scan, const Calibration& calibration, con
     if (off <= kMountingToleranceDeg) return Done{};
     return refused(
         poses,
-        std::string("the scan turns about ") + (polar->axis == Axis::Sweep ? "x (sweep)" : "z (spin)") +
-            " and the stepper of the calibration about another axis, " + shortNumber(off) + " degrees away",
+        withValues("the scan turns about %1 and the stepper of the calibration about another axis, %2 degrees away",
+                   {polar->axis == Axis::Sweep ? "x (sweep)" : "z (spin)", shortNumber(off)}),
         "open the scan with the right --axis, or correct \"stepper.axis\" of the calibration: [0, 0, 1] for a spin, [1, 0, 0] for a sweep");
 }
 
@@ -69,7 +70,7 @@ Result<RigidTransform> poseAt(const Calibration& c, const PoseTrack& poses, cons
 Result<std::vector<double>> timesOfLines(const Scan& scan, const PoseTrack& poses, std::span<const double> given) {
     const auto lines = static_cast<std::size_t>(scan.lines());
     if (!given.empty() && given.size() != lines) {
-        return refused(poses, std::to_string(given.size()) + " line times do not fit a scan of " + std::to_string(lines) + " lines",
+        return refused(poses, withValues("%1 line times do not fit a scan of %2 lines", {given.size(), lines}),
                        "give the times of this scan");
     }
     if (!given.empty()) return std::vector<double>(given.begin(), given.end());
@@ -98,7 +99,7 @@ void judgeAge(Placement& placement, const Calibration& calibration, double poseT
     if (std::isnan(poseTimeS)) return warn(placement, false, "The pose carries no time, so its age is not known.");
     if (std::isnan(startS)) return warn(placement, false, "The start of the scan is not known, so the age of the pose is not either.");
     if (placement.ageSeconds <= calibration.poseAgeLimitS) return;
-    warn(placement, true, "the pose is " + shortNumber(placement.ageSeconds) + " s older than the start of the scan.");
+    warn(placement, true, withValues("the pose is %1 s older than the start of the scan.", {shortNumber(placement.ageSeconds)}));
 }
 
 void judgeStillness(Placement& placement, const Calibration& calibration, const PoseTrack& poses) {
@@ -112,8 +113,8 @@ void judgeStillness(Placement& placement, const Calibration& calibration, const 
     const double change = std::max(mostX - leastX, mostY - leastY);
     if (change <= calibration.tiltChangeLimitDeg) return;
     warn(placement, true,
-         "the tilt of the head changed by " + shortNumber(change) + " degrees while it scanned, more than " +
-             shortNumber(calibration.tiltChangeLimitDeg) + ".");
+         withValues("the tilt of the head changed by %1 degrees while it scanned, more than %2.",
+                    {shortNumber(change), shortNumber(calibration.tiltChangeLimitDeg)}));
 }
 
 /// Warns about mountings that were not measured. A head that the pose gives and headings from the grid's north need no value.
@@ -126,7 +127,8 @@ void judgeMounting(Placement& placement, const Calibration& calibration, const P
     }
     if (!names.empty())
         warn(placement, false,
-             "The calibration does not give " + names + ", so 0 is used: add what is missing (Scan > Pose and Mounting, page Mounting).");
+             withValues("The calibration does not give %1, so 0 is used: add what is missing (Scan > Pose and Mounting, page Mounting).",
+                        {names}));
 }
 
 /// Warns about lines measured before the first or after the last reading: their pose is a guess.
@@ -136,8 +138,8 @@ void judgeCover(Placement& placement, const PoseTrack& poses, const std::vector<
     const auto outside = std::count_if(times.begin(), times.end(), [&](double t) { return !(t >= first && t <= last); });
     if (outside == 0) return;
     warn(placement, true,
-         std::to_string(outside) + " of " + std::to_string(times.size()) +
-             " lines were measured before the first or after the last pose and were given the nearest one.");
+         withValues("%1 of %2 lines were measured before the first or after the last pose and were given the nearest one.",
+                    {outside, times.size()}));
 }
 
 } // namespace
@@ -152,7 +154,8 @@ void judgeSpeed(Placement& placement, std::span<const double> timesS) {
     }
     if (fastest > kFastestMPerS)
         warn(placement, true,
-             "the poses move the base at " + shortNumber(fastest) + " m/s between two lines, faster than any machine under ground.");
+             withValues("the poses move the base at %1 m/s between two lines, faster than any machine under ground.",
+                        {shortNumber(fastest)}));
 }
 
 namespace {
@@ -234,8 +237,8 @@ Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::pa
     if (!placed) return Error{placed.error().what, pose.string(), placed.error().hint};
     auto named = std::make_shared<Placement>(**placed);
     if (!calibration.empty() && poses->calibration)
-        named->warnings.push_back("--calibration replaces the calibration in " + pose.filename().string() + ".");
-    named->source = *poseSource + (robotSource->empty() ? "" : " with " + *robotSource);
+        named->warnings.push_back(withValues("--calibration replaces the calibration in %1.", {pose.filename().string()}));
+    named->source = *poseSource + (robotSource->empty() ? "" : withValues(" with %1", {*robotSource}));
     return std::shared_ptr<const Placement>(named);
 }
 

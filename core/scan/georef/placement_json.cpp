@@ -1,5 +1,6 @@
 // A transform is twelve numbers: the three rows of the rotation, then the translation.
 #include "core/scan/georef/placement_json.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/json_fields.h"
 #include "core/scan/georef/rotations.h"
@@ -114,7 +115,7 @@ Result<std::shared_ptr<const Placement>> placementFromJson(const nlohmann::json&
     p.boom = boomFrom(fields);
     const nlohmann::json& poses = fields.value("poses");
     const std::size_t count = poses.is_array() ? poses.size() : 0;
-    if (count != 1 && count != lines) fields.refuse("poses", "must hold one pose or " + std::to_string(lines) + ", one per line");
+    if (count != 1 && count != lines) fields.refuse("poses", withValues("must hold one pose or %1, one per line", {lines}));
     p.poses.clear();
     for (std::size_t i = 0; i < count && !fields.problem(); ++i) {
         const nlohmann::json& pose = poses[i];

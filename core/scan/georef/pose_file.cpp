@@ -1,4 +1,5 @@
 // Reads pose files.
+#include "core/base/translated_text.h"
 #include "core/scan/georef/place_scan.h"
 
 #include "core/base/inputs.h"
@@ -25,7 +26,7 @@ double angle(JsonFields& fields, const std::string& name, NumberLimits limits) {
     const std::string mil = name + "_mil";
     const bool inDegrees = fields.has(deg.c_str());
     if (!fields.has(mil.c_str())) return fields.neededNumber(deg.c_str(), limits);
-    if (inDegrees) fields.refuse(deg, "and \"" + mil + "\" exclude each other");
+    if (inDegrees) fields.refuse(deg, withValues("and \"%1\" exclude each other", {mil}));
     return fields.number(mil.c_str(), 0, {limits.least / kDegPerMil, limits.most / kDegPerMil}) * kDegPerMil;
 }
 

@@ -1,5 +1,6 @@
 // Words of a line, then their meaning.
 #include "core/scan/georef/survey_line.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 
@@ -109,8 +110,7 @@ std::optional<std::string> thousands(std::string_view text) {
 }
 
 Error countError(std::size_t count) {
-    return {"the line holds " + std::to_string(count) + (count == 1 ? " number" : " numbers") +
-                " and a place has three, with a heading four, with pitch and roll six",
+    return {withValues("the line holds %1 and a place has three, with a heading four, with pitch and roll six", {counted(count, "number")}),
             "", kSurveyHint};
 }
 
@@ -120,7 +120,7 @@ Result<SurveyLine> parseSurveyLine(std::string_view text, SurveyOrder order) {
     Words words = wordsOf(text);
     if (words.empty()) return Error{"the line is empty", "", kSurveyHint};
     if (const auto doubtful = thousands(text))
-        return Error{*doubtful + " may be one number with a comma for thousands, or two numbers", "",
+        return Error{withValues("%1 may be one number with a comma for thousands, or two numbers", {*doubtful}), "",
                      "leave that comma out, or write blanks between the numbers"};
     if (const auto line = lettered(withoutSigns(words))) return *line;
     SurveyLine line;

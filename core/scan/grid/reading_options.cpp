@@ -1,5 +1,6 @@
 // One row per reading option.
 #include "core/scan/grid/reading_options.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_fields.h"
@@ -173,31 +174,32 @@ Result<Done> checked(const ReadingOption& option, const std::string& text) {
         for (const std::string& word : option.words) words += (words.empty() ? "" : &word == &option.words.back() ? " or " : ", ") + word;
         const std::vector<double> number = option.limit == nullptr ? std::vector<double>() : numbersOf(text); // a word or a number
         if (number.size() == 1 && option.limit->hold(number.front())) return Done{};
-        if (option.limit != nullptr) words += std::string(", or a number of ") + option.limit->unit;
-        return Error{"\"" + text + "\" is not one of its values", flag, "use " + words};
+        if (option.limit != nullptr) words = withValues("%1, or a number of %2", {words, option.limit->unit});
+        return Error{withValues("\"%1\" is not one of its values", {text}), flag, withValues("use %1", {words})};
     }
     if (option.limit == nullptr || option.kind == Kind::Word) return Done{};
     const std::vector<double> numbers = numbersOf(text);
     const NumberLimits& limits = option.limit->limits;
     const std::string unit = *option.limit->unit == '\0' ? std::string() : std::string(" ") + option.limit->unit;
-    const std::string within = "from " + significantText(limits.least, 9) + " to " + significantText(limits.most, 9) + unit;
+    const std::string within = withValues("from %1 to %2%3", {significantText(limits.least, 9), significantText(limits.most, 9), unit});
     const bool whole = option.kind == Kind::Whole;
-    const std::string hint = option.kind == Kind::ThreeNumbers ? "give three numbers " + within + ": X,Y,Z"
-                                                               : (whole ? "give a whole number " : "give a number ") + within +
-                                                                     (option.limit->zero ? "" : " that is not 0");
+    const std::string hint =
+        option.kind == Kind::ThreeNumbers
+            ? withValues("give three numbers %1: X,Y,Z", {within})
+            : withValues(whole ? "give a whole number %1" : "give a number %1", {within}) + (option.limit->zero ? "" : " that is not 0");
     if (numbers.size() != (option.kind == Kind::ThreeNumbers ? 3 : 1)) {
-        const std::string wanted = option.kind == Kind::ThreeNumbers ? "\" is not three numbers" : "\" is not a number";
-        return Error{"\"" + text + wanted, flag, hint};
+        return Error{withValues(option.kind == Kind::ThreeNumbers ? "\"%1\" is not three numbers" : "\"%1\" is not a number", {text}), flag,
+                     hint};
     }
     if (std::ranges::all_of(numbers, [&](double n) { return option.limit->hold(n) && (!whole || n == std::floor(n)); })) return Done{};
-    return Error{text + " is out of reason for a " + option.limit->what, flag, hint};
+    return Error{withValues("%1 is out of reason for a %2", {text, option.limit->what}), flag, hint};
 }
 
-Error noSuchScan(std::size_t asked, std::size_t held, const std::string& holder, const std::string& one) {
-    return {holder + " holds " + (held == 1 ? "one " + one : counted(held, one)), "--scan " + std::to_string(asked),
+Error noSuchScan(std::size_t asked, std::size_t held, const std::string& holder, const char* one, const char* several) {
+    return {withValues("%1 holds %2", {holder, held == 1 ? one : withValues(several, {held})}), withValues("--scan %1", {asked}),
             held == 0   ? "choose another file"
             : held == 1 ? "use --scan 0"
-                        : "use --scan 0 to " + std::to_string(held - 1)};
+                        : withValues("use --scan 0 to %1", {held - 1})};
 }
 
 std::string readingFlags(const ReadingOptions& options) {
@@ -216,7 +218,7 @@ std::vector<std::string> replacedByOptions(const ReadingOptions& given, const Re
     for (const ReadingOption& option : table()) {
         const std::string now = option.get(given), was = option.get(file);
         if ((option.uses & ReadingOption::kFlag) != 0 && !now.empty() && !was.empty() && now != was)
-            warnings.push_back(std::string("--") + option.key + " " + now + " replaces " + was + ", which the file gives.");
+            warnings.push_back(withValues("--%1 %2 replaces %3, which the file gives.", {option.key, now, was}));
     }
     return warnings;
 }
@@ -225,7 +227,7 @@ std::vector<std::string> idleOptions(const ReadingOptions& given, std::span<cons
     std::vector<std::string> warnings;
     for (const ReadingOption& option : table()) {
         if (std::ranges::find(keys, option.key) != keys.end() && !option.get(given).empty())
-            warnings.push_back(std::string("--") + option.key + " has no effect: " + why + "; leave it out.");
+            warnings.push_back(withValues("--%1 has no effect: %2; leave it out.", {option.key, why}));
     }
     return warnings;
 }

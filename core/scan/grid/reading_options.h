@@ -72,8 +72,8 @@ struct ReadingOption {
 Result<Done> checked(const ReadingOption& option, const std::string& text);
 
 /// The Error of a --scan that a file does not hold: "--scan 3: the file holds 2 scans; use --scan 0 to 1."
-[[nodiscard]] Error noSuchScan(std::size_t asked, std::size_t held, const std::string& holder = "the file",
-                               const std::string& one = "scan");
+[[nodiscard]] Error noSuchScan(std::size_t asked, std::size_t held, const std::string& holder = "the file", const char* one = "one scan",
+                               const char* several = "%1 scans");
 
 /// "--axis spin --line-start -30": the flags that give these options; empty if no option is set. Paths are quoted for a POSIX shell.
 [[nodiscard]] std::string readingFlags(const ReadingOptions& options);

@@ -1,5 +1,6 @@
 // Encodes requests to a scanner and parses its answers.
 #include "core/scanner/cola/commands.h"
+#include "core/base/translated_text.h"
 
 #include "core/scanner/cola/fields.h"
 
@@ -17,7 +18,7 @@ auto parsed(const ColaAnswer& answer, Read read) -> Result<decltype(read(std::de
     auto value = read(reader);
     if (!reader.failed()) return value;
     Error error = reader.error();
-    error.where = "the scanner's answer to " + answer.name;
+    error.where = withValues("the scanner's answer to %1", {answer.name});
     return error;
 }
 

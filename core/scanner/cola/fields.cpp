@@ -1,5 +1,6 @@
 // Reads and writes the fields of a CoLa payload in order.
 #include "core/scanner/cola/fields.h"
+#include "core/base/translated_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -11,7 +12,7 @@ std::string_view ColaReader::characters(std::size_t from, std::size_t count) con
 }
 
 std::uint32_t ColaReader::fail(const char* field, const std::string& why) {
-    if (!error_) error_ = Error{std::string(field) + " " + why, "byte " + std::to_string(at_) + " of the telegram", {}};
+    if (!error_) error_ = Error{std::string(field) + " " + why, withValues("byte %1 of the telegram", {at_}), {}};
     return 0;
 }
 
@@ -49,7 +50,7 @@ std::uint32_t ColaReader::textNumber(unsigned bits, bool isSigned, const char* f
                        !(token.starts_with('+') && digits.starts_with('-'));
     const std::int64_t beyond = std::int64_t{1} << (decimal && isSigned ? bits - 1 : bits);
     if (!whole || value >= beyond || value < (decimal && isSigned ? -beyond : 0))
-        return fail(field, "is not a number of " + std::to_string(bits) + " bits");
+        return fail(field, withValues("is not a number of %1 bits", {bits}));
     at_ += std::min(token.size() + 1, rest.size());
     return static_cast<std::uint32_t>(value);
 }
@@ -67,7 +68,7 @@ std::string ColaReader::fixed(std::size_t length, const char* field) {
     }
     const bool last = left() == length;
     if (!last && length > 0 && payload_[at_ + length] != ' ') {
-        fail(field, "does not end after " + std::to_string(length) + " characters");
+        fail(field, withValues("does not end after %1 characters", {length}));
         return {};
     }
     // Behind an empty text some scanners write its blank, others do not.

@@ -1,5 +1,6 @@
 // Parses HOST[:PORT].
 #include "core/scanner/cola/host_port.h"
+#include "core/base/translated_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -26,7 +27,7 @@ Result<HostPort> hostPort(const std::string& typed) {
         return bridge;
     }
     if (const std::size_t scheme = typed.find("://"); scheme != std::string::npos)
-        return Error{"\"" + typed.substr(0, scheme) + "://\" is not known here", typed,
+        return Error{withValues("\"%1://\" is not known here", {typed.substr(0, scheme)}), typed,
                      "write HOST or HOST:PORT for a scanner, ws://HOST or ws://HOST:PORT for a robot's Foxglove bridge"};
     HostPort result;
     std::string port;
@@ -50,7 +51,7 @@ Result<HostPort> hostPort(const std::string& typed) {
     unsigned number = 0;
     const auto [end, code] = std::from_chars(port.data(), port.data() + port.size(), number);
     if (code != std::errc{} || end != port.data() + port.size() || number == 0 || number > 65535) {
-        return Error{"\"" + port + "\" is not a port", typed, "give a number from 1 to 65535"};
+        return Error{withValues("\"%1\" is not a port", {port}), typed, "give a number from 1 to 65535"};
     }
     result.port = static_cast<std::uint16_t>(number);
     result.portTyped = true;

@@ -1,4 +1,5 @@
 // One TCP connection, and the frames of a scanner on it.
+#include "core/base/translated_text.h"
 #include "core/scanner/cola/link_socket.h"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ Error Link::Socket::connectError(const error_code& problem, bool late) const {
     if (problem == asio::error::connection_refused) return {"the connection is refused", where, hints.refused};
     if (problem == asio::error::host_unreachable || problem == asio::error::network_unreachable || problem == asio::error::network_down)
         return {"there is no way to this address", where, "check the cable and the network settings of this computer"};
-    return {"cannot connect (" + problem.message() + ")", where, "check the address and the network settings of this computer"};
+    return {withValues("cannot connect (%1)", {problem.message()}), where, "check the address and the network settings of this computer"};
 }
 
 Link::Link(std::unique_ptr<Socket> socket) : socket_(std::move(socket)) {}
@@ -212,7 +213,7 @@ Result<Done> ColaLink::send(ByteView payload, Dialect dialect, Clock::duration t
         s.drain(done);
         if (!problem || problem == asio::error::operation_aborted) problem = asio::error::timed_out;
     }
-    if (problem) return Error{"a command cannot be sent (" + problem.message() + ")", s.where, "check the cable"};
+    if (problem) return Error{withValues("a command cannot be sent (%1)", {problem.message()}), s.where, "check the cable"};
     if (s.hooks.sent) s.hooks.sent(frame);
     return Done{};
 }
@@ -239,7 +240,7 @@ Result<std::vector<ColaFrame>> ColaLink::receive(Clock::time_point deadline) {
         return Error{"the scanner closed the connection", s.where,
                      speaks ? std::string() : "check that a scanner of SICK answers there; a robot's Foxglove bridge is ws://HOST"};
     }
-    if (problem) return Error{"the connection broke (" + problem.message() + ")", s.where, {}};
+    if (problem) return Error{withValues("the connection broke (%1)", {problem.message()}), s.where, {}};
     std::vector<ColaFrame> frames = s.stream.push(ByteView(s.piece).first(count), now);
     s.count();
     // An interruption counts between two frames, too: a peer may send thousands at once.

@@ -1,5 +1,6 @@
 // The scan telegram LMDscandata: converts bytes to fields and fields to bytes.
 #include "core/scanner/sick_lms/scan_telegram.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
@@ -163,8 +164,9 @@ Result<Done> checkRangeChannels(const ScanTelegram& telegram) {
         if (!std::string_view(channel.content).starts_with("DIST")) continue;
         const bool scaled = physical::kUnitMm.hold(channel.scale) && physical::kRangeMm.hold(kLargestCount * channel.scale);
         if (scaled && physical::kRangeMm.hold(std::abs(channel.offset))) continue;
-        return Error{std::string("the ") + (scaled ? "offset" : "scale") + " of the channel " + channel.content + " is " +
-                         significantText(scaled ? channel.offset : channel.scale, 6) + ", which no scanner uses",
+        return Error{withValues(scaled ? "the offset of the channel %1 is %2, which no scanner uses"
+                                       : "the scale of the channel %1 is %2, which no scanner uses",
+                                {channel.content, significantText(scaled ? channel.offset : channel.scale, 6)}),
                      "the scan telegram",
                      {}};
     }

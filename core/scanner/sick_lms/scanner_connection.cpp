@@ -2,6 +2,7 @@
 #include "core/scanner/sick_lms/scanner_connection.h"
 
 #include "core/base/number_text.h"
+#include "core/base/translated_text.h"
 
 #include <algorithm>
 
@@ -47,10 +48,10 @@ std::string ScannerIdentity::words() const {
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
     if (device) add(trimmed(device->name) + " " + trimmed(device->version));
     if (location && !trimmed(*location).empty()) add(trimmed(*location));
-    if (firmware) add("firmware " + trimmed(*firmware));
+    if (firmware) add(withValues("firmware %1", {trimmed(*firmware)}));
     add(dialectName(dialect));
     if (scan) add(degrees(scan->frequency * 100.0) + " Hz");
-    if (range) add(degrees(range->step) + " degrees from " + degrees(range->startAngle) + " to " + degrees(range->stopAngle));
+    if (range) add(withValues("%1 degrees from %2 to %3", {degrees(range->step), degrees(range->startAngle), degrees(range->stopAngle)}));
     if (deviceState && *deviceState != 1) add(deviceStateText(*deviceState));
     return text;
 }
@@ -92,7 +93,7 @@ Result<ColaAnswer> ScannerDialogue::ask(const ColaRequest& request) {
     if (const auto sent = link_.send(encodeRequest(request, dialect_), dialect_, timeouts_.answer); !sent) return sent.error();
     auto answer = await(request, timeouts_.answer);
     if (!answer) return answer.error();
-    if (!*answer) return Error{"no answer to \"" + requestText(request) + "\"", {}, "check the connection"};
+    if (!*answer) return Error{withValues("no answer to \"%1\"", {requestText(request)}), {}, "check the connection"};
     return std::move(**answer);
 }
 
@@ -169,19 +170,19 @@ void LiveConnection::run() {
         scansHere_ = 0;
         Error end = connection();
         link().close();
-        if (link().interrupted()) return enter(ConnectionPhase::Stopped, where() + ": disconnected.");
+        if (link().interrupted()) return enter(ConnectionPhase::Stopped, withValues("%1: disconnected.", {where()}));
         if (end.where.empty()) end.where = where();
         if (scansHere_ > 0) failures = 0;
         const auto& rests = settings_.timeouts.rests;
         const auto rest = rests.empty() ? std::chrono::milliseconds(0) : rests[std::min(failures, rests.size() - 1)];
         ++failures;
-        enter(ConnectionPhase::Lost, end.sentence() + " Trying again in " + seconds(rest) + ".", end);
+        enter(ConnectionPhase::Lost, withValues("%1 Trying again in %2.", {end.sentence(), seconds(rest)}), end);
         link().pause(rest);
     }
 }
 
 Error LiveConnection::connection() {
-    enter(ConnectionPhase::Connecting, "Connecting to " + where() + ".");
+    enter(ConnectionPhase::Connecting, withValues("Connecting to %1.", {where()}));
     if (const auto connected = link().connect(settings_.host, settings_.port, settings_.timeouts.connect); !connected)
         return connected.error();
     ++connections_;
@@ -215,7 +216,7 @@ Error LiveConnection::watch() {
         }
         const auto silence = Clock::now() - silentSince;
         if (silence >= timeout) return silent(seconds(timeout));
-        if (live && silence >= timeout / 2) enter(ConnectionPhase::Stale, where() + ": no scan for " + seconds(silence) + ".");
+        if (live && silence >= timeout / 2) enter(ConnectionPhase::Stale, withValues("%1: no scan for %2.", {where(), seconds(silence)}));
     }
     return {"interrupted", where(), {}};
 }
@@ -227,7 +228,7 @@ ScannerConnection::ScannerConnection(ConnectionSettings settings, ConnectionEven
 }
 
 Result<Done> ScannerConnection::start() {
-    enter(ConnectionPhase::Identifying, where() + " accepts the connection; asking what it is.");
+    enter(ConnectionPhase::Identifying, withValues("%1 accepts the connection; asking what it is.", {where()}));
     ScannerDialogue dialogue(link_, settings_.timeouts, [this](const ColaFrame& frame) { noticeScan(frame); });
     const auto deviceState = dialogue.detect(dialect_, settings_.dialect.has_value());
     if (!deviceState) return deviceState.error();
@@ -243,7 +244,8 @@ Result<Done> ScannerConnection::start() {
     const auto answer = dialogue.ask({ColaRequest::Kind::Subscribe, "LMDscandata"});
     if (!answer) return answer.error();
     if (answer->kind == AnswerKind::Refused)
-        return Error{"the scanner refuses to send scans: " + std::string(refusalText(answer->refusal)), where(), "check what else uses it"};
+        return Error{withValues("the scanner refuses to send scans: %1", {std::string(refusalText(answer->refusal))}), where(),
+                     "check what else uses it"};
     return Done{};
 }
 
@@ -266,7 +268,7 @@ Result<Done> ScannerConnection::receive(Clock::time_point deadline) {
 }
 
 Error ScannerConnection::silent(const std::string& time) const {
-    return {"no scan for " + time, where(), "check the cable and whether the scanner's mirror turns"};
+    return {withValues("no scan for %1", {time}), where(), "check the cable and whether the scanner's mirror turns"};
 }
 
 } // namespace edgescan::scanner

@@ -1,5 +1,6 @@
 // Sentences about irregularities: one row per kind.
 #include "core/scanner/sweep_assembly/irregularities.h"
+#include "core/base/translated_text.h"
 
 namespace edgescan::scanner {
 namespace {
@@ -67,7 +68,7 @@ std::vector<std::string> Irregularities::sentences() const {
         std::string sentence = counts_[k] == 1 ? words.one : std::to_string(counts_[k]) + ' ' + words.many;
         if (first_[k] >= 0) sentence += (counts_[k] == 1 ? " (line " : " (first at line ") + std::to_string(first_[k]) + ')';
         sentence += words.so;
-        if (k == static_cast<std::size_t>(Irregularity::CounterJump)) sentence += " (" + std::to_string(claimed_) + " by the counters)";
+        if (k == static_cast<std::size_t>(Irregularity::CounterJump)) sentence += withValues(" (%1 by the counters)", {claimed_});
         all.push_back(sentence + '.');
     }
     return all;

@@ -1,5 +1,6 @@
 // Settings of a sweep as text, and back.
 #include "core/scanner/sweep_assembly/sweep_settings.h"
+#include "core/base/translated_text.h"
 
 #include "core/base/bounded_json.h"
 #include "core/base/number_text.h"
@@ -40,7 +41,8 @@ public:
         return std::nullopt;
     }
     void refuse(const char* key) {
-        warnings_.push_back("the recording's \"" + std::string(key) + "\" is \"" + text(key)->substr(0, 40) + "\", which cannot be used");
+        warnings_.push_back(
+            withValues("the recording's \"%1\" is \"%2\", which cannot be used", {std::string(key), text(key)->substr(0, 40)}));
     }
 
 private:

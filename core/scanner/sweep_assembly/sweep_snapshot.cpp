@@ -1,4 +1,5 @@
 // The state of a sweep so far: as a scan and as text.
+#include "core/base/translated_text.h"
 #include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include "core/base/number_text.h"
@@ -46,7 +47,7 @@ std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::si
         a.clockSource = "the recording computer's clock, carried on by the scanner's";
     }
     const DeviceFlags& ever = sweep.deviceEver();
-    const std::string from = " from line " + std::to_string(std::max(0, sweep.firstFlagged())) + " on";
+    const std::string from = withValues(" from line %1 on", {std::max(0, sweep.firstFlagged())});
     a.contamination = ever.contaminationError     ? "window too dirty to measure through" + from
                       : ever.contaminationWarning ? "dirty window" + from
                                                   : "none reported";
@@ -74,7 +75,7 @@ std::string assumedText(const SweepSettings& settings, bool fromRanges, AngleSou
     if (settings.firstAssumed && source != AngleSource::Stepper)
         addAssumption(kFirstAssumed + shortestText(settings.firstLineDeg) + " degrees)", "--line-start");
     if (what.empty()) return {};
-    return kMountingAssumed + what + ". Give " + flags + " where that is wrong.";
+    return kMountingAssumed + withValues("%1. Give %2 where that is wrong.", {what, flags});
 }
 
 /// "312/1000 lines"; `of` 0: how many the sweep has is not known.
@@ -93,18 +94,18 @@ std::string SweepProgress::textSoFar() const {
 }
 
 std::string rowsText(const std::vector<int>& rows, int groups) {
-    std::string text = rows.size() == 1 ? "line " : "lines ";
+    std::string text;
     int listed = 0;
     for (std::size_t i = 0; i < rows.size();) {
         std::size_t last = i;
         while (last + 1 < rows.size() && rows[last + 1] == rows[last] + 1) ++last;
-        if (listed++ == groups) return text + " and others";
+        if (listed++ == groups) return withValues("lines %1 and others", {text});
         if (listed > 1) text += ", ";
         text += std::to_string(rows[i]);
         if (last > i) text += " to " + std::to_string(rows[last]);
         i = last + 1;
     }
-    return text;
+    return withValues(rows.size() == 1 ? "line %1" : "lines %1", {text});
 }
 
 SweepProgress SweepAssembler::progress() const {
@@ -197,12 +198,12 @@ void SweepAssembler::describe(Scan& scan) {
     const auto warn = [&](std::string sentence) { scan.warnings.push_back(std::move(sentence)); };
     if (!now.complete()) warn(now.text() + ".");
     const auto warnAboutRows = [&](const char* what, const std::vector<int>& lines) {
-        if (!lines.empty()) warn(what + rowsText(lines) + " (" + std::to_string(lines.size()) + " in all).");
+        if (!lines.empty()) warn(withValues(what, {rowsText(lines), lines.size()}));
     };
     std::vector<int> gone;
     std::set_difference(now.lost.begin(), now.lost.end(), now.narrow.begin(), now.narrow.end(), std::back_inserter(gone));
-    warnAboutRows("Telegrams were lost: ", gone);
-    warnAboutRows("Telegrams had fewer beams than the sweep, the others are lost: ", now.narrow);
+    warnAboutRows("Telegrams were lost: %1 (%2 in all).", gone);
+    warnAboutRows("Telegrams had fewer beams than the sweep, the others are lost: %1 (%2 in all).", now.narrow);
     for (std::string& sentence : now.irregular.sentences()) warn(std::move(sentence));
     if (std::string assumed = now.allAssumed(); !assumed.empty()) warn(std::move(assumed));
     if (angles.source == AngleSource::Time) warn("The line angles are computed from time alone: a change of speed bends the cloud.");
@@ -210,7 +211,7 @@ void SweepAssembler::describe(Scan& scan) {
         warn("The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.");
     if (encoderWasReset_) warn("The scanner lost its encoder count when it restarted: the line angles after that are computed.");
     const DeviceFlags& ever = now.deviceEver;
-    const std::string from = " (from line " + std::to_string(std::max(0, sweep_->firstFlagged())) + " on).";
+    const std::string from = withValues(" (from line %1 on).", {std::max(0, sweep_->firstFlagged())});
     if (ever.error) warn("The scanner reported an error or was not ready" + from);
     if (ever.contaminationError) warn("The scanner reported a window too dirty to measure through" + from);
     if (ever.contaminationWarning) warn("The scanner reported a dirty window" + from);

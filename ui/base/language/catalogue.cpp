@@ -32,14 +32,18 @@ SourceTexts::~SourceTexts() { --sourceTextsWanted; }
 
 bool Catalogue::read(const QString& path) {
     texts_.clear();
+    coreTexts_.clear();
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return false;
     QXmlStreamReader xml(&file);
-    QString source;
+    QString source, context;
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement) continue;
-        if (xml.name() == QLatin1String("source")) {
+        if (xml.name() == QLatin1String("name")) {
+            context = xml.readElementText();
+        } else if (xml.name() == QLatin1String("source")) {
             source = xml.readElementText();
+            if (context == "core") coreTexts_ << source;
         } else if (xml.name() == QLatin1String("translation")) {
             const bool unfinished = xml.attributes().hasAttribute(QLatin1String("type"));
             const QString text = xml.readElementText();

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <QHash>
+#include <QStringList>
 #include <QTranslator>
 
 namespace edgescan::ui {
 
-/// One text has one translation in the whole window: the contexts (class names) of Qt are ignored.
+/// One text has one translation in the whole window: the contexts (class names) of Qt are ignored. The context "core" has its sentences.
 class Catalogue : public QTranslator {
     Q_OBJECT
 public:
@@ -18,11 +19,14 @@ public:
     [[nodiscard]] bool isEmpty() const override { return false; } // the English one has the words of a cab
     /// Source and translation.
     [[nodiscard]] const QHash<QString, QString>& texts() const { return texts_; }
+    /// The sources of the core's sentences: patterns with %1 to %9 for values, and %n for a number.
+    [[nodiscard]] const QStringList& coreTexts() const { return coreTexts_; }
 
 private:
     [[nodiscard]] QString forTouch(QString text) const;
 
     QHash<QString, QString> texts_;
+    QStringList coreTexts_;
 };
 
 /// On: tr() writes what a finger does ("tap") instead of what a mouse does ("click"), in the words that the language gives for it.

@@ -77,6 +77,7 @@ namespace {
 
 struct LanguageInstalled {
     QString code = "en";
+    QStringList ofTheCore;
     std::vector<std::unique_ptr<QTranslator>> translators; // the destructor of a translator removes it from the application
 };
 
@@ -110,6 +111,7 @@ QString languageOfSystem(const QStringList& spoken) {
 bool useLanguage(const QString& code, const QString& folder) {
     LanguageInstalled& now = installed();
     now.translators.clear();
+    now.ofTheCore.clear();
     const QString wanted = code.isEmpty() ? languageOfSystem(QLocale::system().uiLanguages()) : code;
     now.code = isSpoken(wanted) ? wanted : "en";
     auto own = std::make_unique<Catalogue>();
@@ -123,13 +125,17 @@ bool useLanguage(const QString& code, const QString& folder) {
     // Texts of Qt that its own translations lack.
     [[maybe_unused]] constexpr std::array kOfQt{QT_TRANSLATE_NOOP("QTabBar", "Scroll Left"), QT_TRANSLATE_NOOP("QTabBar", "Scroll Right")};
     const bool read = own->read(folder + "/" + now.code + ".ts") && QCoreApplication::installTranslator(own.get());
-    if (read)
+    if (read) {
+        now.ofTheCore = own->coreTexts();
         now.translators.push_back(std::move(own));
-    else
+    } else {
         now.code = "en";
+    }
     return read;
 }
 
 QString languageInUse() { return installed().code; }
+
+const QStringList& sentencesOfTheCore() { return installed().ofTheCore; }
 
 } // namespace edgescan::ui

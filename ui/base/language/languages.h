@@ -25,4 +25,7 @@ bool useLanguage(const QString& code, const QString& folder = ":/languages");
 /// The language that useLanguage() chose last.
 [[nodiscard]] QString languageInUse();
 
+/// Patterns of the core's sentences that have a translation; empty in English.
+[[nodiscard]] const QStringList& sentencesOfTheCore();
+
 } // namespace edgescan::ui
