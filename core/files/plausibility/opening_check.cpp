@@ -259,8 +259,9 @@ bool looksWrong(const std::vector<OpeningPoint>& points) {
 }
 
 bool looksGuessed(const std::vector<OpeningPoint>& points) {
-    return std::ranges::any_of(
-        points, [](const OpeningPoint& point) { return point.source == Source::Guessed || point.source == Source::Assumed; });
+    return std::ranges::any_of(points, [](const OpeningPoint& point) {
+        return point.source == OpeningPoint::Source::Guessed || point.source == OpeningPoint::Source::Assumed;
+    });
 }
 
 } // namespace edgescan::files
