@@ -109,13 +109,6 @@ LayerPlace placeFrom(JsonFields fields) {
 
 fs::path absolutePath(const fs::path& path) { return path.empty() ? path : fs::absolute(path).lexically_normal(); }
 
-SessionScan fileScan(const fs::path& path, ReadingOptions reading, const NotebookScan& identity) {
-    reading.pose = absolutePath(reading.pose).string();
-    reading.calibration = absolutePath(reading.calibration).string();
-    reading.progress = nullptr;
-    return {SessionScan::Kind::File, absolutePath(path), identity, {}, 0.0, std::move(reading)};
-}
-
 nlohmann::ordered_json sessionScanJson(const SessionScan& scan, const fs::path& folder) {
     nlohmann::ordered_json json{{"kind", kScanKinds[static_cast<std::size_t>(scan.kind)]}};
     if (hasPath(scan.kind)) json["path"] = pathJson(scan.path, folder);
@@ -325,6 +318,13 @@ Result<Done> nestedFrom(JsonFields& fields, const std::string& where, ReadSessio
 }
 
 } // namespace
+
+SessionScan fileScan(const fs::path& path, ReadingOptions reading, const NotebookScan& identity) {
+    reading.pose = absolutePath(reading.pose).string();
+    reading.calibration = absolutePath(reading.calibration).string();
+    reading.progress = nullptr;
+    return {SessionScan::Kind::File, absolutePath(path), identity, {}, 0.0, std::move(reading)};
+}
 
 ScanHead scanHead(const Scan& scan, int lines) {
     const int taken = std::min(lines, scan.lines());
