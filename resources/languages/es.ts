@@ -1379,6 +1379,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
 <message><source>Open session</source><translation>Abrir sesión</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Capturas de pantalla (*.png)</translation></message>
+<message><source>%1: this is not a session; choose a session, or a screenshot that carries one.</source><translation>%1: esto no es una sesión; elija una sesión, o una captura de pantalla que lleve una.</translation></message>
 <message><source>%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The rest needs the scan.</source><translation>%1: no se encontró el escaneo de esta sesión. Se movió, o falta su disco. Los ajustes y la vista se han restaurado. El resto necesita el escaneo.</translation></message>
 <message><source>Locate…</source><translation>Localizar…</translation></message>
 <message><source>Where is the scan now?</source><translation>¿Dónde está ahora el escaneo?</translation></message>

@@ -1379,6 +1379,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 n'est pas une session et reste tel quel : choisissez un autre nom.</translation></message>
 <message><source>Open session</source><translation>Ouvrir une session</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Captures d'écran (*.png)</translation></message>
+<message><source>%1: this is not a session; choose a session, or a screenshot that carries one.</source><translation>%1 : ce n'est pas une session ; choisissez une session, ou une capture d'écran qui en contient une.</translation></message>
 <message><source>%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The rest needs the scan.</source><translation>%1 : le scan de cette session est introuvable. Il a été déplacé, ou son disque manque. Réglages et vue sont repris. Le reste demande le scan.</translation></message>
 <message><source>Locate…</source><translation>Localiser…</translation></message>
 <message><source>Where is the scan now?</source><translation>Où est le scan maintenant ?</translation></message>

@@ -1379,6 +1379,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 não é uma sessão e fica como está: escolha outro nome.</translation></message>
 <message><source>Open session</source><translation>Abrir sessão</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Capturas de tela (*.png)</translation></message>
+<message><source>%1: this is not a session; choose a session, or a screenshot that carries one.</source><translation>%1: isto não é uma sessão; escolha uma sessão, ou uma captura de tela que traga uma.</translation></message>
 <message><source>%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The rest needs the scan.</source><translation>%1: a varredura desta sessão não foi encontrada. Foi movida, ou falta o disco. Ajustes e vista foram restaurados. O resto precisa da varredura.</translation></message>
 <message><source>Locate…</source><translation>Localizar…</translation></message>
 <message><source>Where is the scan now?</source><translation>Onde está a varredura agora?</translation></message>
