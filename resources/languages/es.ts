@@ -682,6 +682,8 @@
 <message><source>choose another name, or ask its owner</source><translation>elija otro nombre o pregunte a su propietario</translation></message>
 <message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>no es un archivo normal: los ajustes no se leen y nada de esta ventana se guarda</translation></message>
 <message><source>remove it and start again</source><translation>elimínelo e inicie de nuevo</translation></message>
+<message><source>not all settings in this file can be read</source><translation>no todos los ajustes de este archivo se pueden leer</translation></message>
+<message><source>what it held is in </source><translation>lo que contenía está en </translation></message>
 <message><source>this file was read as an input</source><translation>este archivo se leyó como entrada</translation></message>
 <message><source>this is the file that was read as an input under the name </source><translation>es el archivo que se leyó como entrada con el nombre </translation></message>
 <message><source>choose another name</source><translation>elija otro nombre</translation></message>

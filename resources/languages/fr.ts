@@ -682,6 +682,8 @@
 <message><source>choose another name, or ask its owner</source><translation>choisissez un autre nom, ou demandez à son propriétaire</translation></message>
 <message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>ce n'est pas un fichier ordinaire : les réglages ne sont pas lus et rien de cette fenêtre n'est enregistré</translation></message>
 <message><source>remove it and start again</source><translation>supprimez-le et redémarrez</translation></message>
+<message><source>not all settings in this file can be read</source><translation>tous les réglages de ce fichier ne peuvent pas être lus</translation></message>
+<message><source>what it held is in </source><translation>ce qu'il contenait est dans </translation></message>
 <message><source>this file was read as an input</source><translation>ce fichier a été lu comme entrée</translation></message>
 <message><source>this is the file that was read as an input under the name </source><translation>c'est le fichier lu comme entrée sous le nom </translation></message>
 <message><source>choose another name</source><translation>choisissez un autre nom</translation></message>

@@ -682,6 +682,8 @@
 <message><source>choose another name, or ask its owner</source><translation>escolha outro nome ou pergunte ao seu proprietário</translation></message>
 <message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>não é um arquivo comum: os ajustes não são lidos e nada desta janela é guardado</translation></message>
 <message><source>remove it and start again</source><translation>remova-o e inicie de novo</translation></message>
+<message><source>not all settings in this file can be read</source><translation>nem todos os ajustes deste arquivo podem ser lidos</translation></message>
+<message><source>what it held is in </source><translation>o que ele continha está em </translation></message>
 <message><source>this file was read as an input</source><translation>este arquivo foi lido como entrada</translation></message>
 <message><source>this is the file that was read as an input under the name </source><translation>é o arquivo que foi lido como entrada com o nome </translation></message>
 <message><source>choose another name</source><translation>escolha outro nome</translation></message>

@@ -184,6 +184,8 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "choose another name, or ask its owner"),
     QT_TRANSLATE_NOOP("QObject", "it is not a regular file, so settings are not read and nothing of this window is stored"),
     QT_TRANSLATE_NOOP("QObject", "remove it and start again"),
+    QT_TRANSLATE_NOOP("QObject", "not all settings in this file can be read"),
+    QT_TRANSLATE_NOOP("QObject", "what it held is in "),
     QT_TRANSLATE_NOOP("QObject", "this file was read as an input"),
     QT_TRANSLATE_NOOP("QObject", "this is the file that was read as an input under the name "),
     QT_TRANSLATE_NOOP("QObject", "choose another name"),
