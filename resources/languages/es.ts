@@ -1862,7 +1862,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
 <message><source>at least 1: rock %1</source><translation>al menos 1: roca %1</translation></message>
 <message><source>at least %1: rocks %2</source><translation>al menos %1: rocas %2</translation></message>
-<message><source>%1 and %2</source><translation>%1 y %2</translation></message>
+<message><source>, between rocks %1 and %2</source><translation>, entre las rocas %1 y %2</translation></message>
 <message><source>, hangs below</source><translation>, cuelga por debajo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
@@ -1901,11 +1901,14 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>visible contacts</source><translation>contactos visibles</translation></message>
 <message><source>free height below</source><translation>altura libre debajo</translation></message>
 <message><source>arch angle</source><translation>ángulo del arco</translation></message>
+<message><source>the scanner's z axis, assumed</source><translation>el eje z del escáner, supuesto</translation></message>
 <message><source>confidence p</source><translation>confianza p</translation></message>
 <message><source>pinned target</source><translation>objetivo fijado</translation></message>
 <message><source>Not a rock</source><translation>No es roca</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que no se tocan, a %2 m</translation></message>
+<message><source>%1 and %2</source><translation>%1 y %2</translation></message>
+<message><source>≈ may be one with %1</source><translation>≈ puede ser una sola con %1</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
@@ -2654,9 +2657,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>contacts (≥)</source><translation>contactos (≥)</translation></message>
 <message><source>Rocks that it is seen to touch: at least these</source><translation>Rocas que se ve que toca: al menos estas</translation></message>
 <message><source>free below [m]</source><translation>libre debajo [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free; without a pose, up is the scanner's z axis</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre; sin pose, hacia arriba es el eje z del escáner</translation></message>
 <message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them; without a pose, up is the scanner's z axis</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une; sin pose, hacia arriba es el eje z del escáner</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - solo geometría, un solo punto de vista</translation></message>
 <message><source>Unit</source><translation>Unidad</translation></message>

@@ -1862,7 +1862,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
 <message><source>at least 1: rock %1</source><translation>au moins 1 : roche %1</translation></message>
 <message><source>at least %1: rocks %2</source><translation>au moins %1 : roches %2</translation></message>
-<message><source>%1 and %2</source><translation>%1 et %2</translation></message>
+<message><source>, between rocks %1 and %2</source><translation>, entre les blocs %1 et %2</translation></message>
 <message><source>, hangs below</source><translation>, pend en dessous</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>rien n'a été mesuré ici, ou aucun morceau ne convient</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
@@ -1901,11 +1901,14 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>visible contacts</source><translation>contacts visibles</translation></message>
 <message><source>free height below</source><translation>hauteur libre en dessous</translation></message>
 <message><source>arch angle</source><translation>angle de voûte</translation></message>
+<message><source>the scanner's z axis, assumed</source><translation>l'axe z du scanner, supposé</translation></message>
 <message><source>confidence p</source><translation>confiance p</translation></message>
 <message><source>pinned target</source><translation>cible épinglée</translation></message>
 <message><source>Not a rock</source><translation>Pas un bloc</translation></message>
 <message><source>because</source><translation>parce que</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 parties qui ne se touchent pas, à %2 m</translation></message>
+<message><source>%1 and %2</source><translation>%1 et %2</translation></message>
+<message><source>≈ may be one with %1</source><translation>≈ ne fait peut-être qu'un avec %1</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible : %2 × %3 m ± %4 m · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
 <message><source>hide uncertain</source><translation>masquer incertains</translation></message>
@@ -2654,9 +2657,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>contacts (≥)</source><translation>contacts (≥)</translation></message>
 <message><source>Rocks that it is seen to touch: at least these</source><translation>Blocs qu'on le voit toucher : au moins ceux-ci</translation></message>
 <message><source>free below [m]</source><translation>libre dessous [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free; without a pose, up is the scanner's z axis</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre ; sans pose, le haut est l'axe z du scanner</translation></message>
 <message><source>arch [°] ± 25</source><translation>voûte [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them; without a pose, up is the scanner's z axis</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie ; sans pose, le haut est l'axe z du scanner</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidat - géométrie seule, un seul point de vue</translation></message>
 <message><source>Unit</source><translation>Unité</translation></message>

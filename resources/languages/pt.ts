@@ -1862,7 +1862,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
 <message><source>at least 1: rock %1</source><translation>pelo menos 1: rocha %1</translation></message>
 <message><source>at least %1: rocks %2</source><translation>pelo menos %1: rochas %2</translation></message>
-<message><source>%1 and %2</source><translation>%1 e %2</translation></message>
+<message><source>, between rocks %1 and %2</source><translation>, entre as rochas %1 e %2</translation></message>
 <message><source>, hangs below</source><translation>, pende por baixo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>nada foi medido aqui, ou nenhum pedaço corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
@@ -1901,11 +1901,14 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>visible contacts</source><translation>contatos visíveis</translation></message>
 <message><source>free height below</source><translation>altura livre abaixo</translation></message>
 <message><source>arch angle</source><translation>ângulo do arco</translation></message>
+<message><source>the scanner's z axis, assumed</source><translation>o eixo z do scanner, suposto</translation></message>
 <message><source>confidence p</source><translation>confiança p</translation></message>
 <message><source>pinned target</source><translation>alvo fixado</translation></message>
 <message><source>Not a rock</source><translation>Não é rocha</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que não se tocam, a %2 m</translation></message>
+<message><source>%1 and %2</source><translation>%1 e %2</translation></message>
+<message><source>≈ may be one with %1</source><translation>≈ pode ser uma só com %1</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visível: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
@@ -2654,9 +2657,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>contacts (≥)</source><translation>contatos (≥)</translation></message>
 <message><source>Rocks that it is seen to touch: at least these</source><translation>Rochas que se vê que ela toca: pelo menos estas</translation></message>
 <message><source>free below [m]</source><translation>livre abaixo [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free; without a pose, up is the scanner's z axis</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre; sem pose, para cima é o eixo z do scanner</translation></message>
 <message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them; without a pose, up is the scanner's z axis</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une; sem pose, para cima é o eixo z do scanner</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - apenas geometria, um só ponto de vista</translation></message>
 <message><source>Unit</source><translation>Unidade</translation></message>
