@@ -62,7 +62,8 @@ std::string summary(const rocks::Study& study, const std::string& file) {
     if (curve.rocks() > 0)
         text += ", visible width b: P20 " + fixedText(curve.p20M, 2) + " P50 " + fixedText(curve.p50M, 2) + " P80 " +
                 fixedText(curve.p80M, 2) + " largest " + fixedText(curve.topM, 2) + " m";
-    return text + ", " + std::to_string(fines.regions) + " pieces of fines";
+    text += ", " + std::to_string(fines.regions) + " pieces of fines";
+    return text + (rocks::upOf(*study.segmentation->inputs.scan).assumed ? "; up is the scanner's z axis, assumed" : "");
 }
 
 Result<Done> answerWhy(const RocksFlags& flags, const rocks::Study& study) {

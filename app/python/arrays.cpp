@@ -113,14 +113,20 @@ void setTimes(Scan& scan, const std::vector<double>& times) {
     scan.acquisition = std::move(acquisition);
 }
 
-/// Numbers that are accepted and seldom meant: metres taken as millimetres, radians as degrees.
-void warnOfUnits(Scan& scan, const Arrays& arrays) {
+/// Numbers that are accepted and seldom meant: no range, angles without an order, metres taken as millimetres, radians as degrees.
+void warnOfSeldomMeant(Scan& scan, const Arrays& arrays) {
     constexpr float kNoScannersMm = 100;
     std::vector<float> ranges;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         if (scan.state[k] == CellState::Valid) ranges.push_back(scan.rangeMm[k]);
     }
-    const bool near = std::ranges::all_of(ranges, [](float mm) { return mm < kNoScannersMm; });
+    if (ranges.empty()) scan.warnings.emplace_back("No cell of this scan has a range.");
+    for (const auto& [name, angles] : {std::pair{"beam_deg", &arrays.beamDeg}, {"line_deg", &arrays.lineDeg}}) {
+        if (!std::ranges::is_sorted(*angles) && !std::ranges::is_sorted(*angles, std::ranges::greater()))
+            scan.warnings.push_back(std::string(name) + " neither rises nor falls throughout, and edges are found between neighbours: " +
+                                    "sort these angles and the ranges with them.");
+    }
+    const bool near = !ranges.empty() && std::ranges::all_of(ranges, [](float mm) { return mm < kNoScannersMm; });
     if (arrays.unitMm == 1.0 && near && NumberLimits{1, 60}.hold(static_cast<double>(median(ranges))))
         scan.warnings.emplace_back("All ranges are below 100 mm, so they may be metres: give unit=\"m\" where they are.");
     constexpr double kTurn = 6.2832, kWideFan = 1.5;
@@ -155,7 +161,7 @@ ScanObject scanOfArrays(const Arrays& arrays) {
     setCells(scan, arrays);
     setTimes(scan, arrays.lineTimesS);
     valueOf(files::checkMeasured(scan, where));
-    warnOfUnits(scan, arrays);
+    warnOfSeldomMeant(scan, arrays);
     if (!arrays.pose.empty()) scan.placement = valueOf(openPlacement(arrays.pose, arrays.calibration, scan, arrays.lineTimesS));
     if (scan.placement) valueOf(files::checkMeasured(scan, where));
     return {std::make_shared<const Scan>(std::move(scan))};

@@ -6,6 +6,8 @@
 #include "app/shared/typed_settings.h"
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
+#include "core/base/number_text.h"
+#include "core/base/whole_file.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
@@ -13,6 +15,9 @@
 #include "core/files/formats/formats.h"
 
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <span>
 
 namespace edgescan::python {
 namespace {
@@ -22,7 +27,7 @@ cli::MethodFlags flagsOf(const Typed& typed, const std::string& preset) {
     flags.preset = preset;
     for (const auto& [name, text] : typed) {
         std::string& value = flags.typed.at(edges::findParameter(name)->key);
-        if (value != cli::kNotTyped) throw Refused{{"two names of one setting are given", name, "give one of them"}};
+        if (value != cli::kNotTyped) throw Refused{{"two names of one setting are given", "--" + name, "give one of them"}};
         value = text;
     }
     return flags;
@@ -94,17 +99,35 @@ cli::WriteFlags writeFlagsOf(const Typed& typed) {
     return flags;
 }
 
+/// Refuses keywords that change nothing in a file of this name.
+void checkUsed(const cli::WriteFlags& flags, exports::ExportContent content, const std::string& path) {
+    const bool whole = content == exports::ExportContent::WholeScan;
+    const files::Format* format = whole || exports::isCloud(content) ? files::writtenFormat(path) : nullptr;
+    const bool points = format != nullptr && format->write != nullptr;
+    const std::string extension = asciiLower(std::filesystem::path(path).extension().string());
+    const auto check = [](bool given, bool used, const std::string& keyword) {
+        if (given && !used)
+            throw Refused{{"this flag changes nothing in this file", "--" + keyword, "leave it out, or write a file that it changes"}};
+    };
+    check(flags.ascii, points && (extension == ".pcd" || extension == ".ply"), "ascii");
+    check(flags.includeAttached, points, "include-attached");
+    for (const files::WritingChoice& choice : files::kWritingChoices) {
+        const bool ofEdges = choice.member != &files::WritingChoices::comments && choice.member != &files::WritingChoices::doubles &&
+                             choice.member != &files::WritingChoices::dxf2000;
+        check(flags.choices.*choice.member, points && choice.changes(extension) && !(whole && ofEdges), choice.key);
+    }
+}
+
 std::size_t write(const edges::Detection& detection, exports::ExportContent content, const std::string& path, const Typed& typed) {
     const cli::WriteFlags flags = writeFlagsOf(typed);
+    valueOf(exports::checkExtension(exports::exportKind(content), path, path, ", "));
+    checkUsed(flags, content, path);
     return unlocked([&] {
         const BindInputs inputs;
         const Scan& scan = *detection.scan;
         if (!scan.path.empty()) claimInput(scan.path);
-        const bool points = exports::isCloud(content) || content == exports::ExportContent::WholeScan;
-        const files::Format* format = points ? files::writtenFormat(path) : nullptr;
-        if (points && (format == nullptr || (exports::isCloud(content) && format->write == nullptr)))
-            throw Refused{
-                {"the extension names no format for points", path, "use " + files::writtenExtensions(!exports::isCloud(content))}};
+        if (content == exports::ExportContent::WholeScan && files::writtenFormat(path) == nullptr)
+            throw Refused{{"the extension names no format that can be written", path, "use " + files::writtenExtensions(true)}};
         const exports::ExportOptions options = cli::exportOptions(flags, scan, path);
         return valueOf(exports::exportWithProvenance(content, detection, path, options)).count;
     });
@@ -172,6 +195,9 @@ void bindDetect(py::module_& module) {
     module.def("result_report", &reportOf);
     module.def("save_scan", &saveScanObject);
     module.def("save_result", &saveResult);
+    module.def("write_file", [](const std::string& path, const std::string& content) { // bytes
+        unlocked([&] { return valueOf(writeWholeFile(path, std::as_bytes(std::span(content)))); });
+    });
 }
 
 } // namespace edgescan::python

@@ -44,6 +44,20 @@ inspect::SceneChange changeOf(const edges::Detection& before, const edges::Detec
     return valueOf(inspect::sceneChange({now.scan, now.mask}, {before.scan, before.mask}, wish));
 }
 
+/// "--method canny" and "--method edgescan+", or all settings that differ; empty: they are the same.
+std::pair<std::string, std::string> differentSettings(const edges::Settings& before, const edges::Settings& now) {
+    std::pair<std::string, std::string> texts;
+    for (const edges::Parameter& p : edges::parameters()) {
+        if (!p.usedBy(before) && !p.usedBy(now)) continue;
+        const std::string was = edges::formatValue(p, p.get(before)), is = edges::formatValue(p, p.get(now));
+        if (was == is) continue;
+        for (auto& [text, value] : {std::pair<std::string&, const std::string&>{texts.first, was}, {texts.second, is}})
+            text += (text.empty() ? "" : ", ") + edges::flagOf(p) + " " + value;
+        if (std::string_view(p.key) == "method") break; // the others are of one method
+    }
+    return texts;
+}
+
 py::object compare(const ResultObject& before, const ResultObject& now, const std::vector<std::string>& poses, bool bySurfaces,
                    const std::string& picture) {
     return objectOf(unlocked([&] {
@@ -59,13 +73,9 @@ py::object compare(const ResultObject& before, const ResultObject& now, const st
         if (!picture.empty()) valueOf(containers::savePngRgb(inspect::changePicture(later, change), picture));
         nlohmann::ordered_json report{{"before", before.detection->scan->path}, {"now", later.path}};
         report.update(inspect::changeReport(later, change));
-        const auto methodOf = [](const ResultObject& of) {
-            const edges::Parameter& method = *edges::findParameter("method");
-            return edges::formatValue(method, method.get(of.detection->settings));
-        };
-        if (methodOf(before) != methodOf(now))
-            report["warnings"].push_back("The edges were found by two methods, before by " + methodOf(before) + " and now by " +
-                                         methodOf(now) + ": edges gained and lost may be those of the method.");
+        if (const auto [was, is] = differentSettings(before.detection->settings, now.detection->settings); !was.empty())
+            report["warnings"].push_back("The edges were found with other settings, before with " + was + " and now with " + is +
+                                         ": edges gained and lost may be those of the settings.");
         return report;
     }));
 }

@@ -3,15 +3,12 @@
 
 #include "core/base/instruction_set.h"
 #include "core/base/version.h"
-#include "core/edges/settings/parameters.h"
 #include "core/exports/report.h"
-#include "core/scan/grid/reading_options.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 namespace edgescan::python {
 
@@ -39,38 +36,40 @@ std::int64_t wholeOf(const py::int_& number) {
 
 py::object objectOf(const nlohmann::ordered_json& json) {
     // jsonText() writes a byte that is not UTF-8 as \uef80 to \uefff, and Python's file names have \udc80 to \udcff for it.
-    std::string text = exports::reportText(json, false);
+    nlohmann::ordered_json said = json;
+    if (said.is_object() && said.contains("warnings")) {
+        for (nlohmann::ordered_json& warning : said["warnings"]) warning = withKeywords(warning.get<std::string>());
+    }
+    std::string text = exports::reportText(said, false);
     for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 2)) {
         if (text.compare(at, 4, "\\uef") == 0 && text[at + 4] >= '8') text.replace(at + 2, 2, "dc");
     }
     return py::module_::import("json").attr("loads")(text);
 }
 
-namespace {
-
-/// Flags as keywords: "--min-length" becomes "min_length". Other words stay.
 std::string withKeywords(const std::string& text) {
-    static const std::set<std::string, std::less<>> known = [] {
-        std::set<std::string, std::less<>> keys{"preset", "tolerance", "repeats", "only", "truth", "pictures", "peer-seconds"};
-        for (const edges::Parameter& p : edgescan::edges::parameters()) {
-            keys.insert(p.key);
-            if (p.name != nullptr) keys.insert(p.name);
-        }
-        for (const ReadingOption& option : readingOptionTable()) keys.insert(option.key);
-        return keys;
-    }();
     std::string out;
     std::size_t from = 0;
     for (std::size_t at = text.find("--"); at != text.npos; at = text.find("--", at + 2)) {
         const std::size_t end = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-", at + 2), text.size());
+        const bool begins = at == 0 || std::string_view(" (\"").find(text[at - 1]) != std::string_view::npos;
+        if (!begins || end - at < 3 || (end + 1 < text.size() && text[end] == '.' && text[end + 1] != ' ')) continue; // a name of a file
         std::string key = text.substr(at + 2, end - at - 2);
-        if (!known.contains(key)) continue;
         std::ranges::replace(key, '-', '_');
         out += text.substr(from, at - from) + key;
         from = end;
     }
-    return out + text.substr(from);
+    out += text.substr(from);
+    for (const auto& [flags, keywords] : {std::pair{"this flag", "this keyword"},
+                                          {"these flags", "these keywords"},
+                                          {"LINE,BEAM LINE,BEAM", "[(line, beam), (line, beam)]"},
+                                          {"LINE,BEAM", "(line, beam)"}}) {
+        for (std::size_t at = out.find(flags); at != out.npos; at = out.find(flags, at)) out.replace(at, std::strlen(flags), keywords);
+    }
+    return out;
 }
+
+namespace {
 
 // edgescan.Error with its three parts; the message is the same sentence as on the command line.
 void bindError(py::module_& module) {

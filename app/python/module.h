@@ -78,6 +78,9 @@ py::array vectorArray(const std::vector<T>& values, const std::shared_ptr<Owner>
 /// A name of a file, or text that may contain one, as os.fsdecode() gives it: os.fsencode() makes the same bytes of it.
 [[nodiscard]] py::str nameOf(const std::string& bytes);
 
+/// What the core says, with keywords for flags: "--min-length" is "min_length", and "this flag" is "this keyword". Names of files stay.
+[[nodiscard]] std::string withKeywords(const std::string& text);
+
 /// A whole number; beyond 64 bits the last one on its side.
 [[nodiscard]] std::int64_t wholeOf(const py::int_& number);
 

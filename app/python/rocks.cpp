@@ -17,6 +17,7 @@ namespace {
 struct RocksObject {
     std::shared_ptr<const rocks::Study> study;
     std::shared_ptr<const Grid<std::uint32_t>> labels, regions;
+    std::vector<std::string> warnings;
 };
 
 rocks::RockSettings settingsOf(const std::map<std::string, double>& numbers, const std::string& region) {
@@ -25,36 +26,48 @@ rocks::RockSettings settingsOf(const std::map<std::string, double>& numbers, con
         const auto given = numbers.find(parameter.key);
         if (given == numbers.end()) continue;
         const double value = given->second;
+        const std::string where = std::string("--") + parameter.key;
         if (!parameter.limits().hold(value))
             throw Refused{
-                {shortestText(value) + " is outside " + shortestText(parameter.minimum) + " to " + shortestText(parameter.maximum),
-                 parameter.key, "give a value within these limits"}};
+                {shortestText(value) + " is outside " + shortestText(parameter.minimum) + " to " + shortestText(parameter.maximum), where,
+                 "give a value within these limits"}};
         parameter.set(settings, value);
-        if (parameter.get(settings) != value)
-            throw Refused{{shortestText(value) + " is not a whole number", parameter.key, "give a whole number"}};
+        if (parameter.get(settings) != value) throw Refused{{shortestText(value) + " is not a whole number", where, "give a whole number"}};
     }
     if (!region.empty()) settings.region = valueOf(rocks::parseRegion(region));
     return settings;
 }
 
-RocksObject rocksOf(rocks::Study made) {
+RocksObject rocksOf(rocks::Study made, const std::vector<std::string>& warnings) {
     auto study = std::make_shared<const rocks::Study>(std::move(made));
     auto labels = std::make_shared<const Grid<std::uint32_t>>(rocks::rockLabels(*study->segmentation, study->map));
     auto regions = std::make_shared<const Grid<std::uint32_t>>(rocks::regionLabels(*study->segmentation, study->map));
-    return {std::move(study), std::move(labels), std::move(regions)};
+    return {std::move(study), std::move(labels), std::move(regions), warnings};
 }
 
 RocksObject rocks(const ResultObject& result, const std::map<std::string, double>& numbers, const std::string& region) {
     const rocks::RockSettings settings = settingsOf(numbers, region);
     const Grid<std::uint8_t>& mask = *result.detection->mask;
-    if (!settings.region.empty()) static_cast<void>(valueOf(rocks::isRegionInside(settings.region, mask.lines, mask.beams)));
-    return unlocked([&] { return rocksOf(rocks::studyRocks(rocks::rockInputs(*whole(result)), settings)); });
+    std::vector<std::string> warnings;
+    if (!settings.region.empty() && !valueOf(rocks::isRegionInside(settings.region, mask.lines, mask.beams)))
+        warnings.emplace_back("A part of the region is outside of the scan; the rest counts.");
+    return unlocked([&] { return rocksOf(rocks::studyRocks(rocks::rockInputs(*whole(result)), settings), warnings); });
 }
 
 RocksObject atLevel(const RocksObject& self, double level) {
     rocks::RockSettings settings = self.study->settings;
     settings.level = settingsOf({{"level", level}}, "").level;
-    return unlocked([&] { return rocksOf(rocks::studyRocks(self.study->segmentation->inputs, settings, {}, self.study.get())); });
+    return unlocked(
+        [&] { return rocksOf(rocks::studyRocks(self.study->segmentation->inputs, settings, {}, self.study.get()), self.warnings); });
+}
+
+/// Error: the rocks are those of a scan with other ranges.
+void checkSameScan(const RocksObject& self, const ResultObject& result) {
+    const Scan &one = *self.study->segmentation->inputs.scan, &other = *result.detection->scan;
+    if (&one == &other || (one.lines() == other.lines() && one.beams() == other.beams() && one.state.cells == other.state.cells &&
+                           one.rangeMm.cells == other.rangeMm.cells))
+        return;
+    throw Refused{{"the rocks are of another scan", "rocks", "give those that edgescan.rocks() finds in this result"}};
 }
 
 struct AsPython {
@@ -130,10 +143,13 @@ void bindRocks(py::module_& module) {
         "(across the beams), four_sd_m (4 standard deviations of its points along their longest axis), evidence, confidence.");
     property(
         "settings", [](const RocksObject& r) { return objectOf(rocks::rockSettingsToJson(r.study->settings)); }, "What it was made with.");
+    property(
+        "warnings", [](const RocksObject& r) { return r.warnings; }, "Sentences about the region.");
     type.def("__repr__", [](const RocksObject& r) {
         return "<edgescan.Rocks: " + std::to_string(r.study->map.rocks) + " rocks at level " + shortestText(r.study->settings.level) + ">";
     });
     module.def("rocks_at", &atLevel);
+    module.def("rocks_of_scan", &checkSameScan);
     module.def("rocks_table", &tableOf);
     module.def("rocks", &rocks);
     module.def("rock_parameters", [] {

@@ -102,7 +102,7 @@ py::object originOf(const Scan& scan) {
 
 py::list warningsOf(const Scan& scan) {
     py::list sentences;
-    for (const std::string& warning : scan.warnings) sentences.append(nameOf(warning));
+    for (const std::string& warning : scan.warnings) sentences.append(nameOf(withKeywords(warning)));
     return sentences;
 }
 

@@ -30,15 +30,16 @@ std::size_t wordOf(const std::string& key, const std::string& text, const std::v
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
     std::string all;
     for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-    throw Refused{{"\"" + text + "\" is not one of its values", key, "use one of " + all}};
+    throw Refused{{"\"" + text + "\" is not one of its values", "--" + key, "use one of " + all}};
 }
 
 void setNumber(sim::SimulationSettings& settings, const sim::SimulationNumber& number, double value) {
+    const std::string where = std::string("--") + number.key;
     if (!number.limits().hold(value))
-        throw Refused{{shortestText(value) + " is out of reason", number.key,
+        throw Refused{{shortestText(value) + " is out of reason", where,
                        "give " + shortestText(number.minimum) + " to " + shortestText(number.maximum)}};
     number.set(settings, value);
-    if (number.get(settings) != value) throw Refused{{shortestText(value) + " is not a whole number", number.key, "give a whole number"}};
+    if (number.get(settings) != value) throw Refused{{shortestText(value) + " is not a whole number", where, "give a whole number"}};
 }
 
 void setWord(sim::SimulationSettings& s, const std::string& key, const std::string& text) {
@@ -76,9 +77,14 @@ SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& n
         if (const auto given = numbers.find(number.key); given != numbers.end()) setNumber(settings, number, given->second);
     }
     for (const auto& [key, text] : words) setWord(settings, key, text);
+    const auto given = [&](const std::string& key) {
+        return numbers.contains(key) || (words.contains(key) && words.at(key) != "off") || (key == "surface" && surface != nullptr);
+    };
+    if (const auto idle = sim::idleIn(settings.scene, given)) throw Refused{*idle};
+    const bool ofHoles = numbers.contains("hole-count") || numbers.contains("hole-size");
+    if (ofHoles && words.contains("hole-shape") && settings.hole == sim::WallHole::None) throw Refused{sim::noHoles()};
     // As on the command line: holes are round by default.
-    if (!words.contains("hole-shape") && (numbers.contains("hole-count") || numbers.contains("hole-size")))
-        settings.hole = sim::WallHole::Round;
+    if (!words.contains("hole-shape") && ofHoles) settings.hole = sim::WallHole::Round;
     Result<sim::Simulation> made = unlocked([&] {
         if (surface != nullptr) {
             const CartesianTables tables(*surface->scan);

@@ -150,10 +150,15 @@ public:
     SweepObject next(std::optional<double> timeout = {}) {
         const auto end = timeout ? endOf(*timeout) : ownEnd();
         while (true) {
+            if (stopped_) throw py::stop_iteration(); // a loop in which it was closed ends
             if (std::optional<SweepObject> sweep = unlocked([&] { return newest(); })) return std::move(*sweep);
-            if (stopped_) throw py::stop_iteration();
             waitUntil(end);
         }
+    }
+
+    /// Error: the session has ended.
+    void checkOpen() const {
+        if (stopped_) throw Refused{{"the connection is closed", address_, "connect() again"}};
     }
 
     void stop() {
@@ -196,7 +201,8 @@ private:
         if (Clock::now() >= end) throw Refused{scanner::noLinesError(session, address_)};
         if (const std::string problem = session.problem ? session.problem->sentence() : std::string(); problem != logged_) {
             logged_ = problem;
-            if (!problem.empty()) py::module_::import("logging").attr("getLogger")("edgescan").attr("warning")("%s", nameOf(problem));
+            if (!problem.empty())
+                py::module_::import("logging").attr("getLogger")("edgescan").attr("warning")("%s", nameOf(withKeywords(problem)));
         }
         unlocked([&] { return wait(end); });
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -310,7 +316,11 @@ void bindSweeps(py::module_& module) {
         .def("__next__", &ReplayObject::next)
         .def("__repr__", &ReplayObject::text);
     Class<ConnectionObject>(module, "Connection", "A scanner: iterator over its growing sweep, and context manager that ends the session.")
-        .def("__iter__", [](py::object self) { return self; })
+        .def("__iter__",
+             [](py::object self) {
+                 self.cast<const ConnectionObject&>().checkOpen();
+                 return self;
+             })
         .def("__next__", [](ConnectionObject& self) { return self.next(); })
         .def("__enter__", [](py::object self) { return self; })
         .def("__exit__", [](ConnectionObject& self, const py::args&) { self.stop(); })
@@ -319,6 +329,7 @@ void bindSweeps(py::module_& module) {
                                "A dict: phase, sentence, scanner, lines, undecodable, reconnects, sweep, recording.");
     module.def("connection_next", [](ConnectionObject& self, std::optional<double> timeout) {
         if (timeout) checkTimeout(*timeout);
+        self.checkOpen();
         return self.next(timeout);
     });
     module.def("connection_stop", &ConnectionObject::stop);

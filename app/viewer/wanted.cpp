@@ -4,6 +4,9 @@
 #include "app/shared/exits.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
+#include "core/base/number_text.h"
+#include "core/base/whole_file.h"
+#include "core/scan/grid/reading_options.h"
 #include "core/scanner/cola/host_port.h"
 #include "ui/base/language/languages.h"
 
@@ -37,13 +40,61 @@ Result<std::vector<cli::TypedCell>> pinsOf(const std::vector<std::string>& typed
     return places;
 }
 
-/// Finds flags that contradict each other.
-std::optional<Error> contradiction(const CommandLine& wanted) {
-    if (!wanted.screenshot.empty() && wanted.files.empty() && !wanted.demo && wanted.live.empty() && wanted.session.empty() && !wanted.goOn)
-        return Error{"there is no scan to show", "--screenshot", "give a file, --demo or --live"};
-    if (wanted.demo && !wanted.files.empty())
-        return Error{"the demo is a scan of its own and takes no file or folder", wanted.files.front(),
-                     "leave out --demo to open it, or the name to open the demo"};
+/// Finds the second of two scans that are asked for: it would not be shown.
+std::optional<Error> secondStart(const CommandLine& wanted) {
+    const std::string file = wanted.files.empty() ? "" : wanted.files.front();
+    std::string first;
+    for (const std::string& start : {std::string(wanted.demo ? "--demo" : ""), std::string(wanted.session.empty() ? "" : "--session"),
+                                     std::string(wanted.goOn ? "--continue" : ""), file}) {
+        if (!first.empty() && !start.empty())
+            return Error{first + " shows a scan of its own and no other", start, "leave out one of the two"};
+        if (first.empty()) first = start;
+    }
+    return std::nullopt;
+}
+
+/// Finds a flag without effect.
+std::optional<Error> idleFlag(const CommandLine& wanted) {
+    const bool live = !wanted.live.empty(), restores = !wanted.session.empty() || wanted.goOn, file = !wanted.files.empty();
+    const bool shows = file || live || restores || wanted.demo;
+    ReadingOptions ofFiles = wanted.read.options;
+    if (live) { // a live scanner uses the others
+        ofFiles.axis.reset();
+        ofFiles.lineStartDeg.reset();
+        ofFiles.lineStepDeg.reset();
+        for (std::string* text : {&ofFiles.calibration, &ofFiles.topic, &ofFiles.joint}) text->clear();
+    }
+    const auto firstOf = [](const std::string& flags) { return flags.substr(0, flags.find(' ')); };
+    struct Flag {
+        std::string typed;
+        bool used;
+        const char *why, *hint;
+    };
+    const char *const noScan = "there is no scan to show", *const anyScan = "give a file, --demo or --live";
+    const char *const noScanner = "this is of a live scanner", *const scanner = "give --live ADDRESS too, or leave it out";
+    const std::array flags{Flag{wanted.screenshot.empty() ? "" : "--screenshot", shows, noScan, anyScan},
+                           Flag{wanted.pins.empty() ? "" : "--pin", shows, noScan, anyScan},
+                           Flag{wanted.compare.empty() ? "" : "--compare", shows, noScan, anyScan},
+                           Flag{wanted.screenshotLines == 1 ? "" : "--screenshot-lines", !wanted.screenshot.empty(),
+                                "no screenshot is asked for", "give --screenshot FILE.png too, or leave it out"},
+                           Flag{wanted.mounting.expectedLines == 0 ? "" : "--expected-lines", live, noScanner, scanner},
+                           Flag{wanted.mounting.ticksPerDeg ? "--ticks-per-degree" : "", live, noScanner, scanner},
+                           Flag{wanted.mounting.stopAndGo ? "--stop-and-go" : "", live, noScanner, scanner},
+                           Flag{firstOf(cli::typedFlags(wanted.method)), !restores, "the session has settings of its own", "leave it out"},
+                           Flag{firstOf(readingFlags(ofFiles)), file,
+                                restores ? "the session says how its scan is read" : "this is of a file, and none is named",
+                                "leave it out"}};
+    const auto* idle = std::ranges::find_if(flags, [](const Flag& flag) { return !flag.typed.empty() && !flag.used; });
+    return idle == flags.end() ? std::nullopt : std::optional(Error{idle->why, idle->typed, idle->hint});
+}
+
+/// Of all files but the first, which the window opens at once and reports itself.
+std::optional<Error> missingFile(const CommandLine& wanted) {
+    std::error_code none;
+    for (std::size_t n = 1; n < wanted.files.size(); ++n) {
+        if (!std::filesystem::exists(wanted.files[n], none))
+            return Error{"there is no such file", wanted.files[n], "check the spelling and the folder"};
+    }
     return std::nullopt;
 }
 
@@ -113,7 +164,11 @@ std::optional<Refusal> commandOfOtherProgram(int argc, char** argv) {
 }
 
 std::optional<Refusal> parse(const CommandLine& wanted, ParsedCommandLine& understood) {
-    if (const auto wrong = contradiction(wanted)) return Refusal{*wrong, cli::kWrongUsage};
+    if (!wanted.screenshot.empty() && !isDevice(wanted.screenshot) && !asciiLower(wanted.screenshot).ends_with(".png"))
+        return Refusal{Error{"the picture is a PNG", wanted.screenshot, "give a name that ends with .png"}, cli::kWrongUsage};
+    if (const auto second = secondStart(wanted)) return Refusal{*second, cli::kWrongUsage};
+    if (const auto idle = idleFlag(wanted)) return Refusal{*idle, cli::kWrongUsage};
+    if (const auto missing = missingFile(wanted)) return Refusal{*missing, cli::kRefused};
     if (auto refused = understandScanner(wanted, understood)) return refused;
     const auto pins = pinsOf(wanted.pins);
     if (!pins) return Refusal{pins.error(), cli::kWrongUsage};

@@ -66,6 +66,8 @@
 <message><source>remove it and add it again</source><translation>quítela y añádala de nuevo</translation></message>
 <message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>no es un archivo normal: los ajustes no se leen y nada de esta ventana se guarda</translation></message>
 <message><source>remove it and start again</source><translation>elimínelo e inicie de nuevo</translation></message>
+<message><source>not all settings in this file can be read</source><translation>no todos los ajustes de este archivo se pueden leer</translation></message>
+<message><source>what it held is in </source><translation>lo que contenía está en </translation></message>
 <message><source>choose another scan</source><translation>elija otro escaneo</translation></message>
 <message><source> (line </source><translation> (línea </translation></message>
 <message><source>Both are one scan: the files are the same.</source><translation>Ambos son un solo escaneo: los archivos son iguales.</translation></message>
@@ -478,6 +480,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL: media de los puntos visibles, en la rejilla de la mina</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z: media de los puntos visibles, en el sistema del escáner.</translation></message>
 <message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a y b: luces visibles transversales a la línea de visión; las partes ocultas no cuentan. Distancia: mediana de sus distancias. Área: visible, transversal a los haces. Delante: parte del contorno donde la roca es el lado más cercano. Contactos y altura libre: al menos. Arco: mayor ángulo en la roca entre dos que toca; ↓ cuelga bajo la línea entre ellas. p: probabilidad de que el contorno sea correcto; ▲ menor que 0,85, rayado.</translation></message>
+<message><source>Without a pose, up is the scanner's z axis, which is assumed: free height and ↓ are measured along it.</source><translation>Sin pose, hacia arriba es el eje z del escáner, que se supone: la altura libre y ↓ se miden a lo largo de él.</translation></message>
 <message><source>Number with ▲: merged by hand of parts that do not touch.</source><translation>Número con ▲: unida a mano de partes que no se tocan.</translation></message>
 <message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Los objetivos por sus números, y lo que se midió. Negro es cerca, o nada volvió.</translation></message>
 <message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valor no cabe en la imagen; la tabla los tiene todos.</translation></message>
@@ -664,6 +667,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
 <message><source>Open session</source><translation>Abrir sesión</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Capturas de pantalla (*.png)</translation></message>
+<message><source>%1: this is not a session; choose a session, or a screenshot that carries one.</source><translation>%1: esto no es una sesión; elija una sesión, o una captura de pantalla que lleve una.</translation></message>
 <message><source>%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The rest needs the scan.</source><translation>%1: no se encontró el escaneo de esta sesión. Se movió, o falta su disco. Los ajustes y la vista se han restaurado. El resto necesita el escaneo.</translation></message>
 <message><source>Locate…</source><translation>Localizar…</translation></message>
 <message><source>Where is the scan now?</source><translation>¿Dónde está ahora el escaneo?</translation></message>
@@ -1134,7 +1138,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
 <message><source>at least 1: rock %1</source><translation>al menos 1: roca %1</translation></message>
 <message><source>at least %1: rocks %2</source><translation>al menos %1: rocas %2</translation></message>
-<message><source>%1 and %2</source><translation>%1 y %2</translation></message>
+<message><source>, between rocks %1 and %2</source><translation>, entre las rocas %1 y %2</translation></message>
 <message><source>, hangs below</source><translation>, cuelga por debajo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
@@ -1173,11 +1177,14 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>visible contacts</source><translation>contactos visibles</translation></message>
 <message><source>free height below</source><translation>altura libre debajo</translation></message>
 <message><source>arch angle</source><translation>ángulo del arco</translation></message>
+<message><source>the scanner's z axis, assumed</source><translation>el eje z del escáner, supuesto</translation></message>
 <message><source>confidence p</source><translation>confianza p</translation></message>
 <message><source>pinned target</source><translation>objetivo fijado</translation></message>
 <message><source>Not a rock</source><translation>No es roca</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que no se tocan, a %2 m</translation></message>
+<message><source>%1 and %2</source><translation>%1 y %2</translation></message>
+<message><source>≈ may be one with %1</source><translation>≈ puede ser una sola con %1</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
@@ -1873,9 +1880,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>contacts (≥)</source><translation>contactos (≥)</translation></message>
 <message><source>Rocks that it is seen to touch: at least these</source><translation>Rocas que se ve que toca: al menos estas</translation></message>
 <message><source>free below [m]</source><translation>libre debajo [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free; without a pose, up is the scanner's z axis</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre; sin pose, hacia arriba es el eje z del escáner</translation></message>
 <message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them; without a pose, up is the scanner's z axis</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une; sin pose, hacia arriba es el eje z del escáner</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - solo geometría, un solo punto de vista</translation></message>
 <message><source>Unit</source><translation>Unidad</translation></message>
@@ -2397,20 +2404,31 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>save the array of ranges or points as .npy</source><translation>guarde la matriz de distancias o puntos como .npy</translation></message>
 <message><source>this is a ROS bag, and %1</source><translation>esto es un bag de ROS, y %1</translation></message>
 <message><source>Network capture</source><translation>Captura de red</translation></message>
-<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en gris, y las distancias necesitan 16 bits en gris</translation></message>
-<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en color, y las distancias necesitan 16 bits en gris</translation></message>
-<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>elija un escaneo, o una imagen de distancias de 16 bits por píxel</translation></message>
-<message><source>The picture is animated; the first frame was read.</source><translation>La imagen es animada; se leyó el primer cuadro.</translation></message>
-<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>La imagen no termina con IEND: el archivo se cortó detrás de sus píxeles.</translation></message>
-<message><source>the picture</source><translation>la imagen</translation></message>
-<message><source>this is a PNG picture that cannot be read: </source><translation>es una imagen PNG que no se puede leer: </translation></message>
-<message><source>close other programs</source><translation>cierre otros programas</translation></message>
 <message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>La imagen pide girarse o reflejarse al mostrarse (orientación %1): sus filas se tomaron como líneas tal como están guardadas.</translation></message>
 <message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>la imagen anuncia más píxeles de los que contiene de un escaneo un archivo de %1</translation></message>
 <message><source>a pixel</source><translation>un píxel</translation></message>
 <message><source>%n pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation>%n píxel no contiene distancia (negativo, no numérico o demasiado lejos) y se tomó como sin retorno.</translation></message>
 <message><source>%n pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation>%n píxeles no contienen distancia (negativos, no numéricos o demasiado lejos) y se tomaron como sin retorno.</translation></message>
 <message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidad tomada como milímetros, como en las imágenes de distancias.</translation></message>
+<message><source>this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats</source><translation>esta imagen TIFF tiene %1 de %2 bits, y las distancias necesitan uno de 16 bits o de números de 4 bytes</translation></message>
+<message><source>%n channel</source><translation>%n canal</translation></message>
+<message><source>%n channels</source><translation>%n canales</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>elija un escaneo, o una imagen de distancias de 16 bits por píxel</translation></message>
+<message><source>this TIFF picture is stored in tiles</source><translation>esta imagen TIFF está guardada en mosaicos</translation></message>
+<message><source>save it in strips</source><translation>guárdela en tiras</translation></message>
+<message><source>the picture has no pixels</source><translation>la imagen no tiene píxeles</translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>la imagen TIFF está dañada o es de un tipo que no se puede leer</translation></message>
+<message><source>reading the picture</source><translation>lectura de la imagen</translation></message>
+<message><source>The file holds %1 (pages); the first was read.</source><translation>El archivo contiene %1 (páginas); se leyó la primera.</translation></message>
+<message><source>the picture</source><translation>la imagen</translation></message>
+<message><source>this is a TIFF picture, and this build of the program cannot read TIFF</source><translation>esto es una imagen TIFF, y esta versión del programa no puede leer TIFF</translation></message>
+<message><source>save the ranges as PNG of 16 bits</source><translation>guarde las distancias como PNG de 16 bits</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en gris, y las distancias necesitan 16 bits en gris</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>es una imagen PNG de %1 bits en color, y las distancias necesitan 16 bits en gris</translation></message>
+<message><source>The picture is animated; the first frame was read.</source><translation>La imagen es animada; se leyó el primer cuadro.</translation></message>
+<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>La imagen no termina con IEND: el archivo se cortó detrás de sus píxeles.</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>es una imagen PNG que no se puede leer: </translation></message>
+<message><source>close other programs</source><translation>cierre otros programas</translation></message>
 <message><source>the file ends within its LAS header</source><translation>el archivo termina dentro de su encabezado LAS</translation></message>
 <message><source>this is LAS version %1.%2, and versions up to 1.4 are known</source><translation>esto es LAS versión %1.%2, y se conocen las versiones hasta 1.4</translation></message>
 <message><source>save it as LAS 1.2 or 1.4</source><translation>guárdelo como LAS 1.2 o 1.4</translation></message>
@@ -2591,17 +2609,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>The picture does not say its angles</source><translation>La imagen no dice sus ángulos</translation></message>
 <message><source>a numpy array of %1 per line does not say its angles</source><translation>una matriz numpy de %1 por línea no dice sus ángulos</translation></message>
 <message><source>The numpy array does not say its angles</source><translation>La matriz numpy no dice sus ángulos</translation></message>
-<message><source>this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats</source><translation>esta imagen TIFF tiene %1 de %2 bits, y las distancias necesitan uno de 16 bits o de números de 4 bytes</translation></message>
-<message><source>%n channel</source><translation>%n canal</translation></message>
-<message><source>%n channels</source><translation>%n canales</translation></message>
-<message><source>this TIFF picture is stored in tiles</source><translation>esta imagen TIFF está guardada en mosaicos</translation></message>
-<message><source>save it in strips</source><translation>guárdela en tiras</translation></message>
-<message><source>the picture has no pixels</source><translation>la imagen no tiene píxeles</translation></message>
-<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>la imagen TIFF está dañada o es de un tipo que no se puede leer</translation></message>
-<message><source>reading the picture</source><translation>lectura de la imagen</translation></message>
-<message><source>The file holds %1 (pages); the first was read.</source><translation>El archivo contiene %1 (páginas); se leyó la primera.</translation></message>
-<message><source>this is a TIFF picture, and this build of the program cannot read TIFF</source><translation>esto es una imagen TIFF, y esta versión del programa no puede leer TIFF</translation></message>
-<message><source>save the ranges as PNG of 16 bits</source><translation>guarde las distancias como PNG de 16 bits</translation></message>
 <message><source>%1 lines x %2 beams</source><translation>%1 líneas x %2 haces</translation></message>
 <message><source>holds %1 bytes where %2 need %3</source><translation>contiene %1 bytes donde %2 necesitan %3</translation></message>
 <message><source>check lines and beams in the .json file</source><translation>revise líneas y haces en el archivo .json</translation></message>
@@ -2864,8 +2871,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>CoLa stream</source><translation>Flujo CoLa</translation></message>
 <message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n byte del flujo no pertenece a ningún telegrama entero.</translation></message>
 <message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n bytes del flujo no pertenecen a ningún telegrama entero.</translation></message>
-<message><source>save the scan again, or remove "acquisition"</source><translation>guarde de nuevo el escaneo, o quite "acquisition"</translation></message>
-<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" debe ser un objeto {...}</translation></message>
 <message><source>radians</source><translation>radianes</translation></message>
 <message><source>milliradians</source><translation>milirradianes</translation></message>
 <message><source>angles in %1, azimuths %2</source><translation>ángulos en %1, acimuts %2</translation></message>
@@ -2903,6 +2908,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>leaves the grid</source><translation>se sale de la cuadrícula</translation></message>
 <message><source>names cell %1 twice</source><translation>nombra dos veces la celda %1</translation></message>
 <message><source>must name a file in the same folder</source><translation>debe nombrar un archivo de la misma carpeta</translation></message>
+<message><source>save the scan again, or remove "acquisition"</source><translation>guarde de nuevo el escaneo, o quite "acquisition"</translation></message>
+<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" debe ser un objeto {...}</translation></message>
 <message><source>must be greater than 0</source><translation>debe ser mayor que 0</translation></message>
 <message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>el encabezado anuncia %1 de %2 bytes y el archivo contiene %3 bytes de ellos, que es más</translation></message>
 <message><source>holds %1 where the header promises %2</source><translation>contiene %1 donde el encabezado anuncia %2</translation></message>
@@ -2933,6 +2940,12 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>this is text without a row of numbers, so no scan</source><translation>es texto sin una fila de números, así que no es un escaneo</translation></message>
 <message><source>choose a scan: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>elija un escaneo: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, una cuadrícula sin procesar (.json), una imagen de distancias (.png, .tif), una grabación (.mcap), un bag de ROS o una captura de red (.pcap)</translation></message>
 <message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>La grabación describe otra cuadrícula que la de sus telegramas: cuentan los telegramas.</translation></message>
+<message><source>The recording was cut off: everything up to the cut is here.</source><translation>La grabación se cortó: todo hasta el corte está aquí.</translation></message>
+<message><source>%1 times in the recording are after %2 and were read as this time.</source><translation>%1 tiempos de la grabación son posteriores a %2 y se leyeron como ese tiempo.</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este archivo MCAP no contiene nada que enviara un escáner láser</translation></message>
+<message><source>choose a recording of a sweep</source><translation>elija la grabación de un barrido</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>en este archivo MCAP no se puede leer nada que haya enviado un escáner láser%1</translation></message>
+<message><source>, and %1 more</source><translation>, y %1 más</translation></message>
 <message><source>the recording's "%1" is "%2", which cannot be used.</source><translation>«%1» de la grabación es «%2», que no se puede usar.</translation></message>
 <message><source>%n reading of inclinometer or TALIN cannot be used.</source><translation>%n lectura del inclinómetro o de TALIN no se puede usar.</translation></message>
 <message><source>%n readings of inclinometer or TALIN cannot be used.</source><translation>%n lecturas del inclinómetro o de TALIN no se pueden usar.</translation></message>
@@ -2945,12 +2958,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>a calibration needs a pose, and the recording holds none that can be used</source><translation>una calibración necesita una pose, y la grabación no contiene ninguna utilizable</translation></message>
 <message><source>The recording holds poses and not how the robot is built: --calibration ROBOT.json places the scan.</source><translation>La grabación contiene poses pero no cómo está construido el robot: --calibration ROBOT.json ubica el escaneo.</translation></message>
 <message><source>The recording's pose cannot be used: %1.</source><translation>La pose de la grabación no se puede usar: %1.</translation></message>
-<message><source>The recording was cut off: everything up to the cut is here.</source><translation>La grabación se cortó: todo hasta el corte está aquí.</translation></message>
-<message><source>%1 times in the recording are after %2 and were read as this time.</source><translation>%1 tiempos de la grabación son posteriores a %2 y se leyeron como ese tiempo.</translation></message>
-<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este archivo MCAP no contiene nada que enviara un escáner láser</translation></message>
-<message><source>choose a recording of a sweep</source><translation>elija la grabación de un barrido</translation></message>
-<message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>en este archivo MCAP no se puede leer nada que haya enviado un escáner láser%1</translation></message>
-<message><source>, and %1 more</source><translation>, y %1 más</translation></message>
 <message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit no se aplica: los telegramas de una grabación dicen ellos mismos su unidad</translation></message>
 <message><source>one sweep</source><translation>un barrido</translation></message>
 <message><source>%1 sweeps</source><translation>%1 barridos</translation></message>
@@ -2982,6 +2989,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>its records do not end with it</source><translation>sus registros no terminan con él</translation></message>
 <message><source>it is a ROS bag of another version than 2.0</source><translation>es un bag de ROS de una versión distinta de 2.0</translation></message>
 <message><source>convert it with "rosbag migrate"</source><translation>conviértalo con «rosbag migrate»</translation></message>
+<message><source>it promises to unpack to more than a bag of this size holds</source><translation>anuncia que se descomprime en más de lo que contiene un bag de este tamaño</translation></message>
 <message><source>The bag was cut off: everything up to the cut is here.</source><translation>El bag se cortó: todo hasta el corte está aquí.</translation></message>
 <message><source>%n message is compressed and damaged and was left out.</source><translation>%n mensaje está comprimido y dañado y se dejó fuera.</translation></message>
 <message><source>%n messages are compressed and damaged and were left out.</source><translation>%n mensajes están comprimidos y dañados y se dejaron fuera.</translation></message>
@@ -3016,18 +3024,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>record it with another middleware, or convert the bag</source><translation>grábelo con otro middleware, o convierta el bag</translation></message>
 <message><source>a message of type %1 ends too early or does not fit its definition</source><translation>un mensaje del tipo %1 termina demasiado pronto o no se ajusta a su definición</translation></message>
 <message><source>copy the bag again</source><translation>copie de nuevo el bag</translation></message>
-<message><source>it promises to unpack to more than a bag of this size holds</source><translation>anuncia que se descomprime en más de lo que contiene un bag de este tamaño</translation></message>
-<message><source>%1 accepts the connection; asking for its topics.</source><translation>%1 acepta la conexión; preguntando por sus topics.</translation></message>
-<message><source>the bridge says: %1</source><translation>el puente dice: %1</translation></message>
-<message><source>check foxglove_bridge on the robot</source><translation>compruebe foxglove_bridge en el robot</translation></message>
-<message><source>the bridge offers no topics</source><translation>el puente no ofrece ningún topic</translation></message>
-<message><source>check that the robot's programs run</source><translation>compruebe que los programas del robot funcionan</translation></message>
-<message><source>no scan line of %1 for %2</source><translation>ninguna línea de escaneo de %1 en %2</translation></message>
-<message><source>check whether the laser runs and publishes this topic</source><translation>compruebe si el láser funciona y publica este topic</translation></message>
-<message><source>the bridge describes its topics in a text of more than 4 MB</source><translation>el puente describe sus topics en un texto de más de 4 MB</translation></message>
-<message><source>choose another bridge, or let it offer fewer topics</source><translation>elija otro puente, o haga que ofrezca menos topics</translation></message>
-<message><source>what it sends is not the Foxglove WebSocket protocol</source><translation>lo que envía no es el protocolo WebSocket de Foxglove</translation></message>
-<message><source>check the port (8765) and that foxglove_bridge runs there</source><translation>compruebe el puerto (8765) y que allí funciona foxglove_bridge</translation></message>
 <message><source>the bridge closed the connection</source><translation>el puente cerró la conexión</translation></message>
 <message><source>the bridge sends a message of more than 64 MB</source><translation>el puente envía un mensaje de más de 64 MB</translation></message>
 <message><source>choose another topic</source><translation>elija otro topic</translation></message>
@@ -3039,15 +3035,27 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the connection is closed</source><translation>la conexión está cerrada</translation></message>
 <message><source>the subscription cannot be sent (%1)</source><translation>no se puede enviar la suscripción (%1)</translation></message>
 <message><source>check the network</source><translation>compruebe la red</translation></message>
+<message><source>%1 accepts the connection; asking for its topics.</source><translation>%1 acepta la conexión; preguntando por sus topics.</translation></message>
+<message><source>the bridge says: %1</source><translation>el puente dice: %1</translation></message>
+<message><source>check foxglove_bridge on the robot</source><translation>compruebe foxglove_bridge en el robot</translation></message>
+<message><source>the bridge offers no topics</source><translation>el puente no ofrece ningún topic</translation></message>
+<message><source>check that the robot's programs run</source><translation>compruebe que los programas del robot funcionan</translation></message>
+<message><source>no scan line of %1 for %2</source><translation>ninguna línea de escaneo de %1 en %2</translation></message>
+<message><source>check whether the laser runs and publishes this topic</source><translation>compruebe si el láser funciona y publica este topic</translation></message>
+<message><source>the bridge describes its topics in a text of more than 4 MB</source><translation>el puente describe sus topics en un texto de más de 4 MB</translation></message>
+<message><source>choose another bridge, or let it offer fewer topics</source><translation>elija otro puente, o haga que ofrezca menos topics</translation></message>
+<message><source>what it sends is not the Foxglove WebSocket protocol</source><translation>lo que envía no es el protocolo WebSocket de Foxglove</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs there</source><translation>compruebe el puerto (8765) y que allí funciona foxglove_bridge</translation></message>
 <message><source>%1 and others</source><translation>%1 y otros</translation></message>
+<message><source>lines come, but their angle is not known: %1</source><translation>llegan líneas, pero no se conoce su ángulo: %1</translation></message>
+<message><source>give the joint that turns the laser (--joint), or the step from line to line (--line-step)</source><translation>indique la articulación que gira el láser (--joint), o el paso de línea a línea (--line-step)</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>no hay memoria suficiente para esta nube</translation></message>
 <message><source>the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)%1</source><translation>el puente no ofrece ningún topic de un láser (sensor_msgs/LaserScan o PointCloud2)%1</translation></message>
 <message><source>check that the laser's driver runs</source><translation>compruebe que el controlador del láser funciona</translation></message>
 <message><source>the bridge offers no topic of a laser called "%1"</source><translation>el puente no ofrece ningún topic de un láser llamado «%1»</translation></message>
 <message><source>choose one of %1</source><translation>elija uno de %1</translation></message>
 <message><source>GUESS: the topic %1 was taken; --topic chooses another: %2.</source><translation>SUPOSICIÓN: se tomó el topic %1; --topic elige otro: %2.</translation></message>
-<message><source>there is not enough memory for this cloud</source><translation>no hay memoria suficiente para esta nube</translation></message>
-<message><source>lines come, but their angle is not known: %1</source><translation>llegan líneas, pero no se conoce su ángulo: %1</translation></message>
-<message><source>give the joint that turns the laser (--joint), or the step from line to line (--line-step)</source><translation>indique la articulación que gira el láser (--joint), o el paso de línea a línea (--line-step)</translation></message>
+<message><source>%1 messages of the topic %2 are in the bag twice: each was read once.</source><translation>%1 mensajes del topic %2 están dos veces en el bag: cada uno se leyó una vez.</translation></message>
 <message><source>it is not a file of a bag</source><translation>no es un archivo de un bag</translation></message>
 <message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La parte %1 del bag no se pudo leer (%2): sus mensajes no están en el escaneo.</translation></message>
 <message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta la parte %1 del bag: sus mensajes no están en el escaneo.</translation></message>
@@ -3094,15 +3102,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n files</source><translation>%n archivos</translation></message>
 <message><source>open one of them, as %1</source><translation>abra uno de ellos, como %1</translation></message>
 <message><source>This file is part %1 of %2 of a bag. Open %3 for all of it.</source><translation>Este archivo es la parte %1 de %2 de un bag. Abra %3 para tenerlo entero.</translation></message>
-<message><source>%1 x %2 points with %3</source><translation>%1 x %2 puntos con %3</translation></message>
-<message><source>%1turn rates and accelerations, which are not used: transforms and joints turn the laser</source><translation>%1velocidades de giro y aceleraciones, que no se usan: giran el láser las transformaciones y las articulaciones</translation></message>
-<message><source>scan lines of %1 beams</source><translation>líneas de escaneo de %1 haces</translation></message>
-<message><source>poses in the frame %1</source><translation>poses en el marco %1</translation></message>
-<message><source>GUESS: the poses of the topic %1 are those of the frame %2.</source><translation>SUPOSICIÓN: las poses del topic %1 son las del marco %2.</translation></message>
-<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Las transformaciones ponen el escáner en %1, %2, %3 m, donde no hay nada en la tierra: el escaneo queda en el sistema del escáner.</translation></message>
-<message><source>the frame %1 of the bag</source><translation>el marco %1 del bag</translation></message>
-<message><source>the transforms of the bag</source><translation>las transformaciones del bag</translation></message>
-<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSICIÓN: el sistema %1 del bag se toma como cuadrícula de la mina, con x al este, y al norte y z hacia arriba.</translation></message>
 <message><source>%n message of the topic was left out: %1.</source><translation>%n mensaje del topic se dejó fuera: %1.</translation></message>
 <message><source>%n messages of the topic were left out: %1.</source><translation>%n mensajes del topic se dejaron fuera: %1.</translation></message>
 <message><source>%n message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation>%n mensaje tiene un time_increment imposible: los haces de una línea cuentan como medidos a la vez.</translation></message>
@@ -3129,6 +3128,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>no line of the topic %1 could be placed</source><translation>no se pudo colocar ninguna línea del topic %1</translation></message>
 <message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. --scan chooses another.</source><translation>El topic contiene %1 barridos; se abrió el barrido %2, contado desde 0. --scan elige otro.</translation></message>
 <message><source>the stamps of the messages</source><translation>las marcas de tiempo de los mensajes</translation></message>
+<message><source>%1 x %2 points with %3</source><translation>%1 x %2 puntos con %3</translation></message>
+<message><source>%1turn rates and accelerations, which are not used: transforms and joints turn the laser</source><translation>%1velocidades de giro y aceleraciones, que no se usan: giran el láser las transformaciones y las articulaciones</translation></message>
+<message><source>scan lines of %1 beams</source><translation>líneas de escaneo de %1 haces</translation></message>
+<message><source>poses in the frame %1</source><translation>poses en el marco %1</translation></message>
 <message><source> at %1 Hz</source><translation> a %1 Hz</translation></message>
 <message><source>no topic of this %1 is a laser's%2%3</source><translation>ningún topic de este %1 es de un láser%2%3</translation></message>
 <message><source>choose another bag</source><translation>elija otro bag</translation></message>
@@ -3145,6 +3148,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>its angle_increment does not give the step between beams</source><translation>su angle_increment no da el paso entre haces</translation></message>
 <message><source>its angle_min or angle_increment puts beams outside of one turn</source><translation>su angle_min o angle_increment pone haces fuera de una vuelta</translation></message>
 <message><source>no message of the topic %1 is a line of ranges%2</source><translation>ningún mensaje del topic %1 es una línea de distancias%2</translation></message>
+<message><source>GUESS: the poses of the topic %1 are those of the frame %2.</source><translation>SUPOSICIÓN: las poses del topic %1 son las del marco %2.</translation></message>
+<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Las transformaciones ponen el escáner en %1, %2, %3 m, donde no hay nada en la tierra: el escaneo queda en el sistema del escáner.</translation></message>
+<message><source>the frame %1 of the bag</source><translation>el marco %1 del bag</translation></message>
+<message><source>the transforms of the bag</source><translation>las transformaciones del bag</translation></message>
+<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSICIÓN: el sistema %1 del bag se toma como cuadrícula de la mina, con x al este, y al norte y z hacia arriba.</translation></message>
 <message><source>the transform of the frame %1 in %2</source><translation>la transformación del marco %1 en %2</translation></message>
 <message><source>%1 turns about more than one axis (%2 degrees off)</source><translation>%1 gira alrededor de más de un eje (diferencia de %2 grados)</translation></message>
 <message><source>choose another topic, or give the joint that turns the laser</source><translation>elija otro topic, o indique la articulación que gira el láser</translation></message>
@@ -3159,7 +3167,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>a line came out of order</source><translation>una línea llegó fuera de orden</translation></message>
 <message><source>the angle of a line is not known</source><translation>no se conoce el ángulo de una línea</translation></message>
 <message><source>the laser did not turn yet</source><translation>el láser aún no giró</translation></message>
-<message><source>%1 messages of the topic %2 are in the bag twice: each was read once.</source><translation>%1 mensajes del topic %2 están dos veces en el bag: cada uno se leyó una vez.</translation></message>
 <message><source>%1 degrees</source><translation>%1 grados</translation></message>
 <message><source>, %1 times its uncertainty</source><translation>, %1 veces su incertidumbre</translation></message>
 <message><source>odd beams lie %1 ahead of even ones%2</source><translation>los haces impares están %1 por delante de los pares%2</translation></message>
@@ -3317,6 +3324,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%1 scans</source><translation>%1 escaneos</translation></message>
 <message><source>the scanner</source><translation>el escáner</translation></message>
 <message><source>the scanner's answer to %1</source><translation>la respuesta del escáner a %1</translation></message>
+<message><source>the code of a refusal</source><translation>el código de un rechazo</translation></message>
 <message><source>the value</source><translation>el valor</translation></message>
 <message><source>the text</source><translation>el texto</translation></message>
 <message><source>the scan frequency</source><translation>la frecuencia de escaneo</translation></message>
@@ -3340,7 +3348,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the temperature range</source><translation>el margen de temperatura</translation></message>
 <message><source>the time</source><translation>la hora</translation></message>
 <message><source>the date</source><translation>la fecha</translation></message>
-<message><source>the code of a refusal</source><translation>el código de un rechazo</translation></message>
 <message><source>this is not an answer of a scanner</source><translation>esto no es una respuesta de un escáner</translation></message>
 <message><source>byte 0 of the telegram</source><translation>byte 0 del telegrama</translation></message>
 <message><source>an answer without a name</source><translation>una respuesta sin nombre</translation></message>
@@ -3447,6 +3454,12 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the scale of the channel %1 is %2, which no scanner uses</source><translation>la escala del canal %1 es %2, que ningún escáner usa</translation></message>
 <message><source>the scan telegram</source><translation>el telegrama de escaneo</translation></message>
 <message><source>this is not a scan telegram (LMDscandata)</source><translation>esto no es un telegrama de escaneo (LMDscandata)</translation></message>
+<message><source>firmware %1</source><translation>firmware %1</translation></message>
+<message><source>%1 degrees from %2 to %3</source><translation>%1 grados de %2 a %3</translation></message>
+<message><source>something accepts the connection but does not answer in CoLa</source><translation>algo acepta la conexión pero no responde en CoLa</translation></message>
+<message><source>check that it is a SICK scanner and the port is 2111 or 2112</source><translation>compruebe que es un escáner SICK y que el puerto es 2111 o 2112</translation></message>
+<message><source>no answer to "%1"</source><translation>ninguna respuesta a «%1»</translation></message>
+<message><source>check the connection</source><translation>compruebe la conexión</translation></message>
 <message><source>no line was received</source><translation>no se recibió ninguna línea</translation></message>
 <message><source>check that foxglove_bridge runs there; a scanner of SICK is HOST without ws://</source><translation>compruebe que allí funciona foxglove_bridge; un escáner de SICK es HOST sin ws://</translation></message>
 <message><source>check cable, address and port</source><translation>compruebe el cable, la dirección y el puerto</translation></message>
@@ -3461,12 +3474,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>check what else uses it</source><translation>compruebe qué más lo usa</translation></message>
 <message><source>no scan for %1</source><translation>ningún escaneo en %1</translation></message>
 <message><source>check the cable and whether the scanner's mirror turns</source><translation>compruebe el cable y que el espejo del escáner gire</translation></message>
-<message><source>firmware %1</source><translation>firmware %1</translation></message>
-<message><source>%1 degrees from %2 to %3</source><translation>%1 grados de %2 a %3</translation></message>
-<message><source>something accepts the connection but does not answer in CoLa</source><translation>algo acepta la conexión pero no responde en CoLa</translation></message>
-<message><source>check that it is a SICK scanner and the port is 2111 or 2112</source><translation>compruebe que es un escáner SICK y que el puerto es 2111 o 2112</translation></message>
-<message><source>no answer to "%1"</source><translation>ninguna respuesta a «%1»</translation></message>
-<message><source>check the connection</source><translation>compruebe la conexión</translation></message>
 <message><source>A telegram came late and was put into its line</source><translation>Un telegrama llegó tarde y se puso en su línea</translation></message>
 <message><source>telegrams came late and were put into their lines</source><translation>telegramas llegaron tarde y se pusieron en sus líneas</translation></message>
 <message><source>A telegram came after its sweep had ended</source><translation>Un telegrama llegó después del final de su barrido</translation></message>

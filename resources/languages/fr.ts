@@ -66,6 +66,8 @@
 <message><source>remove it and add it again</source><translation>retirez-la et ajoutez-la de nouveau</translation></message>
 <message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>ce n'est pas un fichier ordinaire : les réglages ne sont pas lus et rien de cette fenêtre n'est enregistré</translation></message>
 <message><source>remove it and start again</source><translation>supprimez-le et redémarrez</translation></message>
+<message><source>not all settings in this file can be read</source><translation>tous les réglages de ce fichier ne peuvent pas être lus</translation></message>
+<message><source>what it held is in </source><translation>ce qu'il contenait est dans </translation></message>
 <message><source>choose another scan</source><translation>choisissez un autre scan</translation></message>
 <message><source> (line </source><translation> (ligne </translation></message>
 <message><source>Both are one scan: the files are the same.</source><translation>Les deux sont un seul scan : les fichiers sont identiques.</translation></message>
@@ -478,6 +480,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL : moyenne des points visibles, dans la grille de la mine</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z : moyenne des points visibles, dans le repère du scanner.</translation></message>
 <message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a et b : étendues visibles en travers de la ligne de visée ; les parties cachées ne comptent pas. Distance : médiane de ses distances. Aire : visible, en travers des faisceaux. Devant : part du contour où la roche est le côté le plus proche. Contacts et hauteur libre : au moins. Arc : plus grand angle à la roche entre deux qu'elle touche ; ↓ elle pend sous la ligne entre elles. p : chance que le contour soit juste ; ▲ inférieure à 0,85, hachuré.</translation></message>
+<message><source>Without a pose, up is the scanner's z axis, which is assumed: free height and ↓ are measured along it.</source><translation>Sans pose, le haut est l'axe z du scanner, ce qui est supposé : la hauteur libre et ↓ se mesurent le long de cet axe.</translation></message>
 <message><source>Number with ▲: merged by hand of parts that do not touch.</source><translation>Numéro avec ▲ : réunie à la main de parties qui ne se touchent pas.</translation></message>
 <message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Les cibles par leurs numéros, et ce qui a été mesuré. Noir est proche, ou rien n'est revenu.</translation></message>
 <message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valeur n'a pas de place dans l'image ; le tableau les a toutes.</translation></message>
@@ -664,6 +667,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 n'est pas une session et reste tel quel : choisissez un autre nom.</translation></message>
 <message><source>Open session</source><translation>Ouvrir une session</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Captures d'écran (*.png)</translation></message>
+<message><source>%1: this is not a session; choose a session, or a screenshot that carries one.</source><translation>%1 : ce n'est pas une session ; choisissez une session, ou une capture d'écran qui en contient une.</translation></message>
 <message><source>%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The rest needs the scan.</source><translation>%1 : le scan de cette session est introuvable. Il a été déplacé, ou son disque manque. Réglages et vue sont repris. Le reste demande le scan.</translation></message>
 <message><source>Locate…</source><translation>Localiser…</translation></message>
 <message><source>Where is the scan now?</source><translation>Où est le scan maintenant ?</translation></message>
@@ -1134,7 +1138,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
 <message><source>at least 1: rock %1</source><translation>au moins 1 : roche %1</translation></message>
 <message><source>at least %1: rocks %2</source><translation>au moins %1 : roches %2</translation></message>
-<message><source>%1 and %2</source><translation>%1 et %2</translation></message>
+<message><source>, between rocks %1 and %2</source><translation>, entre les blocs %1 et %2</translation></message>
 <message><source>, hangs below</source><translation>, pend en dessous</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>rien n'a été mesuré ici, ou aucun morceau ne convient</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
@@ -1173,11 +1177,14 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>visible contacts</source><translation>contacts visibles</translation></message>
 <message><source>free height below</source><translation>hauteur libre en dessous</translation></message>
 <message><source>arch angle</source><translation>angle de voûte</translation></message>
+<message><source>the scanner's z axis, assumed</source><translation>l'axe z du scanner, supposé</translation></message>
 <message><source>confidence p</source><translation>confiance p</translation></message>
 <message><source>pinned target</source><translation>cible épinglée</translation></message>
 <message><source>Not a rock</source><translation>Pas un bloc</translation></message>
 <message><source>because</source><translation>parce que</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 parties qui ne se touchent pas, à %2 m</translation></message>
+<message><source>%1 and %2</source><translation>%1 et %2</translation></message>
+<message><source>≈ may be one with %1</source><translation>≈ ne fait peut-être qu'un avec %1</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible : %2 × %3 m ± %4 m · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
 <message><source>hide uncertain</source><translation>masquer incertains</translation></message>
@@ -1873,9 +1880,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>contacts (≥)</source><translation>contacts (≥)</translation></message>
 <message><source>Rocks that it is seen to touch: at least these</source><translation>Blocs qu'on le voit toucher : au moins ceux-ci</translation></message>
 <message><source>free below [m]</source><translation>libre dessous [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free; without a pose, up is the scanner's z axis</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre ; sans pose, le haut est l'axe z du scanner</translation></message>
 <message><source>arch [°] ± 25</source><translation>voûte [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them; without a pose, up is the scanner's z axis</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie ; sans pose, le haut est l'axe z du scanner</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidat - géométrie seule, un seul point de vue</translation></message>
 <message><source>Unit</source><translation>Unité</translation></message>
@@ -2397,20 +2404,31 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>save the array of ranges or points as .npy</source><translation>enregistrez le tableau de distances ou de points en .npy</translation></message>
 <message><source>this is a ROS bag, and %1</source><translation>ceci est un bag ROS, et %1</translation></message>
 <message><source>Network capture</source><translation>Capture réseau</translation></message>
-<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits gris, et les distances demandent 16 bits gris</translation></message>
-<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits en couleurs, et les distances demandent 16 bits gris</translation></message>
-<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>choisissez un scan, ou une image de distances de 16 bits par pixel</translation></message>
-<message><source>The picture is animated; the first frame was read.</source><translation>L'image est animée ; la première vue a été lue.</translation></message>
-<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>L'image ne finit pas par IEND : le fichier a été coupé après ses pixels.</translation></message>
-<message><source>the picture</source><translation>l'image</translation></message>
-<message><source>this is a PNG picture that cannot be read: </source><translation>c'est une image PNG illisible : </translation></message>
-<message><source>close other programs</source><translation>fermez d'autres programmes</translation></message>
 <message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>L'image demande à être tournée ou retournée à l'affichage (orientation %1) : ses rangées ont été prises comme lignes telles qu'elles sont stockées.</translation></message>
 <message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>l'image annonce plus de pixels qu'un fichier de %1 n'en contient d'un scan</translation></message>
 <message><source>a pixel</source><translation>un pixel</translation></message>
 <message><source>%n pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation>%n pixel ne contient pas de distance (négatif, pas un nombre, ou trop loin) et a été pris comme sans retour.</translation></message>
 <message><source>%n pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation>%n pixels ne contiennent pas de distance (négatifs, pas un nombre, ou trop loin) et ont été pris comme sans retour.</translation></message>
 <message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unité prise en millimètres, comme dans les images de distances.</translation></message>
+<message><source>this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats</source><translation>cette image TIFF a %1 de %2 bits, et les distances en demandent un de 16 bits ou de nombres de 4 octets</translation></message>
+<message><source>%n channel</source><translation>%n canal</translation></message>
+<message><source>%n channels</source><translation>%n canaux</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>choisissez un scan, ou une image de distances de 16 bits par pixel</translation></message>
+<message><source>this TIFF picture is stored in tiles</source><translation>cette image TIFF est enregistrée en tuiles</translation></message>
+<message><source>save it in strips</source><translation>enregistrez-la en bandes</translation></message>
+<message><source>the picture has no pixels</source><translation>l'image n'a pas de pixels</translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>l'image TIFF est endommagée ou d'un type illisible</translation></message>
+<message><source>reading the picture</source><translation>lecture de l'image</translation></message>
+<message><source>The file holds %1 (pages); the first was read.</source><translation>Le fichier contient %1 (pages) ; la première a été lue.</translation></message>
+<message><source>the picture</source><translation>l'image</translation></message>
+<message><source>this is a TIFF picture, and this build of the program cannot read TIFF</source><translation>ceci est une image TIFF, et cette version du programme ne peut pas lire TIFF</translation></message>
+<message><source>save the ranges as PNG of 16 bits</source><translation>enregistrez les distances en PNG de 16 bits</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits gris, et les distances demandent 16 bits gris</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>c'est une image PNG de %1 bits en couleurs, et les distances demandent 16 bits gris</translation></message>
+<message><source>The picture is animated; the first frame was read.</source><translation>L'image est animée ; la première vue a été lue.</translation></message>
+<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>L'image ne finit pas par IEND : le fichier a été coupé après ses pixels.</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>c'est une image PNG illisible : </translation></message>
+<message><source>close other programs</source><translation>fermez d'autres programmes</translation></message>
 <message><source>the file ends within its LAS header</source><translation>le fichier finit dans son en-tête LAS</translation></message>
 <message><source>this is LAS version %1.%2, and versions up to 1.4 are known</source><translation>ceci est du LAS version %1.%2, et les versions jusqu'à 1.4 sont connues</translation></message>
 <message><source>save it as LAS 1.2 or 1.4</source><translation>enregistrez-le en LAS 1.2 ou 1.4</translation></message>
@@ -2591,17 +2609,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>The picture does not say its angles</source><translation>L'image ne dit pas ses angles</translation></message>
 <message><source>a numpy array of %1 per line does not say its angles</source><translation>un tableau numpy de %1 par ligne ne dit pas ses angles</translation></message>
 <message><source>The numpy array does not say its angles</source><translation>Le tableau numpy ne dit pas ses angles</translation></message>
-<message><source>this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats</source><translation>cette image TIFF a %1 de %2 bits, et les distances en demandent un de 16 bits ou de nombres de 4 octets</translation></message>
-<message><source>%n channel</source><translation>%n canal</translation></message>
-<message><source>%n channels</source><translation>%n canaux</translation></message>
-<message><source>this TIFF picture is stored in tiles</source><translation>cette image TIFF est enregistrée en tuiles</translation></message>
-<message><source>save it in strips</source><translation>enregistrez-la en bandes</translation></message>
-<message><source>the picture has no pixels</source><translation>l'image n'a pas de pixels</translation></message>
-<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>l'image TIFF est endommagée ou d'un type illisible</translation></message>
-<message><source>reading the picture</source><translation>lecture de l'image</translation></message>
-<message><source>The file holds %1 (pages); the first was read.</source><translation>Le fichier contient %1 (pages) ; la première a été lue.</translation></message>
-<message><source>this is a TIFF picture, and this build of the program cannot read TIFF</source><translation>ceci est une image TIFF, et cette version du programme ne peut pas lire TIFF</translation></message>
-<message><source>save the ranges as PNG of 16 bits</source><translation>enregistrez les distances en PNG de 16 bits</translation></message>
 <message><source>%1 lines x %2 beams</source><translation>%1 lignes x %2 faisceaux</translation></message>
 <message><source>holds %1 bytes where %2 need %3</source><translation>contient %1 octets là où %2 en demandent %3</translation></message>
 <message><source>check lines and beams in the .json file</source><translation>vérifiez les lignes et faisceaux dans le fichier .json</translation></message>
@@ -2864,8 +2871,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>CoLa stream</source><translation>Flux CoLa</translation></message>
 <message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n octet du flux n'appartient à aucun télégramme entier.</translation></message>
 <message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n octets du flux n'appartiennent à aucun télégramme entier.</translation></message>
-<message><source>save the scan again, or remove "acquisition"</source><translation>enregistrez à nouveau le scan, ou supprimez "acquisition"</translation></message>
-<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" doit être un objet {...}</translation></message>
 <message><source>radians</source><translation>radians</translation></message>
 <message><source>milliradians</source><translation>milliradians</translation></message>
 <message><source>angles in %1, azimuths %2</source><translation>des angles en %1, des azimuts %2</translation></message>
@@ -2903,6 +2908,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>leaves the grid</source><translation>sort de la grille</translation></message>
 <message><source>names cell %1 twice</source><translation>nomme deux fois la cellule %1</translation></message>
 <message><source>must name a file in the same folder</source><translation>doit nommer un fichier du même dossier</translation></message>
+<message><source>save the scan again, or remove "acquisition"</source><translation>enregistrez à nouveau le scan, ou supprimez "acquisition"</translation></message>
+<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" doit être un objet {...}</translation></message>
 <message><source>must be greater than 0</source><translation>doit être supérieur à 0</translation></message>
 <message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>l'en-tête annonce %1 de %2 octets et le fichier en contient %3 octets, ce qui est plus</translation></message>
 <message><source>holds %1 where the header promises %2</source><translation>contient %1 là où l'en-tête annonce %2</translation></message>
@@ -2933,6 +2940,12 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>this is text without a row of numbers, so no scan</source><translation>c'est du texte sans rangée de nombres, donc pas un scan</translation></message>
 <message><source>choose a scan: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>choisissez un scan : E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, une grille brute (.json), une image de distances (.png, .tif), un enregistrement (.mcap), un bag ROS ou une capture réseau (.pcap)</translation></message>
 <message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>L'enregistrement décrit une autre grille que celle de ses télégrammes : les télégrammes comptent.</translation></message>
+<message><source>The recording was cut off: everything up to the cut is here.</source><translation>L'enregistrement a été coupé : tout jusqu'à la coupure est là.</translation></message>
+<message><source>%1 times in the recording are after %2 and were read as this time.</source><translation>%1 instants de l'enregistrement sont après %2 et ont été lus comme cet instant.</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>ce fichier MCAP ne contient rien qu'un scanner laser ait envoyé</translation></message>
+<message><source>choose a recording of a sweep</source><translation>choisissez l'enregistrement d'un balayage</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>rien de ce qu'un scanner laser a envoyé ne peut être lu dans ce fichier MCAP%1</translation></message>
+<message><source>, and %1 more</source><translation>, et %1 de plus</translation></message>
 <message><source>the recording's "%1" is "%2", which cannot be used.</source><translation>« %1 » de l'enregistrement est « %2 », ce qui ne peut pas être utilisé.</translation></message>
 <message><source>%n reading of inclinometer or TALIN cannot be used.</source><translation>%n mesure d'inclinomètre ou de TALIN est inutilisable.</translation></message>
 <message><source>%n readings of inclinometer or TALIN cannot be used.</source><translation>%n mesures d'inclinomètre ou de TALIN sont inutilisables.</translation></message>
@@ -2945,12 +2958,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>a calibration needs a pose, and the recording holds none that can be used</source><translation>un étalonnage demande une pose, et l'enregistrement n'en contient aucune utilisable</translation></message>
 <message><source>The recording holds poses and not how the robot is built: --calibration ROBOT.json places the scan.</source><translation>L'enregistrement contient des poses mais pas la construction du robot : --calibration ROBOT.json place le scan.</translation></message>
 <message><source>The recording's pose cannot be used: %1.</source><translation>La pose de l'enregistrement ne peut pas être utilisée : %1.</translation></message>
-<message><source>The recording was cut off: everything up to the cut is here.</source><translation>L'enregistrement a été coupé : tout jusqu'à la coupure est là.</translation></message>
-<message><source>%1 times in the recording are after %2 and were read as this time.</source><translation>%1 instants de l'enregistrement sont après %2 et ont été lus comme cet instant.</translation></message>
-<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>ce fichier MCAP ne contient rien qu'un scanner laser ait envoyé</translation></message>
-<message><source>choose a recording of a sweep</source><translation>choisissez l'enregistrement d'un balayage</translation></message>
-<message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>rien de ce qu'un scanner laser a envoyé ne peut être lu dans ce fichier MCAP%1</translation></message>
-<message><source>, and %1 more</source><translation>, et %1 de plus</translation></message>
 <message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit ne s'applique pas : les télégrammes d'un enregistrement disent eux-mêmes leur unité</translation></message>
 <message><source>one sweep</source><translation>un balayage</translation></message>
 <message><source>%1 sweeps</source><translation>%1 balayages</translation></message>
@@ -2982,6 +2989,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>its records do not end with it</source><translation>ses enregistrements ne finissent pas avec lui</translation></message>
 <message><source>it is a ROS bag of another version than 2.0</source><translation>c'est un bag ROS d'une autre version que 2.0</translation></message>
 <message><source>convert it with "rosbag migrate"</source><translation>convertissez-le avec « rosbag migrate »</translation></message>
+<message><source>it promises to unpack to more than a bag of this size holds</source><translation>il annonce qu'il se décompresse en plus qu'un bag de cette taille ne contient</translation></message>
 <message><source>The bag was cut off: everything up to the cut is here.</source><translation>Le bag a été coupé : tout jusqu'à la coupure est là.</translation></message>
 <message><source>%n message is compressed and damaged and was left out.</source><translation>%n message est compressé et endommagé et a été laissé de côté.</translation></message>
 <message><source>%n messages are compressed and damaged and were left out.</source><translation>%n messages sont compressés et endommagés et ont été laissés de côté.</translation></message>
@@ -3016,18 +3024,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>record it with another middleware, or convert the bag</source><translation>enregistrez-le avec un autre middleware, ou convertissez le bag</translation></message>
 <message><source>a message of type %1 ends too early or does not fit its definition</source><translation>un message du type %1 finit trop tôt ou ne correspond pas à sa définition</translation></message>
 <message><source>copy the bag again</source><translation>copiez à nouveau le bag</translation></message>
-<message><source>it promises to unpack to more than a bag of this size holds</source><translation>il annonce qu'il se décompresse en plus qu'un bag de cette taille ne contient</translation></message>
-<message><source>%1 accepts the connection; asking for its topics.</source><translation>%1 accepte la connexion ; demande de ses topics.</translation></message>
-<message><source>the bridge says: %1</source><translation>le pont dit : %1</translation></message>
-<message><source>check foxglove_bridge on the robot</source><translation>vérifiez foxglove_bridge sur le robot</translation></message>
-<message><source>the bridge offers no topics</source><translation>le pont n'offre aucun topic</translation></message>
-<message><source>check that the robot's programs run</source><translation>vérifiez que les programmes du robot fonctionnent</translation></message>
-<message><source>no scan line of %1 for %2</source><translation>aucune ligne de scan de %1 pendant %2</translation></message>
-<message><source>check whether the laser runs and publishes this topic</source><translation>vérifiez que le laser fonctionne et publie ce topic</translation></message>
-<message><source>the bridge describes its topics in a text of more than 4 MB</source><translation>le pont décrit ses topics dans un texte de plus de 4 Mo</translation></message>
-<message><source>choose another bridge, or let it offer fewer topics</source><translation>choisissez un autre pont, ou faites-lui offrir moins de topics</translation></message>
-<message><source>what it sends is not the Foxglove WebSocket protocol</source><translation>ce qu'il envoie n'est pas le protocole WebSocket de Foxglove</translation></message>
-<message><source>check the port (8765) and that foxglove_bridge runs there</source><translation>vérifiez le port (8765) et que foxglove_bridge y fonctionne</translation></message>
 <message><source>the bridge closed the connection</source><translation>le pont a fermé la connexion</translation></message>
 <message><source>the bridge sends a message of more than 64 MB</source><translation>le pont envoie un message de plus de 64 Mo</translation></message>
 <message><source>choose another topic</source><translation>choisissez un autre topic</translation></message>
@@ -3039,15 +3035,27 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the connection is closed</source><translation>la connexion est fermée</translation></message>
 <message><source>the subscription cannot be sent (%1)</source><translation>l'abonnement ne peut pas être envoyé (%1)</translation></message>
 <message><source>check the network</source><translation>vérifiez le réseau</translation></message>
+<message><source>%1 accepts the connection; asking for its topics.</source><translation>%1 accepte la connexion ; demande de ses topics.</translation></message>
+<message><source>the bridge says: %1</source><translation>le pont dit : %1</translation></message>
+<message><source>check foxglove_bridge on the robot</source><translation>vérifiez foxglove_bridge sur le robot</translation></message>
+<message><source>the bridge offers no topics</source><translation>le pont n'offre aucun topic</translation></message>
+<message><source>check that the robot's programs run</source><translation>vérifiez que les programmes du robot fonctionnent</translation></message>
+<message><source>no scan line of %1 for %2</source><translation>aucune ligne de scan de %1 pendant %2</translation></message>
+<message><source>check whether the laser runs and publishes this topic</source><translation>vérifiez que le laser fonctionne et publie ce topic</translation></message>
+<message><source>the bridge describes its topics in a text of more than 4 MB</source><translation>le pont décrit ses topics dans un texte de plus de 4 Mo</translation></message>
+<message><source>choose another bridge, or let it offer fewer topics</source><translation>choisissez un autre pont, ou faites-lui offrir moins de topics</translation></message>
+<message><source>what it sends is not the Foxglove WebSocket protocol</source><translation>ce qu'il envoie n'est pas le protocole WebSocket de Foxglove</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs there</source><translation>vérifiez le port (8765) et que foxglove_bridge y fonctionne</translation></message>
 <message><source>%1 and others</source><translation>%1 et d'autres</translation></message>
+<message><source>lines come, but their angle is not known: %1</source><translation>des lignes arrivent, mais leur angle n'est pas connu : %1</translation></message>
+<message><source>give the joint that turns the laser (--joint), or the step from line to line (--line-step)</source><translation>indiquez l'articulation qui tourne le laser (--joint), ou le pas de ligne à ligne (--line-step)</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>il n'y a pas assez de mémoire pour ce nuage</translation></message>
 <message><source>the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)%1</source><translation>le pont n'offre aucun topic d'un laser (sensor_msgs/LaserScan ou PointCloud2)%1</translation></message>
 <message><source>check that the laser's driver runs</source><translation>vérifiez que le pilote du laser fonctionne</translation></message>
 <message><source>the bridge offers no topic of a laser called "%1"</source><translation>le pont n'offre aucun topic d'un laser nommé « %1 »</translation></message>
 <message><source>choose one of %1</source><translation>choisissez l'un de %1</translation></message>
 <message><source>GUESS: the topic %1 was taken; --topic chooses another: %2.</source><translation>SUPPOSITION : le topic %1 a été pris ; --topic en choisit un autre : %2.</translation></message>
-<message><source>there is not enough memory for this cloud</source><translation>il n'y a pas assez de mémoire pour ce nuage</translation></message>
-<message><source>lines come, but their angle is not known: %1</source><translation>des lignes arrivent, mais leur angle n'est pas connu : %1</translation></message>
-<message><source>give the joint that turns the laser (--joint), or the step from line to line (--line-step)</source><translation>indiquez l'articulation qui tourne le laser (--joint), ou le pas de ligne à ligne (--line-step)</translation></message>
+<message><source>%1 messages of the topic %2 are in the bag twice: each was read once.</source><translation>%1 messages du topic %2 sont deux fois dans le bag : chacun a été lu une fois.</translation></message>
 <message><source>it is not a file of a bag</source><translation>ce n'est pas un fichier d'un bag</translation></message>
 <message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La partie %1 du bag n'a pas pu être lue (%2) : ses messages ne sont pas dans le scan.</translation></message>
 <message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>La partie %1 du bag manque : ses messages ne sont pas dans le scan.</translation></message>
@@ -3094,15 +3102,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n files</source><translation>%n fichiers</translation></message>
 <message><source>open one of them, as %1</source><translation>ouvrez l'un d'eux, comme %1</translation></message>
 <message><source>This file is part %1 of %2 of a bag. Open %3 for all of it.</source><translation>Ce fichier est la partie %1 sur %2 d'un bag. Ouvrez %3 pour l'avoir en entier.</translation></message>
-<message><source>%1 x %2 points with %3</source><translation>%1 x %2 points avec %3</translation></message>
-<message><source>%1turn rates and accelerations, which are not used: transforms and joints turn the laser</source><translation>%1vitesses de rotation et accélérations, qui ne servent pas : les transformations et les articulations tournent le laser</translation></message>
-<message><source>scan lines of %1 beams</source><translation>lignes de scan de %1 faisceaux</translation></message>
-<message><source>poses in the frame %1</source><translation>poses dans le repère %1</translation></message>
-<message><source>GUESS: the poses of the topic %1 are those of the frame %2.</source><translation>SUPPOSITION : les poses du topic %1 sont celles du repère %2.</translation></message>
-<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Les transformations mettent le scanner à %1, %2, %3 m, où il n'y a rien sur terre : le scan reste dans le repère du scanner.</translation></message>
-<message><source>the frame %1 of the bag</source><translation>le repère %1 du bag</translation></message>
-<message><source>the transforms of the bag</source><translation>les transformations du bag</translation></message>
-<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPPOSITION : le repère %1 du bag est pris comme grille de la mine, x vers l'est, y vers le nord et z vers le haut.</translation></message>
 <message><source>%n message of the topic was left out: %1.</source><translation>%n message du topic a été laissé de côté : %1.</translation></message>
 <message><source>%n messages of the topic were left out: %1.</source><translation>%n messages du topic ont été laissés de côté : %1.</translation></message>
 <message><source>%n message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation>%n message a un time_increment impossible : les faisceaux d'une ligne comptent comme mesurés en même temps.</translation></message>
@@ -3129,6 +3128,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>no line of the topic %1 could be placed</source><translation>aucune ligne du topic %1 n'a pu être placée</translation></message>
 <message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. --scan chooses another.</source><translation>Le topic contient %1 balayages ; le balayage %2, compté à partir de 0, a été ouvert. --scan en choisit un autre.</translation></message>
 <message><source>the stamps of the messages</source><translation>les horodatages des messages</translation></message>
+<message><source>%1 x %2 points with %3</source><translation>%1 x %2 points avec %3</translation></message>
+<message><source>%1turn rates and accelerations, which are not used: transforms and joints turn the laser</source><translation>%1vitesses de rotation et accélérations, qui ne servent pas : les transformations et les articulations tournent le laser</translation></message>
+<message><source>scan lines of %1 beams</source><translation>lignes de scan de %1 faisceaux</translation></message>
+<message><source>poses in the frame %1</source><translation>poses dans le repère %1</translation></message>
 <message><source> at %1 Hz</source><translation> à %1 Hz</translation></message>
 <message><source>no topic of this %1 is a laser's%2%3</source><translation>aucun topic de ce %1 n'est d'un laser%2%3</translation></message>
 <message><source>choose another bag</source><translation>choisissez un autre bag</translation></message>
@@ -3145,6 +3148,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>its angle_increment does not give the step between beams</source><translation>son angle_increment ne donne pas le pas entre faisceaux</translation></message>
 <message><source>its angle_min or angle_increment puts beams outside of one turn</source><translation>son angle_min ou angle_increment met des faisceaux hors d'un tour</translation></message>
 <message><source>no message of the topic %1 is a line of ranges%2</source><translation>aucun message du topic %1 n'est une ligne de distances%2</translation></message>
+<message><source>GUESS: the poses of the topic %1 are those of the frame %2.</source><translation>SUPPOSITION : les poses du topic %1 sont celles du repère %2.</translation></message>
+<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>Les transformations mettent le scanner à %1, %2, %3 m, où il n'y a rien sur terre : le scan reste dans le repère du scanner.</translation></message>
+<message><source>the frame %1 of the bag</source><translation>le repère %1 du bag</translation></message>
+<message><source>the transforms of the bag</source><translation>les transformations du bag</translation></message>
+<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPPOSITION : le repère %1 du bag est pris comme grille de la mine, x vers l'est, y vers le nord et z vers le haut.</translation></message>
 <message><source>the transform of the frame %1 in %2</source><translation>la transformation du repère %1 dans %2</translation></message>
 <message><source>%1 turns about more than one axis (%2 degrees off)</source><translation>%1 tourne autour de plus d'un axe (écart de %2 degrés)</translation></message>
 <message><source>choose another topic, or give the joint that turns the laser</source><translation>choisissez un autre topic, ou indiquez l'articulation qui tourne le laser</translation></message>
@@ -3159,7 +3167,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>a line came out of order</source><translation>une ligne est arrivée dans le désordre</translation></message>
 <message><source>the angle of a line is not known</source><translation>l'angle d'une ligne n'est pas connu</translation></message>
 <message><source>the laser did not turn yet</source><translation>le laser n'a pas encore tourné</translation></message>
-<message><source>%1 messages of the topic %2 are in the bag twice: each was read once.</source><translation>%1 messages du topic %2 sont deux fois dans le bag : chacun a été lu une fois.</translation></message>
 <message><source>%1 degrees</source><translation>%1 degrés</translation></message>
 <message><source>, %1 times its uncertainty</source><translation>, %1 fois son incertitude</translation></message>
 <message><source>odd beams lie %1 ahead of even ones%2</source><translation>les faisceaux impairs sont %1 en avance sur les pairs%2</translation></message>
@@ -3317,6 +3324,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%1 scans</source><translation>%1 scans</translation></message>
 <message><source>the scanner</source><translation>le scanner</translation></message>
 <message><source>the scanner's answer to %1</source><translation>la réponse du scanner à %1</translation></message>
+<message><source>the code of a refusal</source><translation>le code d'un refus</translation></message>
 <message><source>the value</source><translation>la valeur</translation></message>
 <message><source>the text</source><translation>le texte</translation></message>
 <message><source>the scan frequency</source><translation>la fréquence de balayage</translation></message>
@@ -3340,7 +3348,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the temperature range</source><translation>la plage de température</translation></message>
 <message><source>the time</source><translation>l'heure</translation></message>
 <message><source>the date</source><translation>la date</translation></message>
-<message><source>the code of a refusal</source><translation>le code d'un refus</translation></message>
 <message><source>this is not an answer of a scanner</source><translation>ceci n'est pas une réponse d'un scanner</translation></message>
 <message><source>byte 0 of the telegram</source><translation>octet 0 du télégramme</translation></message>
 <message><source>an answer without a name</source><translation>une réponse sans nom</translation></message>
@@ -3447,6 +3454,12 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the scale of the channel %1 is %2, which no scanner uses</source><translation>l'échelle du canal %1 est %2, qu'aucun scanner n'utilise</translation></message>
 <message><source>the scan telegram</source><translation>le télégramme de scan</translation></message>
 <message><source>this is not a scan telegram (LMDscandata)</source><translation>ceci n'est pas un télégramme de scan (LMDscandata)</translation></message>
+<message><source>firmware %1</source><translation>micrologiciel %1</translation></message>
+<message><source>%1 degrees from %2 to %3</source><translation>%1 degrés de %2 à %3</translation></message>
+<message><source>something accepts the connection but does not answer in CoLa</source><translation>quelque chose accepte la connexion mais ne répond pas en CoLa</translation></message>
+<message><source>check that it is a SICK scanner and the port is 2111 or 2112</source><translation>vérifiez que c'est un scanner SICK et que le port est 2111 ou 2112</translation></message>
+<message><source>no answer to "%1"</source><translation>aucune réponse à « %1 »</translation></message>
+<message><source>check the connection</source><translation>vérifiez la connexion</translation></message>
 <message><source>no line was received</source><translation>aucune ligne n'a été reçue</translation></message>
 <message><source>check that foxglove_bridge runs there; a scanner of SICK is HOST without ws://</source><translation>vérifiez que foxglove_bridge y fonctionne ; un scanner SICK est HOST sans ws://</translation></message>
 <message><source>check cable, address and port</source><translation>vérifiez le câble, l'adresse et le port</translation></message>
@@ -3461,12 +3474,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>check what else uses it</source><translation>vérifiez ce qui l'utilise aussi</translation></message>
 <message><source>no scan for %1</source><translation>aucun scan pendant %1</translation></message>
 <message><source>check the cable and whether the scanner's mirror turns</source><translation>vérifiez le câble et que le miroir du scanner tourne</translation></message>
-<message><source>firmware %1</source><translation>micrologiciel %1</translation></message>
-<message><source>%1 degrees from %2 to %3</source><translation>%1 degrés de %2 à %3</translation></message>
-<message><source>something accepts the connection but does not answer in CoLa</source><translation>quelque chose accepte la connexion mais ne répond pas en CoLa</translation></message>
-<message><source>check that it is a SICK scanner and the port is 2111 or 2112</source><translation>vérifiez que c'est un scanner SICK et que le port est 2111 ou 2112</translation></message>
-<message><source>no answer to "%1"</source><translation>aucune réponse à « %1 »</translation></message>
-<message><source>check the connection</source><translation>vérifiez la connexion</translation></message>
 <message><source>A telegram came late and was put into its line</source><translation>Un télégramme est arrivé en retard et a été mis dans sa ligne</translation></message>
 <message><source>telegrams came late and were put into their lines</source><translation>télégrammes sont arrivés en retard et ont été mis dans leurs lignes</translation></message>
 <message><source>A telegram came after its sweep had ended</source><translation>Un télégramme est arrivé après la fin de son balayage</translation></message>

@@ -66,6 +66,8 @@
 <message><source>remove it and add it again</source><translation>remova-a e adicione-a de novo</translation></message>
 <message><source>it is not a regular file, so settings are not read and nothing of this window is stored</source><translation>não é um arquivo comum: os ajustes não são lidos e nada desta janela é guardado</translation></message>
 <message><source>remove it and start again</source><translation>remova-o e inicie de novo</translation></message>
+<message><source>not all settings in this file can be read</source><translation>nem todos os ajustes deste arquivo podem ser lidos</translation></message>
+<message><source>what it held is in </source><translation>o que ele continha está em </translation></message>
 <message><source>choose another scan</source><translation>escolha outra varredura</translation></message>
 <message><source> (line </source><translation> (linha </translation></message>
 <message><source>Both are one scan: the files are the same.</source><translation>Ambos são uma só varredura: os arquivos são iguais.</translation></message>
@@ -478,6 +480,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL: média dos pontos visíveis, na grade da mina</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z: média dos pontos visíveis, no referencial do scanner.</translation></message>
 <message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a e b: extensões visíveis transversais à linha de visada; as partes ocultas não contam. Distância: mediana de suas distâncias. Área: visível, transversal aos feixes. Na frente: parte do contorno onde a rocha é o lado mais próximo. Contatos e altura livre: no mínimo. Arco: maior ângulo na rocha entre duas que ela toca; ↓ ela pende abaixo da linha entre elas. p: chance de o contorno estar certo; ▲ menor que 0,85, hachurado.</translation></message>
+<message><source>Without a pose, up is the scanner's z axis, which is assumed: free height and ↓ are measured along it.</source><translation>Sem pose, para cima é o eixo z do scanner, que é suposto: a altura livre e ↓ são medidos ao longo dele.</translation></message>
 <message><source>Number with ▲: merged by hand of parts that do not touch.</source><translation>Número com ▲: unida à mão de partes que não se tocam.</translation></message>
 <message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Os alvos por seus números, e o que foi medido. Preto é perto, ou nada voltou.</translation></message>
 <message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valor não cabe na imagem; a tabela tem todos.</translation></message>
@@ -664,6 +667,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 não é uma sessão e fica como está: escolha outro nome.</translation></message>
 <message><source>Open session</source><translation>Abrir sessão</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Capturas de tela (*.png)</translation></message>
+<message><source>%1: this is not a session; choose a session, or a screenshot that carries one.</source><translation>%1: isto não é uma sessão; escolha uma sessão, ou uma captura de tela que traga uma.</translation></message>
 <message><source>%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The rest needs the scan.</source><translation>%1: a varredura desta sessão não foi encontrada. Foi movida, ou falta o disco. Ajustes e vista foram restaurados. O resto precisa da varredura.</translation></message>
 <message><source>Locate…</source><translation>Localizar…</translation></message>
 <message><source>Where is the scan now?</source><translation>Onde está a varredura agora?</translation></message>
@@ -1134,7 +1138,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
 <message><source>at least 1: rock %1</source><translation>pelo menos 1: rocha %1</translation></message>
 <message><source>at least %1: rocks %2</source><translation>pelo menos %1: rochas %2</translation></message>
-<message><source>%1 and %2</source><translation>%1 e %2</translation></message>
+<message><source>, between rocks %1 and %2</source><translation>, entre as rochas %1 e %2</translation></message>
 <message><source>, hangs below</source><translation>, pende por baixo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>nada foi medido aqui, ou nenhum pedaço corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
@@ -1173,11 +1177,14 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>visible contacts</source><translation>contatos visíveis</translation></message>
 <message><source>free height below</source><translation>altura livre abaixo</translation></message>
 <message><source>arch angle</source><translation>ângulo do arco</translation></message>
+<message><source>the scanner's z axis, assumed</source><translation>o eixo z do scanner, suposto</translation></message>
 <message><source>confidence p</source><translation>confiança p</translation></message>
 <message><source>pinned target</source><translation>alvo fixado</translation></message>
 <message><source>Not a rock</source><translation>Não é rocha</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que não se tocam, a %2 m</translation></message>
+<message><source>%1 and %2</source><translation>%1 e %2</translation></message>
+<message><source>≈ may be one with %1</source><translation>≈ pode ser uma só com %1</translation></message>
 <message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visível: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
@@ -1873,9 +1880,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>contacts (≥)</source><translation>contatos (≥)</translation></message>
 <message><source>Rocks that it is seen to touch: at least these</source><translation>Rochas que se vê que ela toca: pelo menos estas</translation></message>
 <message><source>free below [m]</source><translation>livre abaixo [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free; without a pose, up is the scanner's z axis</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre; sem pose, para cima é o eixo z do scanner</translation></message>
 <message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them; without a pose, up is the scanner's z axis</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une; sem pose, para cima é o eixo z do scanner</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - apenas geometria, um só ponto de vista</translation></message>
 <message><source>Unit</source><translation>Unidade</translation></message>
@@ -2397,20 +2404,31 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>save the array of ranges or points as .npy</source><translation>salve a matriz de distâncias ou pontos como .npy</translation></message>
 <message><source>this is a ROS bag, and %1</source><translation>isto é um bag de ROS, e %1</translation></message>
 <message><source>Network capture</source><translation>Captura de rede</translation></message>
-<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cinza, e as distâncias precisam de 16 bits em cinza</translation></message>
-<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cores, e as distâncias precisam de 16 bits em cinza</translation></message>
-<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>escolha uma varredura, ou uma imagem de distâncias de 16 bits por pixel</translation></message>
-<message><source>The picture is animated; the first frame was read.</source><translation>A imagem é animada; foi lido o primeiro quadro.</translation></message>
-<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>A imagem não termina com IEND: o arquivo foi cortado depois dos seus pixels.</translation></message>
-<message><source>the picture</source><translation>a imagem</translation></message>
-<message><source>this is a PNG picture that cannot be read: </source><translation>isto é uma imagem PNG que não pode ser lida: </translation></message>
-<message><source>close other programs</source><translation>feche outros programas</translation></message>
 <message><source>The picture asks to be turned or mirrored when it is shown (orientation %1): its rows were taken as scan lines as they are stored.</source><translation>A imagem pede para ser girada ou espelhada ao ser mostrada (orientação %1): as suas fileiras foram tomadas como linhas tal como estão gravadas.</translation></message>
 <message><source>the picture promises more pixels than a file of %1 holds of a scan</source><translation>a imagem anuncia mais pixels do que um arquivo de %1 contém de uma varredura</translation></message>
 <message><source>a pixel</source><translation>um pixel</translation></message>
 <message><source>%n pixel holds no range (negative, not a number, or too far) and was taken as no return.</source><translation>%n pixel não contém distância (negativo, não numérico ou longe demais) e foi tomado como sem retorno.</translation></message>
 <message><source>%n pixels hold no range (negative, not a number, or too far) and were taken as no return.</source><translation>%n pixels não contêm distância (negativos, não numéricos ou longe demais) e foram tomados como sem retorno.</translation></message>
 <message><source>Unit taken as millimetres, as range pictures have it.</source><translation>Unidade tomada como milímetros, como nas imagens de distâncias.</translation></message>
+<message><source>this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats</source><translation>esta imagem TIFF tem %1 de %2 bits, e as distâncias precisam de um de 16 bits ou de números de 4 bytes</translation></message>
+<message><source>%n channel</source><translation>%n canal</translation></message>
+<message><source>%n channels</source><translation>%n canais</translation></message>
+<message><source>choose a scan, or a range picture of 16 bits per pixel</source><translation>escolha uma varredura, ou uma imagem de distâncias de 16 bits por pixel</translation></message>
+<message><source>this TIFF picture is stored in tiles</source><translation>esta imagem TIFF está salva em blocos</translation></message>
+<message><source>save it in strips</source><translation>salve-a em faixas</translation></message>
+<message><source>the picture has no pixels</source><translation>a imagem não tem pixels</translation></message>
+<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>a imagem TIFF está danificada ou é de um tipo que não pode ser lido</translation></message>
+<message><source>reading the picture</source><translation>leitura da imagem</translation></message>
+<message><source>The file holds %1 (pages); the first was read.</source><translation>O arquivo contém %1 (páginas); foi lida a primeira.</translation></message>
+<message><source>the picture</source><translation>a imagem</translation></message>
+<message><source>this is a TIFF picture, and this build of the program cannot read TIFF</source><translation>isto é uma imagem TIFF, e esta versão do programa não pode ler TIFF</translation></message>
+<message><source>save the ranges as PNG of 16 bits</source><translation>salve as distâncias como PNG de 16 bits</translation></message>
+<message><source>this is a PNG picture of %1 bit gray, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cinza, e as distâncias precisam de 16 bits em cinza</translation></message>
+<message><source>this is a PNG picture of %1 bit colour, and ranges need 16 bit gray</source><translation>isto é uma imagem PNG de %1 bits em cores, e as distâncias precisam de 16 bits em cinza</translation></message>
+<message><source>The picture is animated; the first frame was read.</source><translation>A imagem é animada; foi lido o primeiro quadro.</translation></message>
+<message><source>The picture does not end with IEND: the file was cut off behind its pixels.</source><translation>A imagem não termina com IEND: o arquivo foi cortado depois dos seus pixels.</translation></message>
+<message><source>this is a PNG picture that cannot be read: </source><translation>isto é uma imagem PNG que não pode ser lida: </translation></message>
+<message><source>close other programs</source><translation>feche outros programas</translation></message>
 <message><source>the file ends within its LAS header</source><translation>o arquivo termina dentro do seu cabeçalho LAS</translation></message>
 <message><source>this is LAS version %1.%2, and versions up to 1.4 are known</source><translation>isto é LAS versão %1.%2, e são conhecidas as versões até 1.4</translation></message>
 <message><source>save it as LAS 1.2 or 1.4</source><translation>salve-o como LAS 1.2 ou 1.4</translation></message>
@@ -2591,17 +2609,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>The picture does not say its angles</source><translation>A imagem não diz seus ângulos</translation></message>
 <message><source>a numpy array of %1 per line does not say its angles</source><translation>uma matriz numpy de %1 por linha não diz seus ângulos</translation></message>
 <message><source>The numpy array does not say its angles</source><translation>A matriz numpy não diz seus ângulos</translation></message>
-<message><source>this TIFF picture has %1 of %2 bits, and ranges need one of 16 bits or of 4-byte floats</source><translation>esta imagem TIFF tem %1 de %2 bits, e as distâncias precisam de um de 16 bits ou de números de 4 bytes</translation></message>
-<message><source>%n channel</source><translation>%n canal</translation></message>
-<message><source>%n channels</source><translation>%n canais</translation></message>
-<message><source>this TIFF picture is stored in tiles</source><translation>esta imagem TIFF está salva em blocos</translation></message>
-<message><source>save it in strips</source><translation>salve-a em faixas</translation></message>
-<message><source>the picture has no pixels</source><translation>a imagem não tem pixels</translation></message>
-<message><source>the TIFF picture is damaged or of a kind that cannot be read</source><translation>a imagem TIFF está danificada ou é de um tipo que não pode ser lido</translation></message>
-<message><source>reading the picture</source><translation>leitura da imagem</translation></message>
-<message><source>The file holds %1 (pages); the first was read.</source><translation>O arquivo contém %1 (páginas); foi lida a primeira.</translation></message>
-<message><source>this is a TIFF picture, and this build of the program cannot read TIFF</source><translation>isto é uma imagem TIFF, e esta versão do programa não pode ler TIFF</translation></message>
-<message><source>save the ranges as PNG of 16 bits</source><translation>salve as distâncias como PNG de 16 bits</translation></message>
 <message><source>%1 lines x %2 beams</source><translation>%1 linhas x %2 feixes</translation></message>
 <message><source>holds %1 bytes where %2 need %3</source><translation>contém %1 bytes onde %2 precisam de %3</translation></message>
 <message><source>check lines and beams in the .json file</source><translation>verifique linhas e feixes no arquivo .json</translation></message>
@@ -2864,8 +2871,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>CoLa stream</source><translation>Fluxo CoLa</translation></message>
 <message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n byte do fluxo não pertence a nenhum telegrama inteiro.</translation></message>
 <message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n bytes do fluxo não pertencem a nenhum telegrama inteiro.</translation></message>
-<message><source>save the scan again, or remove "acquisition"</source><translation>salve de novo a varredura, ou remova "acquisition"</translation></message>
-<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" deve ser um objeto {...}</translation></message>
 <message><source>radians</source><translation>radianos</translation></message>
 <message><source>milliradians</source><translation>milirradianos</translation></message>
 <message><source>angles in %1, azimuths %2</source><translation>ângulos em %1, azimutes %2</translation></message>
@@ -2903,6 +2908,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>leaves the grid</source><translation>sai da grade</translation></message>
 <message><source>names cell %1 twice</source><translation>nomeia duas vezes a célula %1</translation></message>
 <message><source>must name a file in the same folder</source><translation>deve nomear um arquivo da mesma pasta</translation></message>
+<message><source>save the scan again, or remove "acquisition"</source><translation>salve de novo a varredura, ou remova "acquisition"</translation></message>
+<message><source>"acquisition" must be an object {...}</source><translation>"acquisition" deve ser um objeto {...}</translation></message>
 <message><source>must be greater than 0</source><translation>deve ser maior que 0</translation></message>
 <message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>o cabeçalho anuncia %1 de %2 bytes e o arquivo contém %3 bytes deles, o que é mais</translation></message>
 <message><source>holds %1 where the header promises %2</source><translation>contém %1 onde o cabeçalho anuncia %2</translation></message>
@@ -2933,6 +2940,12 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>this is text without a row of numbers, so no scan</source><translation>isto é texto sem uma fileira de números, portanto não é uma varredura</translation></message>
 <message><source>choose a scan: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, a raw grid (.json), a range picture (.png, .tif), a recording (.mcap), a ROS bag or a network capture (.pcap)</source><translation>escolha uma varredura: E57, LAS, PTX, PCD, PLY, OBJ, CSV, XYZ, .3d, .str, .npy, uma grade bruta (.json), uma imagem de distâncias (.png, .tif), uma gravação (.mcap), um bag de ROS ou uma captura de rede (.pcap)</translation></message>
 <message><source>The recording describes another grid than its telegrams make: the telegrams count.</source><translation>A gravação descreve outra grade que a dos seus telegramas: contam os telegramas.</translation></message>
+<message><source>The recording was cut off: everything up to the cut is here.</source><translation>A gravação foi cortada: tudo até o corte está aqui.</translation></message>
+<message><source>%1 times in the recording are after %2 and were read as this time.</source><translation>%1 tempos da gravação são posteriores a %2 e foram lidos como esse tempo.</translation></message>
+<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este arquivo MCAP não contém nada enviado por um scanner a laser</translation></message>
+<message><source>choose a recording of a sweep</source><translation>escolha a gravação de uma varredura</translation></message>
+<message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>neste arquivo MCAP não se pode ler nada que um scanner a laser tenha enviado%1</translation></message>
+<message><source>, and %1 more</source><translation>, e mais %1</translation></message>
 <message><source>the recording's "%1" is "%2", which cannot be used.</source><translation>«%1» da gravação é «%2», que não pode ser usado.</translation></message>
 <message><source>%n reading of inclinometer or TALIN cannot be used.</source><translation>%n leitura do inclinômetro ou de TALIN não pode ser usada.</translation></message>
 <message><source>%n readings of inclinometer or TALIN cannot be used.</source><translation>%n leituras do inclinômetro ou de TALIN não podem ser usadas.</translation></message>
@@ -2945,12 +2958,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>a calibration needs a pose, and the recording holds none that can be used</source><translation>uma calibração precisa de uma pose, e a gravação não contém nenhuma utilizável</translation></message>
 <message><source>The recording holds poses and not how the robot is built: --calibration ROBOT.json places the scan.</source><translation>A gravação contém poses mas não como o robô é construído: --calibration ROBOT.json posiciona a varredura.</translation></message>
 <message><source>The recording's pose cannot be used: %1.</source><translation>A pose da gravação não pode ser usada: %1.</translation></message>
-<message><source>The recording was cut off: everything up to the cut is here.</source><translation>A gravação foi cortada: tudo até o corte está aqui.</translation></message>
-<message><source>%1 times in the recording are after %2 and were read as this time.</source><translation>%1 tempos da gravação são posteriores a %2 e foram lidos como esse tempo.</translation></message>
-<message><source>this MCAP file holds nothing that a laser scanner sent</source><translation>este arquivo MCAP não contém nada enviado por um scanner a laser</translation></message>
-<message><source>choose a recording of a sweep</source><translation>escolha a gravação de uma varredura</translation></message>
-<message><source>nothing that a laser scanner sent can be read in this MCAP file%1</source><translation>neste arquivo MCAP não se pode ler nada que um scanner a laser tenha enviado%1</translation></message>
-<message><source>, and %1 more</source><translation>, e mais %1</translation></message>
 <message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit não se aplica: os telegramas de uma gravação dizem eles mesmos sua unidade</translation></message>
 <message><source>one sweep</source><translation>uma varredura</translation></message>
 <message><source>%1 sweeps</source><translation>%1 varreduras</translation></message>
@@ -2982,6 +2989,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>its records do not end with it</source><translation>seus registros não terminam com ele</translation></message>
 <message><source>it is a ROS bag of another version than 2.0</source><translation>é um bag do ROS de versão diferente de 2.0</translation></message>
 <message><source>convert it with "rosbag migrate"</source><translation>converta-o com "rosbag migrate"</translation></message>
+<message><source>it promises to unpack to more than a bag of this size holds</source><translation>anuncia que se descompacta em mais do que um bag deste tamanho contém</translation></message>
 <message><source>The bag was cut off: everything up to the cut is here.</source><translation>O bag foi cortado: tudo até o corte está aqui.</translation></message>
 <message><source>%n message is compressed and damaged and was left out.</source><translation>%n mensagem está comprimida e danificada e foi deixada de fora.</translation></message>
 <message><source>%n messages are compressed and damaged and were left out.</source><translation>%n mensagens estão comprimidas e danificadas e foram deixadas de fora.</translation></message>
@@ -3016,18 +3024,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>record it with another middleware, or convert the bag</source><translation>grave-o com outro middleware, ou converta o bag</translation></message>
 <message><source>a message of type %1 ends too early or does not fit its definition</source><translation>uma mensagem do tipo %1 termina cedo demais ou não corresponde à sua definição</translation></message>
 <message><source>copy the bag again</source><translation>copie de novo o bag</translation></message>
-<message><source>it promises to unpack to more than a bag of this size holds</source><translation>anuncia que se descompacta em mais do que um bag deste tamanho contém</translation></message>
-<message><source>%1 accepts the connection; asking for its topics.</source><translation>%1 aceita a conexão; perguntando por seus tópicos.</translation></message>
-<message><source>the bridge says: %1</source><translation>a ponte diz: %1</translation></message>
-<message><source>check foxglove_bridge on the robot</source><translation>verifique foxglove_bridge no robô</translation></message>
-<message><source>the bridge offers no topics</source><translation>a ponte não oferece tópico algum</translation></message>
-<message><source>check that the robot's programs run</source><translation>verifique que os programas do robô estão rodando</translation></message>
-<message><source>no scan line of %1 for %2</source><translation>nenhuma linha de varredura de %1 em %2</translation></message>
-<message><source>check whether the laser runs and publishes this topic</source><translation>verifique se o laser funciona e publica este tópico</translation></message>
-<message><source>the bridge describes its topics in a text of more than 4 MB</source><translation>a ponte descreve seus tópicos num texto de mais de 4 MB</translation></message>
-<message><source>choose another bridge, or let it offer fewer topics</source><translation>escolha outra ponte, ou faça-a oferecer menos tópicos</translation></message>
-<message><source>what it sends is not the Foxglove WebSocket protocol</source><translation>o que ela envia não é o protocolo WebSocket do Foxglove</translation></message>
-<message><source>check the port (8765) and that foxglove_bridge runs there</source><translation>verifique a porta (8765) e que foxglove_bridge roda ali</translation></message>
 <message><source>the bridge closed the connection</source><translation>a ponte fechou a conexão</translation></message>
 <message><source>the bridge sends a message of more than 64 MB</source><translation>a ponte envia uma mensagem de mais de 64 MB</translation></message>
 <message><source>choose another topic</source><translation>escolha outro tópico</translation></message>
@@ -3039,15 +3035,27 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the connection is closed</source><translation>a conexão está fechada</translation></message>
 <message><source>the subscription cannot be sent (%1)</source><translation>a assinatura não pode ser enviada (%1)</translation></message>
 <message><source>check the network</source><translation>verifique a rede</translation></message>
+<message><source>%1 accepts the connection; asking for its topics.</source><translation>%1 aceita a conexão; perguntando por seus tópicos.</translation></message>
+<message><source>the bridge says: %1</source><translation>a ponte diz: %1</translation></message>
+<message><source>check foxglove_bridge on the robot</source><translation>verifique foxglove_bridge no robô</translation></message>
+<message><source>the bridge offers no topics</source><translation>a ponte não oferece tópico algum</translation></message>
+<message><source>check that the robot's programs run</source><translation>verifique que os programas do robô estão rodando</translation></message>
+<message><source>no scan line of %1 for %2</source><translation>nenhuma linha de varredura de %1 em %2</translation></message>
+<message><source>check whether the laser runs and publishes this topic</source><translation>verifique se o laser funciona e publica este tópico</translation></message>
+<message><source>the bridge describes its topics in a text of more than 4 MB</source><translation>a ponte descreve seus tópicos num texto de mais de 4 MB</translation></message>
+<message><source>choose another bridge, or let it offer fewer topics</source><translation>escolha outra ponte, ou faça-a oferecer menos tópicos</translation></message>
+<message><source>what it sends is not the Foxglove WebSocket protocol</source><translation>o que ela envia não é o protocolo WebSocket do Foxglove</translation></message>
+<message><source>check the port (8765) and that foxglove_bridge runs there</source><translation>verifique a porta (8765) e que foxglove_bridge roda ali</translation></message>
 <message><source>%1 and others</source><translation>%1 e outros</translation></message>
+<message><source>lines come, but their angle is not known: %1</source><translation>chegam linhas, mas seu ângulo não é conhecido: %1</translation></message>
+<message><source>give the joint that turns the laser (--joint), or the step from line to line (--line-step)</source><translation>indique a junta que gira o laser (--joint), ou o passo de linha a linha (--line-step)</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>não há memória suficiente para esta nuvem</translation></message>
 <message><source>the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)%1</source><translation>a ponte não oferece tópico de um laser (sensor_msgs/LaserScan ou PointCloud2)%1</translation></message>
 <message><source>check that the laser's driver runs</source><translation>verifique que o driver do laser está rodando</translation></message>
 <message><source>the bridge offers no topic of a laser called "%1"</source><translation>a ponte não oferece tópico de um laser chamado «%1»</translation></message>
 <message><source>choose one of %1</source><translation>escolha um de %1</translation></message>
 <message><source>GUESS: the topic %1 was taken; --topic chooses another: %2.</source><translation>SUPOSIÇÃO: foi tomado o tópico %1; --topic escolhe outro: %2.</translation></message>
-<message><source>there is not enough memory for this cloud</source><translation>não há memória suficiente para esta nuvem</translation></message>
-<message><source>lines come, but their angle is not known: %1</source><translation>chegam linhas, mas seu ângulo não é conhecido: %1</translation></message>
-<message><source>give the joint that turns the laser (--joint), or the step from line to line (--line-step)</source><translation>indique a junta que gira o laser (--joint), ou o passo de linha a linha (--line-step)</translation></message>
+<message><source>%1 messages of the topic %2 are in the bag twice: each was read once.</source><translation>%1 mensagens do tópico %2 estão duas vezes no bag: cada uma foi lida uma vez.</translation></message>
 <message><source>it is not a file of a bag</source><translation>não é um arquivo de um bag</translation></message>
 <message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>A parte %1 do bag não pôde ser lida (%2): as suas mensagens não estão na varredura.</translation></message>
 <message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta a parte %1 do bag: as suas mensagens não estão na varredura.</translation></message>
@@ -3094,15 +3102,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n files</source><translation>%n arquivos</translation></message>
 <message><source>open one of them, as %1</source><translation>abra um deles, como %1</translation></message>
 <message><source>This file is part %1 of %2 of a bag. Open %3 for all of it.</source><translation>Este arquivo é a parte %1 de %2 de um bag. Abra %3 para tê-lo inteiro.</translation></message>
-<message><source>%1 x %2 points with %3</source><translation>%1 x %2 pontos com %3</translation></message>
-<message><source>%1turn rates and accelerations, which are not used: transforms and joints turn the laser</source><translation>%1velocidades de giro e acelerações, que não são usadas: as transformações e as juntas giram o laser</translation></message>
-<message><source>scan lines of %1 beams</source><translation>linhas de varredura de %1 feixes</translation></message>
-<message><source>poses in the frame %1</source><translation>poses no referencial %1</translation></message>
-<message><source>GUESS: the poses of the topic %1 are those of the frame %2.</source><translation>SUPOSIÇÃO: as poses do tópico %1 são as do referencial %2.</translation></message>
-<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>As transformações põem o scanner em %1, %2, %3 m, onde não há nada na terra: a varredura fica no referencial do scanner.</translation></message>
-<message><source>the frame %1 of the bag</source><translation>o referencial %1 do bag</translation></message>
-<message><source>the transforms of the bag</source><translation>as transformações do bag</translation></message>
-<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSIÇÃO: o referencial %1 do bag é tomado como grade da mina, com x para leste, y para norte e z para cima.</translation></message>
 <message><source>%n message of the topic was left out: %1.</source><translation>%n mensagem do tópico foi deixada de fora: %1.</translation></message>
 <message><source>%n messages of the topic were left out: %1.</source><translation>%n mensagens do tópico foram deixadas de fora: %1.</translation></message>
 <message><source>%n message has a time_increment that cannot be: the beams of a line count as measured at once.</source><translation>%n mensagem tem um time_increment impossível: os feixes de uma linha contam como medidos ao mesmo tempo.</translation></message>
@@ -3129,6 +3128,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>no line of the topic %1 could be placed</source><translation>não foi possível posicionar nenhuma linha do tópico %1</translation></message>
 <message><source>The topic holds %1 sweeps; sweep %2, counted from 0, was opened. --scan chooses another.</source><translation>O tópico contém %1 varreduras; foi aberta a varredura %2, contada a partir de 0. --scan escolhe outra.</translation></message>
 <message><source>the stamps of the messages</source><translation>as marcas de tempo das mensagens</translation></message>
+<message><source>%1 x %2 points with %3</source><translation>%1 x %2 pontos com %3</translation></message>
+<message><source>%1turn rates and accelerations, which are not used: transforms and joints turn the laser</source><translation>%1velocidades de giro e acelerações, que não são usadas: as transformações e as juntas giram o laser</translation></message>
+<message><source>scan lines of %1 beams</source><translation>linhas de varredura de %1 feixes</translation></message>
+<message><source>poses in the frame %1</source><translation>poses no referencial %1</translation></message>
 <message><source> at %1 Hz</source><translation> a %1 Hz</translation></message>
 <message><source>no topic of this %1 is a laser's%2%3</source><translation>nenhum tópico deste %1 é de um laser%2%3</translation></message>
 <message><source>choose another bag</source><translation>escolha outro bag</translation></message>
@@ -3145,6 +3148,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>its angle_increment does not give the step between beams</source><translation>seu angle_increment não dá o passo entre feixes</translation></message>
 <message><source>its angle_min or angle_increment puts beams outside of one turn</source><translation>seu angle_min ou angle_increment põe feixes fora de uma volta</translation></message>
 <message><source>no message of the topic %1 is a line of ranges%2</source><translation>nenhuma mensagem do tópico %1 é uma linha de distâncias%2</translation></message>
+<message><source>GUESS: the poses of the topic %1 are those of the frame %2.</source><translation>SUPOSIÇÃO: as poses do tópico %1 são as do referencial %2.</translation></message>
+<message><source>The transforms put the scanner at %1, %2, %3 m, where nothing on earth is: the scan stays in the scanner's frame.</source><translation>As transformações põem o scanner em %1, %2, %3 m, onde não há nada na terra: a varredura fica no referencial do scanner.</translation></message>
+<message><source>the frame %1 of the bag</source><translation>o referencial %1 do bag</translation></message>
+<message><source>the transforms of the bag</source><translation>as transformações do bag</translation></message>
+<message><source>GUESS: the frame %1 of the bag is taken as the mine grid, with x to the east, y to the north and z up.</source><translation>SUPOSIÇÃO: o referencial %1 do bag é tomado como grade da mina, com x para leste, y para norte e z para cima.</translation></message>
 <message><source>the transform of the frame %1 in %2</source><translation>a transformação do referencial %1 em %2</translation></message>
 <message><source>%1 turns about more than one axis (%2 degrees off)</source><translation>%1 gira em torno de mais de um eixo (diferença de %2 graus)</translation></message>
 <message><source>choose another topic, or give the joint that turns the laser</source><translation>escolha outro tópico, ou indique a junta que gira o laser</translation></message>
@@ -3159,7 +3167,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>a line came out of order</source><translation>uma linha chegou fora de ordem</translation></message>
 <message><source>the angle of a line is not known</source><translation>o ângulo de uma linha não é conhecido</translation></message>
 <message><source>the laser did not turn yet</source><translation>o laser ainda não girou</translation></message>
-<message><source>%1 messages of the topic %2 are in the bag twice: each was read once.</source><translation>%1 mensagens do tópico %2 estão duas vezes no bag: cada uma foi lida uma vez.</translation></message>
 <message><source>%1 degrees</source><translation>%1 graus</translation></message>
 <message><source>, %1 times its uncertainty</source><translation>, %1 vezes sua incerteza</translation></message>
 <message><source>odd beams lie %1 ahead of even ones%2</source><translation>os feixes ímpares estão %1 à frente dos pares%2</translation></message>
@@ -3317,6 +3324,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1 scans</source><translation>%1 varreduras</translation></message>
 <message><source>the scanner</source><translation>o scanner</translation></message>
 <message><source>the scanner's answer to %1</source><translation>a resposta do scanner a %1</translation></message>
+<message><source>the code of a refusal</source><translation>o código de uma recusa</translation></message>
 <message><source>the value</source><translation>o valor</translation></message>
 <message><source>the text</source><translation>o texto</translation></message>
 <message><source>the scan frequency</source><translation>a frequência de varredura</translation></message>
@@ -3340,7 +3348,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the temperature range</source><translation>a faixa de temperatura</translation></message>
 <message><source>the time</source><translation>a hora</translation></message>
 <message><source>the date</source><translation>a data</translation></message>
-<message><source>the code of a refusal</source><translation>o código de uma recusa</translation></message>
 <message><source>this is not an answer of a scanner</source><translation>isto não é uma resposta de um scanner</translation></message>
 <message><source>byte 0 of the telegram</source><translation>byte 0 do telegrama</translation></message>
 <message><source>an answer without a name</source><translation>uma resposta sem nome</translation></message>
@@ -3447,6 +3454,12 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the scale of the channel %1 is %2, which no scanner uses</source><translation>a escala do canal %1 é %2, que nenhum scanner usa</translation></message>
 <message><source>the scan telegram</source><translation>o telegrama de varredura</translation></message>
 <message><source>this is not a scan telegram (LMDscandata)</source><translation>isto não é um telegrama de varredura (LMDscandata)</translation></message>
+<message><source>firmware %1</source><translation>firmware %1</translation></message>
+<message><source>%1 degrees from %2 to %3</source><translation>%1 graus de %2 a %3</translation></message>
+<message><source>something accepts the connection but does not answer in CoLa</source><translation>algo aceita a conexão mas não responde em CoLa</translation></message>
+<message><source>check that it is a SICK scanner and the port is 2111 or 2112</source><translation>verifique que é um scanner SICK e que a porta é 2111 ou 2112</translation></message>
+<message><source>no answer to "%1"</source><translation>nenhuma resposta a «%1»</translation></message>
+<message><source>check the connection</source><translation>verifique a conexão</translation></message>
 <message><source>no line was received</source><translation>nenhuma linha foi recebida</translation></message>
 <message><source>check that foxglove_bridge runs there; a scanner of SICK is HOST without ws://</source><translation>verifique que foxglove_bridge roda ali; um scanner da SICK é HOST sem ws://</translation></message>
 <message><source>check cable, address and port</source><translation>verifique o cabo, o endereço e a porta</translation></message>
@@ -3461,12 +3474,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>check what else uses it</source><translation>verifique o que mais o usa</translation></message>
 <message><source>no scan for %1</source><translation>nenhuma varredura em %1</translation></message>
 <message><source>check the cable and whether the scanner's mirror turns</source><translation>verifique o cabo e se o espelho do scanner roda</translation></message>
-<message><source>firmware %1</source><translation>firmware %1</translation></message>
-<message><source>%1 degrees from %2 to %3</source><translation>%1 graus de %2 a %3</translation></message>
-<message><source>something accepts the connection but does not answer in CoLa</source><translation>algo aceita a conexão mas não responde em CoLa</translation></message>
-<message><source>check that it is a SICK scanner and the port is 2111 or 2112</source><translation>verifique que é um scanner SICK e que a porta é 2111 ou 2112</translation></message>
-<message><source>no answer to "%1"</source><translation>nenhuma resposta a «%1»</translation></message>
-<message><source>check the connection</source><translation>verifique a conexão</translation></message>
 <message><source>A telegram came late and was put into its line</source><translation>Um telegrama chegou tarde e foi posto na sua linha</translation></message>
 <message><source>telegrams came late and were put into their lines</source><translation>telegramas chegaram tarde e foram postos nas suas linhas</translation></message>
 <message><source>A telegram came after its sweep had ended</source><translation>Um telegrama chegou depois do fim da sua varredura</translation></message>

@@ -119,6 +119,60 @@ class Types(unittest.TestCase):
         self.assertIn("may be radians", edgescan.Scan(metres * 1000, np.radians(beams), np.radians(lines), axis="sweep").warnings[0])
         self.assertEqual(edgescan.Scan(metres, beams, lines, axis="sweep", unit="m").warnings, [])
 
+    def test_arrays_that_are_seldom_meant(self):
+        ranges, beams, lines = np.full((20, 90), 4200.0), np.linspace(10, 170, 90), np.linspace(0, 20, 20)
+        self.assertEqual(edgescan.Scan(np.full((20, 90), np.nan), beams, lines, axis="sweep").warnings, ["No cell of this scan has a range."])
+        for one, other, name in ((np.random.default_rng(1).permutation(beams), lines, "beam_deg"), (beams, lines[[1, 0, *range(2, 20)]], "line_deg")):
+            warnings = edgescan.Scan(ranges, one, other, axis="sweep").warnings
+            self.assertEqual([warning.split(" ", 1)[0] for warning in warnings], [name])
+            self.assertIn("neither rises nor falls", warnings[0])
+        self.assertEqual(edgescan.Scan(ranges, beams[::-1], lines[::-1], axis="sweep").warnings, [])
+        beams[5] = np.nan
+        with self.assertRaisesRegex(edgescan.Error, r"^beam_deg\[5\]: nan is not a number; give a finite number for each\.$"):
+            edgescan.Scan(ranges, beams, lines, axis="sweep")
+        with self.assertRaisesRegex(edgescan.Error, r"^xyz: it is empty, of shape \(0, 3\); give one point"):
+            edgescan.Scan.from_points(np.zeros((0, 3)))
+
+    def test_keywords_without_effect(self):
+        scan, result = self.objects()[edgescan.Scan], self.objects()[edgescan.Result]
+        for of, name, keywords, keyword in ((result, "e.png", {"ascii": True}, "ascii"), (result, "e.png", {"include_attached": True}, "include_attached"),
+                                            (result, "e.pcd", {"dxf_2000": True}, "dxf_2000"), (result, "e.las", {"ascii": True}, "ascii"),
+                                            (result, "e.dxf", {"comments": True}, "comments"), (scan, "e.pcd", {"with_filled": True}, "with_filled"),
+                                            (scan, "e.json", {"include_attached": True}, "include_attached")):
+            with self.subTest(name=name, keyword=keyword), self.assertRaisesRegex(
+                    edgescan.Error, f"^{keyword}: this keyword changes nothing in this file; leave it out"):
+                edgescan.save(of, HERE / name, **keywords)
+        for content in ("mask", "gray", "range"):
+            with self.assertRaisesRegex(edgescan.Error, "m.pcd: the extension names no format for this; use .png"):
+                edgescan.save(result, HERE / "m.pcd", content=content)
+        self.assertFalse([name for name in ("e.png", "e.pcd", "e.las", "e.dxf", "e.json", "m.pcd") if (HERE / name).exists()])
+        edgescan.save(result, HERE / "e.dxf", dxf_2000=True, short_lines=True)
+        edgescan.save(scan, HERE / "e.csv", comments=True)
+        for call, part in ((lambda: edgescan.simulate(scene="wall", rock_count=5), "^rock_count: the scene wall does not use this keyword"),
+                           (lambda: edgescan.simulate(scene="hangup", surface=scan), "^surface: the scene hangup does not"),
+                           (lambda: edgescan.simulate(scene="wall", wall_kind="brows"), "^wall_kind: "),
+                           (lambda: edgescan.simulate(scene="pile", after_blast=True), "^after_blast: "),
+                           (lambda: edgescan.simulate(scene="wall", hole_shape="none", hole_count=2), "^hole_shape none: a wall without holes")):
+            with self.assertRaisesRegex(edgescan.Error, part):
+                call()
+
+    def test_keywords_are_named_and_not_flags(self):
+        scan, result = self.objects()[edgescan.Scan], self.objects()[edgescan.Result]
+        odd = HERE / "a--jump.b --jump.pcd"
+        for call, said in ((lambda: edgescan.rocks(result, region=[(1, 2)]), "region: .* as \\[\\(line, beam\\), "),
+                           (lambda: edgescan.rocks(result, min_cells=0), "^min_cells: "), (lambda: edgescan.rocks(result, min_cells=60.5), "^min_cells: "),
+                           (lambda: edgescan.detect(scan, method="canny", jump=80), "^jump: the method canny does not use this keyword"),
+                           (lambda: edgescan.simulate(scene="rescan"), "give a cloud of points with surface"),
+                           (lambda: edgescan.simulate(rock_count=1e9), "^rock_count: "), (lambda: edgescan.simulate(wall_kind="x"), "use one of"),
+                           (lambda: edgescan.save(result, HERE / "x.xyz", with_confidence=True), "with_confidence"),
+                           (lambda: edgescan.open(odd), "a--jump.b --jump.pcd: there is no such file")):
+            with self.subTest(said=said), self.assertRaisesRegex(edgescan.Error, said) as raised:
+                call()
+            self.assertNotRegex(str(raised.exception).replace(str(odd), ""), "--[a-z]|LINE|this flag")
+        for warning in edgescan.open(bell_file(), topic="/scan", unit="cm").warnings:
+            self.assertNotIn("--", warning)
+        self.assertIn("unit cm replaces mm", " ".join(edgescan.open(bell_file(), unit="cm").info()["warnings"]))
+
     def test_points_in_memory_are_an_argument(self):
         with self.assertRaises(edgescan.Error) as raised:
             edgescan.Scan.from_points(np.random.default_rng(1).normal(size=(5, 3)))

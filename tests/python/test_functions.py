@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import pickle
 import re
 import subprocess
 import unittest
@@ -72,7 +73,32 @@ class SameAsThePrograms(unittest.TestCase):
     def test_two_methods(self):
         scan = edgescan.simulate(lines=60, beams=80).scan
         warnings = edgescan.compare(edgescan.detect(scan, method="canny"), edgescan.detect(scan))["warnings"]
-        self.assertTrue(any("two methods, before by canny and now by edgescan+" in warning for warning in warnings), warnings)
+        self.assertTrue(any("other settings, before with method canny and now with method edgescan+: " in warning for warning in warnings), warnings)
+        warnings = edgescan.compare(edgescan.detect(scan), edgescan.detect(scan, jump=80, min_length=9))["warnings"]
+        self.assertTrue(any("and now with jump 80, min_length 9: " in warning for warning in warnings), warnings)
+        self.assertEqual(edgescan.compare(edgescan.detect(scan), edgescan.detect(scan))["warnings"], [])
+
+    def test_rocks_of_another_scan(self):
+        result, other = (edgescan.detect(edgescan.simulate(lines=60, beams=80, seed=seed).scan) for seed in (1, 2))
+        rocks = edgescan.rocks(other)
+        for call in (lambda: result.to_dict(rocks=rocks), lambda: result.save_npz(HERE / "mixed.npz", rocks=rocks),
+                     lambda: edgescan.report(result, HERE / "mixed.html", rocks=rocks)):
+            with self.assertRaisesRegex(edgescan.Error, "the rocks are of another scan; give those that"):
+                call()
+        self.assertFalse((HERE / "mixed.npz").exists() or (HERE / "mixed.html").exists())
+        again = pickle.loads(pickle.dumps(other))
+        self.assertIn("labels", again.to_dict(rocks=rocks))
+
+    def test_a_folder_that_does_not_exist(self):
+        with self.assertRaisesRegex(edgescan.Error, "nofolder.*: the folder to write into does not exist; make the folder"):
+            edgescan.detect(edgescan.simulate(lines=60, beams=80).scan).save_npz(HERE / "nofolder" / "x.npz")
+
+    def test_a_part_of_the_region(self):
+        result = edgescan.detect(edgescan.simulate(lines=60, beams=80).scan)
+        rocks = edgescan.rocks(result, region=[(10, 10), (500, 20)])
+        self.assertEqual(rocks.warnings, ["A part of the region is outside of the scan; the rest counts."])
+        self.assertEqual(rocks.at(1).warnings, rocks.warnings)
+        self.assertEqual(edgescan.rocks(result).warnings, [])
 
     def page(self, path):
         """Without what differs from run to run: the time and the milliseconds."""

@@ -89,7 +89,24 @@ class Sweeps(unittest.TestCase):
                 while True:
                     scanner.next(timeout=0.2)
             scanner.stop()
-            self.assertEqual(list(scanner), [])
+        for use in (list, lambda closed: next(iter(closed)), lambda closed: closed.next(timeout=1)):
+            with self.assertRaisesRegex(edgescan.Error, "the connection is closed; connect"):
+                use(scanner)
+
+    def test_a_loop_ends_where_the_connection_is_closed(self):
+        small = bell_file("small.json", 5, 40, 96)
+        with served(small, "--rate", 400) as address:
+            scanner = edgescan.connect(address, expected_lines=40, timeout=60)
+            sweeps = 0
+            for _ in scanner:
+                sweeps += 1
+                scanner.stop()
+            self.assertEqual(sweeps, 1)
+
+    def test_a_recording_has_its_name(self):
+        with self.assertRaisesRegex(edgescan.Error, "x_rec.pcd: the recording is an MCAP file; give a name that ends with .mcap"):
+            edgescan.connect("127.0.0.1:1", timeout=1, record=HERE / "x_rec.pcd")
+        self.assertFalse((HERE / "x_rec.pcd").exists())
 
     def test_the_names_are_those_of_open(self):
         names = {"axis", "line_start", "line_step", "calibration"}

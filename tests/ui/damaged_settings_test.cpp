@@ -67,6 +67,27 @@ private slots:
         QVERIFY(!Preferences(exactText((folder_ / "new.ini").string())).refusal());
     }
 
+    void whatCannotBeReadIsKeptAndSaid() {
+        const std::string path = (folder_ / "random.ini").string();
+        std::mt19937 random(7);
+        std::string bytes(4000, '\0');
+        for (char& byte : bytes) byte = static_cast<char>(random());
+        for (const std::string& held : {bytes, std::string("[General]\nversion=99\n"), std::string("a letter")}) {
+            std::ofstream(path, std::ios::binary | std::ios::trunc) << held;
+            {
+                Preferences preferences(exactText(path));
+                QVERIFY(preferences.refusal() && preferences.refusal()->hint.ends_with("random.ini.damaged"));
+                preferences.keep("language", QString("fr"));
+            }
+            QCOMPARE(test::fileText(path + ".damaged"), held);
+            const Preferences again(exactText(path));
+            QVERIFY(!again.refusal());
+            QCOMPARE(again.text("language"), QString("fr"));
+        }
+        std::ofstream(path, std::ios::binary | std::ios::trunc).flush();
+        QVERIFY(!Preferences(exactText(path)).refusal());
+    }
+
 private:
     // A file with a value of every kind.
     static std::string wholeFile(const std::string& path) {

@@ -716,6 +716,12 @@ private slots:
         QCOMPARE(coreSentence(QString("combed: --straighten (Scan > Straighten Beams) puts them side by side.")),
                  QString("combed: Scan > Straighten Beams puts them side by side."));
         QVERIFY(coreSentence(QString("give --unit m")).contains("How the Scan Is Read"));
+        QCOMPARE(coreSentence(QString("--unit cm replaces mm, which the file gives.")),
+                 QString("“unit: cm” in Scan > How the Scan Is Read replaces mm, which the file gives."));
+        QCOMPARE(
+            coreSentence(QString("--scan 3: the file holds one scan; use --scan 0")),
+            QString("“scan: 3” in Scan > How the Scan Is Read: the file holds one scan; use “scan: 0” in Scan > How the Scan Is Read"));
+        QVERIFY(coreSentence(QString("--unit has no effect")).contains("Read has no effect"));
         QVERIFY(coreSentence(QString("no return (--keep-repeated takes it as measured)")).contains("Scan > Keep Repeated Values"));
     }
 

@@ -8,6 +8,7 @@
 #include "ui/panels/rocks/rock_card.h"
 #include "ui/panels/rocks/rock_colours.h"
 #include "ui/panels/rocks/rock_table.h"
+#include "ui/panels/rocks/rock_table_model.h"
 #include "ui/panels/rocks/rocks_panel.h"
 #include "ui/panels/rocks/size_curve_view.h"
 #include "ui/panels/section/section_card.h"
@@ -663,6 +664,22 @@ private slots:
         QCOMPARE(view->curve().rocks(), std::size_t{0});
     }
 
+    void theCardSaysThatUpIsAssumedAndNamesTheRocksOfTheArch() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const auto& all = picture(on).study.rocks;
+        const auto rock = std::ranges::find_if(all, [](const rocks::Rock& each) { return each.archDeg.has_value(); });
+        QVERIFY(rock != all.end());
+        for (const rocks::Rock& each : all) {
+            for (const std::uint32_t other : each.archBetween)
+                QCOMPARE(std::ranges::find(each.contacts, other) != each.contacts.end(), each.archDeg.has_value());
+        }
+        choose(on, rock->label);
+        const QString text = on.viewer.rocksPanel.card().text();
+        QVERIFY2(text.contains("\nup: the scanner's z axis, assumed\n"), qPrintable(text));
+        QVERIFY2(text.contains(QString("between rocks %1 and %2").arg(rock->archBetween[0]).arg(rock->archBetween[1])), qPrintable(text));
+    }
+
     void oneClickMergesWhatMayBeOneRock() {
         WindowFixture on;
         QVERIFY(showRocks(on));
@@ -688,6 +705,19 @@ private slots:
         const QString text = on.viewer.rocksPanel.card().text();
         QVERIFY2(text.contains("may be one with"), qPrintable(text));
         for (const QString& label : labels) QVERIFY2(text.section("may be one with", 1).contains(label), qPrintable(text));
+        const auto* model = on.window.findChild<RockTableModel*>();
+        for (int row = 0; row < model->rowCount(); ++row) {
+            const rocks::Rock& of = picture(on).study.rocks[static_cast<std::size_t>(row)];
+            const QModelIndex first = model->index(row, 0);
+            QCOMPARE(first.data().toString().contains(QString::fromUtf8("≈")), !of.maybeOneWith.empty());
+            QCOMPARE(first.data(Qt::ToolTipRole).toString().contains("may be one with"), !of.maybeOneWith.empty());
+        }
+        const std::uint32_t shown = rock->label;
+        auto& card = on.viewer.rocksPanel.card();
+        emit card.findChild<QLabel*>("rock-state")->linkActivated(labels.front());
+        QTRY_VERIFY2(card.text().startsWith("Rock " + labels.front() + "\n"), qPrintable(card.text()));
+        QVERIFY(!card.text().contains('<'));
+        choose(on, shown);
         QTest::mouseClick(on.viewer.rocksPanel.card().merge(), Qt::LeftButton);
         QVERIFY(settled(on));
         for (const std::size_t cell : cells) QVERIFY(picture(on).regionAt(cell) == picture(on).regionAt(cells.front()));
@@ -1619,8 +1649,8 @@ private slots:
         on.viewer.rocks.exportTo(QString::fromStdString(place("named.csv")));
         QVERIFY2(saved.wait(kPatienceMs), qPrintable(on.viewer.notice.text()));
         const std::string named = test::fileText(place("named.csv"));
-        QVERIFY(named.find(",names\n") != std::string::npos);
-        QVERIFY(named.find(",\"keystone, left\"\n") != std::string::npos);
+        QVERIFY(named.find(",names,up_assumed\n") != std::string::npos);
+        QVERIFY(named.find(",\"keystone, left\",") != std::string::npos);
         QCOMPARE(test::runCli("verify '" + place("named.csv") + "'").code, 0);
         on.viewer.rocks.exportTo(QString::fromStdString(place("window.xls")));
         QCOMPARE(on.viewer.notice.kind(), NoticeBar::Kind::Error);

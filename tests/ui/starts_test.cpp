@@ -161,6 +161,9 @@ class StartsTest : public QObject {
         add("session of another scan", {"--session", session("of-another", scan_.toStdString(), other)}, "good");
         add("session of a broken scan", {"--session", session("of-broken", folder_ / "scan-broken.json", identity)}, "scan-broken");
         add("session of a slow scan", {"--session", session("of-slow", folder_ / "scan-slow.json", identity)}, "slow");
+        writeText(folder_ / "no-session.json", "{\"format\": \"another\"}");
+        add("a session that is none", {"--session", at("no-session.json")}, "no-session.json: this is not a session; choose a session");
+        add("a scan as a session", {"--session", scan_}, "good.json: this is not a session");
         add("no session to continue", {"--continue"}, "session");
         add("a pin outside", {scan_, "--pin", "99,5"}, "line 99");
         add("a scanner that refuses", {"--live", refusing_.address()}, refusing_.address());
@@ -270,6 +273,48 @@ private slots:
         QCOMPARE(viewer.exitCode(), 0);
         QVERIFY2(lines.size() == 1 && lines.front().contains("viewer.ini: it is not a regular file"), qPrintable(lines.join('\n')));
         QVERIFY(QFile::exists(at("piped.png")));
+    }
+
+    // With code 2, before a window opens; a file that is missing has code 1.
+    void whatWouldHaveNoEffectIsRefused() {
+        struct Typed {
+            QStringList arguments;
+            int code;
+            QString says;
+        };
+        const QString other = at("other.json"), session = at(std::string("good") + inspect::kSessionEnding);
+        QVERIFY(QFile::exists(other) || QFile::copy(scan_, other));
+        std::vector<Typed> all{
+            {{"--session", scan_, other}, 2, "other.json: --session shows a scan of its own and no other; leave out one of the two."},
+            {{"--session", session, other}, 2, "other.json: --session"},
+            {{"--continue", other}, 2, "other.json: --continue"},
+            {{"--demo", other}, 2, "other.json: --demo"},
+            {{"--demo", "--session", session}, 2, "--session: --demo"},
+            {{"--session", session, "--preset", "thesis"}, 2, "--preset: the session has settings of its own; leave it out."},
+            {{"--session", session, "--jump", "40"}, 2, "--jump: the session has"},
+            {{"--session", session, "--unit", "cm"}, 2, "--unit: the session says how its scan is read; leave it out."},
+            {{"--demo", "--unit", "cm"}, 2, "--unit: this is of a file, and none is named; leave it out."},
+            {{"--live", silent_.address(), "--unit", "cm"}, 2, "--unit: this is of a file"},
+            {{"--pin", "5,5"}, 2, "--pin: there is no scan to show"},
+            {{"--compare", scan_}, 2, "--compare: there is no scan to show"},
+            {{scan_, "--screenshot-lines", "5"}, 2, "--screenshot-lines: no screenshot is asked for"},
+            {{scan_, at("nope.pcd")}, 1, "nope.pcd: there is no such file; check the spelling and the folder."},
+            {{scan_, other, at("nope.pcd")}, 1, "nope.pcd: there is no such file"}};
+        for (const char* flag : {"--expected-lines=100", "--stop-and-go", "--ticks-per-degree=5"})
+            all.push_back({{scan_, flag}, 2, QString(flag).section('=', 0, 0) + ": this is of a live scanner; give --live ADDRESS too"});
+        for (const char* name : {"victim.las", "victim.pcd", "victim.jpg", "victim", "victim.PNG.json"}) {
+            writeText(folder_ / name, "precious");
+            all.push_back(
+                {{scan_, "--screenshot", at(name)}, 2, QString(name) + ": the picture is a PNG; give a name that ends with .png."});
+        }
+        for (const Typed& typed : all) {
+            QProcess viewer;
+            const QStringList lines =
+                linesOf(viewer, QProcessEnvironment::systemEnvironment(), QStringList{"--no-settings"} + typed.arguments);
+            const QString said = typed.arguments.join(' ') + " -> " + lines.join('\n');
+            QVERIFY2(viewer.exitCode() == typed.code && lines.size() == 1 && lines.front().contains(typed.says), qPrintable(said));
+        }
+        QCOMPARE(QFile(at("victim.las")).size(), 8);
     }
 
     void everyStartEndsWithAnAnswer() {

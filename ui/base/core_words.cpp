@@ -103,6 +103,8 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "remove it and add it again"),
     QT_TRANSLATE_NOOP("QObject", "it is not a regular file, so settings are not read and nothing of this window is stored"),
     QT_TRANSLATE_NOOP("QObject", "remove it and start again"),
+    QT_TRANSLATE_NOOP("QObject", "not all settings in this file can be read"),
+    QT_TRANSLATE_NOOP("QObject", "what it held is in "),
     QT_TRANSLATE_NOOP("QObject", "choose another scan"),
     QT_TRANSLATE_NOOP("QObject", " (line "),
     // Of a pose, of several stations, and of a scan before and after.
@@ -149,27 +151,44 @@ QString wordsOf(const QString& text) {
     return texts.translated(text, wordsOf);
 }
 
-/// "--unit m" -> "“unit” in Scan > How the Scan Is Read".
-QString placeOf(const QString& flag) {
+/// Null: the flag is not one of reading.
+const ReadingOption* optionOf(const QString& flag) {
+    const auto table = readingOptionTable();
+    const auto option = std::ranges::find_if(table, [&](const ReadingOption& each) { return flag == QLatin1String(each.key); });
+    return option == table.end() ? nullptr : &*option;
+}
+
+/// "unit" and "cm" -> "“unit: cm” in Scan > How the Scan Is Read".
+QString placeOf(const QString& flag, const QString& value) {
     const auto known = std::ranges::find_if(kPlaces, [&](const auto& each) { return flag == QLatin1String(each.first); });
-    if (known != kPlaces.end()) return QObject::tr(known->second);
+    const QString valued = value.isEmpty() ? QString() : ": " + value;
+    if (known != kPlaces.end()) return QObject::tr(known->second) + valued;
     if (std::ranges::any_of(kFieldsOfReading, [&](const char* field) { return flag == QLatin1String(field); })) {
         static const QRegularExpression unit("\\s*\\[.*$");
-        const auto option =
-            std::ranges::find_if(readingOptionTable(), [&](const ReadingOption& each) { return flag == QLatin1String(each.key); });
-        const bool isNamed = option != readingOptionTable().end() && option->kind == ReadingOption::Kind::Number; // by its label
-        return QObject::tr("“%1” in Scan > How the Scan Is Read").arg(isNamed ? QObject::tr(option->help).remove(unit) : flag);
+        const ReadingOption* option = optionOf(flag);
+        const bool isNamed = option != nullptr && option->kind == ReadingOption::Kind::Number; // by its label
+        return QObject::tr("“%1” in Scan > How the Scan Is Read").arg((isNamed ? QObject::tr(option->help).remove(unit) : flag) + valued);
     }
-    return QObject::tr("“%1”").arg(QString(flag).replace('-', ' '));
+    return QObject::tr("“%1”").arg(QString(flag).replace('-', ' ') + valued);
+}
+
+/// A number, or one of the words that the flag takes; other words go on with the sentence.
+bool isValueOf(const QString& flag, const QString& word) {
+    const ReadingOption* option = optionOf(flag);
+    const bool isNumber = !word.isEmpty() && (word.front().isDigit() || word.front() == '-');
+    return isNumber || (option != nullptr && std::ranges::find(option->words, exactBytes(word)) != option->words.end());
 }
 
 QString withoutFlags(QString text) {
-    // A flag, its value, and the place in the window that some texts name themselves.
-    static const QRegularExpression flag("(?<![\\w-])--([a-z][a-z-]*)((?: [A-Z][A-Z,.a-z]*(?:\\.json)?)?)( \\([^)]* > [^)]*\\))?");
+    // A flag, what its value is called, or a word that may be one, and the place in the window that some texts name themselves.
+    static const QRegularExpression flag("(?<![\\w-])--([a-z][a-z-]*)(?: [A-Z][A-Z,.a-z]*(?:\\.json)?)?( \\([^)]* > [^)]*\\))?"
+                                         "(?: (-?[0-9](?:[0-9.,-]*[0-9])?|[a-z]+))?");
     for (auto found = flag.match(text); found.hasMatch(); found = flag.match(text)) {
-        const QString named = found.captured(3).mid(2).chopped(1);
-        const QString place = named.isEmpty() ? placeOf(found.captured(1)) : QObject::tr(exactBytes(named).c_str());
-        text.replace(found.capturedStart(), found.capturedLength(), place);
+        const QString named = found.captured(2).mid(2).chopped(1);
+        const QString value = isValueOf(found.captured(1), found.captured(3)) ? found.captured(3) : QString();
+        const QString place = named.isEmpty() ? placeOf(found.captured(1), value) : QObject::tr(exactBytes(named).c_str());
+        const int end = !value.isEmpty() || found.captured(3).isEmpty() ? found.capturedEnd() : found.capturedStart(3) - 1;
+        text.replace(found.capturedStart(), end - found.capturedStart(), place);
     }
     return text;
 }

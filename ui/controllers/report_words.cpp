@@ -186,6 +186,7 @@ constexpr std::array kSentences{
                                  "ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer "
                                  "side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ "
                                  "it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched."),
+    QT_TRANSLATE_NOOP("QObject", "Without a pose, up is the scanner's z axis, which is assumed: free height and ↓ are measured along it."),
     QT_TRANSLATE_NOOP("QObject", "Number with ▲: merged by hand of parts that do not touch."),
     QT_TRANSLATE_NOOP("QObject", "The targets by their numbers, and what was measured. Black is near, or nothing came back."),
     QT_TRANSLATE_NOOP("QObject", "%1 value has no room in the picture; the table has all."),

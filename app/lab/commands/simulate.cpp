@@ -78,37 +78,9 @@ int run(const Simulate& simulate) {
 
 /// Reports a typed flag that has no effect in the chosen scene.
 std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate) {
-    struct Use {
-        const char* flag;
-        std::vector<std::string> scenes;
-    };
-    const std::vector<Use> uses{{"--after-blast", {"hangup"}},
-                                {"--rock-count", {"hangup", "pile"}},
-                                {"--rock-roughness", {"hangup", "pile"}},
-                                {"--rock-rounding", {"hangup", "pile"}},
-                                {"--rock-size", {"hangup", "pile"}},
-                                {"--rock-lumps", {"hangup", "pile"}},
-                                {"--rock-lump-size", {"hangup", "pile"}},
-                                {"--wall-kind", {"hangup", "pile", "empty"}},
-                                {"--wall-roughness", {"hangup", "pile", "empty", "wall"}},
-                                {"--surface", {"rescan"}},
-                                {"--surface-scale", {"rescan"}},
-                                {"--distance", {"wall", "staircase", "rescan"}},
-                                {"--hole-shape", {"wall"}},
-                                {"--hole-count", {"wall"}},
-                                {"--hole-size", {"wall"}}};
-    const std::string& chosen = simulate.settings.scene;
-    const bool known =
-        std::ranges::any_of(sim::simulationScenes(), [&](const sim::SimulationScene& scene) { return scene.name == chosen; });
-    for (const Use& use : uses) {
-        if (!known || command.count(use.flag) == 0 || std::ranges::find(use.scenes, chosen) != use.scenes.end()) continue;
-        std::string names;
-        for (const std::string& name : use.scenes) names += (names.empty() ? "" : ", ") + name;
-        return Error{"the scene " + chosen + " does not use this flag", use.flag, "leave it out, or choose --scene " + names};
-    }
-    if (simulate.hole == "none" && command.count("--hole-count") + command.count("--hole-size") > 0)
-        return Error{"a wall without holes has no number or size of them", "--hole-shape none",
-                     "use round or square, or leave the others out"};
+    const auto typed = [&](const std::string& key) { return command.count("--" + key) > 0; };
+    if (auto idle = sim::idleIn(simulate.settings.scene, typed)) return idle;
+    if (simulate.hole == "none" && (typed("hole-count") || typed("hole-size"))) return sim::noHoles();
     return std::nullopt;
 }
 

@@ -161,6 +161,33 @@ const std::vector<SimulationScene>& simulationScenes() {
     return scenes;
 }
 
+std::optional<Error> idleIn(const std::string& scene, const std::function<bool(const std::string& key)>& given) {
+    struct Use {
+        std::vector<std::string> keys, scenes;
+    };
+    static const std::vector<Use> uses{
+        {{"after-blast"}, {"hangup"}},
+        {{"rock-count", "rock-roughness", "rock-rounding", "rock-size", "rock-lumps", "rock-lump-size"}, {"hangup", "pile"}},
+        {{"wall-kind"}, {"hangup", "pile", "empty"}},
+        {{"wall-roughness"}, {"hangup", "pile", "empty", "wall"}},
+        {{"surface", "surface-scale"}, {"rescan"}},
+        {{"distance"}, {"wall", "staircase", "rescan"}},
+        {{"hole-shape", "hole-count", "hole-size"}, {"wall"}}};
+    if (std::ranges::find(simulationScenes(), scene, &SimulationScene::name) == simulationScenes().end()) return std::nullopt;
+    for (const auto& [keys, scenes] : uses) {
+        const auto idle = std::ranges::find_if(keys, given);
+        if (idle == keys.end() || std::ranges::find(scenes, scene) != scenes.end()) continue;
+        std::string names;
+        for (const std::string& name : scenes) names += (names.empty() ? "" : ", ") + name;
+        return Error{"the scene " + scene + " does not use this flag", "--" + *idle, "leave it out, or choose --scene " + names};
+    }
+    return std::nullopt;
+}
+
+Error noHoles() {
+    return {"a wall without holes has no number or size of them", "--hole-shape none", "use round or square, or leave the others out"};
+}
+
 std::uint64_t measurementSeed(const SimulationSettings& settings) {
     if (settings.repeat == 0 && !settings.afterBlast) return settings.seed;
     return hashOf(settings.seed, Purpose::Repeats, 2 * static_cast<std::uint64_t>(settings.repeat) + (settings.afterBlast ? 1 : 0));

@@ -122,6 +122,11 @@ struct SimulationScene {
 };
 [[nodiscard]] const std::vector<SimulationScene>& simulationScenes();
 
+/// Error: a setting is given that this scene does not use. `given`: by its key, "rock-count".
+[[nodiscard]] std::optional<Error> idleIn(const std::string& scene, const std::function<bool(const std::string& key)>& given);
+/// The Error of a number or size of holes with the shape none.
+[[nodiscard]] Error noHoles();
+
 /// A numeric setting. A default that depends on the scene is the one of the scene.
 using SimulationNumber = TableRow<SimulationSettings>;
 [[nodiscard]] std::span<const SimulationNumber> simulationNumbers();

@@ -145,6 +145,8 @@ def report(result: Result, path: Path, *, rocks: Optional[Rocks] = None, targets
     """
     if not path.lower().endswith(b".htm"):
         _ending(path, b".html", "the report is HTML", "; a browser prints it as PDF")
+    if rocks is not None:
+        _edgescan.rocks_of_scan(rocks, result)
     return _edgescan.report(result, path, _json.dumps(rocks.settings) if rocks is not None else "", targets or b"", before, operator, role)
 
 
@@ -232,29 +234,30 @@ def connect(address: str, *, record: Path = "", expected_lines: int = 0, axis: O
     >>> sweep.scan.lines
     40
     """
+    if record:
+        _ending(record, b".mcap", "the recording is an MCAP file")
     return _edgescan.connect(address, record, expected_lines, axis, line_start, line_step, ticks_per_degree, calibration, stop_and_go, timeout)
 
 
 @_keywords(("Numbers, as the flags of the command line:", _NUMBERS))
 def simulate(*, seed: int = 1, scene: str = "hangup", axis: Literal["spin", "sweep"] = "sweep",
              profile: Literal["high", "standard"] = "high", hole_shape: Optional[Literal["none", "round", "square"]] = None,
-             wall_kind: str = "plain", surface: Optional[Scan] = None, footprint: bool = True, mixed_pixels: bool = True,
+             wall_kind: Optional[str] = None, surface: Optional[Scan] = None, footprint: bool = True, mixed_pixels: bool = True,
              echo_loss: bool = True, after_blast: bool = False, truth: bool = False, **numbers) -> Simulation:
     """A synthetic draw-bell sweep of an LMS511: a Simulation with scan and, where asked for, truth. Same seed, same bytes.
 
     scene: hangup, pile, empty, wall, staircase or rescan. axis: mounting of the stepper, 'sweep' or 'spin'. profile: beam divergence 'high'
     (resolution, 4.6 mrad) or 'standard' (11 mrad). hole_shape: 'none', 'round' or 'square' holes in the wall. wall_kind: that of the
-    bell: plain, rough, blocky, bulging, brows, bolted, muck, chimney or tunnel. surface: Scan of a surface seen from above, for the scene
+    bell: plain (where none is given), rough, blocky, bulging, brows, bolted, muck, chimney or tunnel. surface: Scan of a surface seen from above, for the scene
     rescan. footprint, mixed_pixels, echo_loss: False switches that part of the measurement off. after_blast: the hang-up with some rocks
     gone and others fallen.
 
     >>> edgescan.simulate(seed=3, lines=90, beams=96).scan.range_mm.shape
     (90, 96)
     """
-    words = {"scene": scene, "axis": axis, "profile": profile, "wall-kind": wall_kind,
+    words = {"scene": scene, "axis": axis, "profile": profile,
              **_switches(footprint=footprint, mixed_pixels=mixed_pixels, echo_loss=echo_loss, after_blast=after_blast, truth=truth)}
-    if hole_shape is not None:
-        words["hole-shape"] = hole_shape
+    words.update({key: word for key, word in (("hole-shape", hole_shape), ("wall-kind", wall_kind)) if word is not None})
     if not 0 <= seed < 2**64:
         _refuse(f"{seed} is not a seed", "seed", "give a whole number from 0 to 2**64 - 1")
     return _edgescan.simulate(seed, numbers, words, surface)

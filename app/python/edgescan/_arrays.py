@@ -47,7 +47,13 @@ def millimetres(unit):
 
 
 def angles(name, value, count):
-    return [] if value is None else numbers(name, value, (count,)).astype(np.float64).tolist()
+    if value is None:
+        return []
+    values = numbers(name, value, (count,)).astype(np.float64)
+    bad = np.flatnonzero(~np.isfinite(values))
+    if len(bad):
+        refuse(f"{values[bad[0]]} is not a number", f"{name}[{bad[0]}]", "give a finite number for each")
+    return values.tolist()
 
 
 def scan(range_mm: ArrayLike, beam_deg: ArrayLike, line_deg: ArrayLike, *, axis: Literal["spin", "sweep"],
@@ -120,7 +126,9 @@ def from_points(xyz: ArrayLike, *, name: str = "points", **reading) -> Scan:
     True
     """
     points = numbers("xyz", xyz, None, of="Scan.from_points()").astype(np.float64)
-    if points.ndim not in (2, 3) or points.shape[-1] != 3 or 0 in points.shape:
+    if points.size == 0:
+        refuse(f"it is empty, of shape {points.shape}", "xyz", "give one point at least")
+    if points.ndim not in (2, 3) or points.shape[-1] != 3:
         refuse(f"its shape is {points.shape}", "xyz", "give an array of n x 3 or of lines x beams x 3")
     content = io.BytesIO()
     np.lib.format.write_array(content, np.ascontiguousarray(points), version=(1, 0))

@@ -2,6 +2,7 @@
 # mypy: ignore-errors
 from __future__ import annotations
 
+import io
 import os
 from typing import Any, Dict, List, Literal, Optional
 
@@ -42,6 +43,8 @@ def to_dict(self, *, rocks: Optional[Rocks] = None) -> Dict[str, NDArray[Any]]:
     >>> sorted(result.to_dict())[:3]
     ['beam_deg', 'borders', 'classes']
     """
+    if rocks is not None:
+        _edgescan.rocks_of_scan(rocks, self)
     sources = [(self.scan, ("range_mm", "state", "intensity", "beam_deg", "line_deg", "line_times_s")),
                (self, ("mask", "classes", "edges", "borders", "strength", "gray")), (rocks, ("labels", "regions"))]
     arrays = {name: getattr(of, name) for of, names in sources if of is not None for name in names}
@@ -59,7 +62,9 @@ def save_npz(self, path: Path, *, rocks: Optional[Rocks] = None) -> int:
     if not path.endswith(b".npz"):
         refuse("the file is an .npz", os.fsdecode(path), "give a name that ends with .npz")
     arrays = self.to_dict(rocks=rocks)
-    np.savez_compressed(os.fsdecode(path), **arrays)
+    content = io.BytesIO()
+    np.savez_compressed(content, **arrays)
+    _edgescan.write_file(path, content.getvalue())
     return len(arrays)
 
 

@@ -173,6 +173,7 @@ class _Rock(TypedDict):
     apart_m: Optional[float]
     may_be_one_with: List[int]
     names: Optional[str]
+    up_assumed: bool
 
 
 class Rock(_Rock, total=False):

@@ -156,6 +156,9 @@ std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook
            "across the beams. In front: share of the outline where the "
            "rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; "
            "↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched." +
+           (rocks::upOf(scan).assumed
+                ? " Without a pose, up is the scanner's z axis, which is assumed: free height and ↓ are measured along it."
+                : "") +
            (std::ranges::any_of(study.rocks, [](const rocks::Rock& rock) { return !rock.apart.empty(); })
                 ? " Number with ▲: merged by hand of parts that do not touch."
                 : "") +

@@ -317,6 +317,7 @@ void addArches(std::vector<Rock>& rocks, const Eigen::Vector3d& sensor, const Ei
                 const double angle = std::atan2(p.cross(q).norm(), p.dot(q)) * 180.0 / std::numbers::pi;
                 if (rock.archDeg && angle <= *rock.archDeg) continue;
                 rock.archDeg = angle;
+                rock.archBetween = {rock.contacts[m], rock.contacts[n]};
                 // The point of the line between both centres that is directly above or below the rock.
                 const Eigen::Vector3d line = other - one;
                 const Eigen::Vector3d level = line - up * up.dot(line);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -38,20 +39,21 @@ struct Rock {
     double distanceM = 0.0;                            ///< distance from the sensor: median of the ranges
     /// a: largest caliper (distance of two parallel lines around the visible points) in the plane across the line of sight
     double longestCaliperM = 0.0;
-    double shortestCaliperM = 0.0;           ///< b: smallest caliper of the visible points in the same plane
-    double toleranceM = 0.0;                 ///< uncertainty of a and b: 2 (point spacing + width of the beam)
-    double areaM2 = 0.0;                     ///< visible area, across the beams
-    double unoccluded = 0.0;                 ///< 0..1: share of its outline at which it is the nearer side
-    std::vector<std::uint32_t> rocksBehind;  ///< rocks behind it, ascending
-    std::vector<std::uint32_t> rocksInFront; ///< rocks in front of it, ascending
-    std::vector<std::uint32_t> maybeOneWith; ///< rocks that may be the same rock (addLikelyJoins()), ascending
-    std::vector<std::uint32_t> contacts;     ///< rocks that it visibly touches; there may be more
-    bool touchesOther = false;               ///< it visibly touches something that is not a rock
-    double freeHeightM = 0.0;                ///< free height under its lowest visible point; the true height may be larger
-    std::optional<double> archDeg;           ///< degrees: largest angle at it between the centres of two rocks that it touches
-    bool isBelowContacts = false;            ///< it is below the line between these two centres
-    double confidence = 0.0;                 ///< p, 0..1 (Region::confidence)
-    double score = 0.0;                      ///< R, log odds (Region::score)
+    double shortestCaliperM = 0.0;              ///< b: smallest caliper of the visible points in the same plane
+    double toleranceM = 0.0;                    ///< uncertainty of a and b: 2 (point spacing + width of the beam)
+    double areaM2 = 0.0;                        ///< visible area, across the beams
+    double unoccluded = 0.0;                    ///< 0..1: share of its outline at which it is the nearer side
+    std::vector<std::uint32_t> rocksBehind;     ///< rocks behind it, ascending
+    std::vector<std::uint32_t> rocksInFront;    ///< rocks in front of it, ascending
+    std::vector<std::uint32_t> maybeOneWith;    ///< rocks that may be the same rock (addLikelyJoins()), ascending
+    std::vector<std::uint32_t> contacts;        ///< rocks that it visibly touches; there may be more
+    bool touchesOther = false;                  ///< it visibly touches something that is not a rock
+    double freeHeightM = 0.0;                   ///< free height under its lowest visible point; the true height may be larger
+    std::optional<double> archDeg;              ///< degrees: largest angle at it between the centres of two rocks that it touches
+    std::array<std::uint32_t, 2> archBetween{}; ///< these two rocks; 0 without an arch
+    bool isBelowContacts = false;               ///< it is below the line between these two centres
+    double confidence = 0.0;                    ///< p, 0..1 (Region::confidence)
+    double score = 0.0;                         ///< R, log odds (Region::score)
     bool byHand = false;
     std::vector<PartDistance> apart; ///< between parts that were merged by hand and do not touch: one fewer than such parts
 

@@ -9,7 +9,7 @@
 namespace edgescan::rocks {
 namespace {
 
-constexpr std::size_t kColumns = 28;
+constexpr std::size_t kColumns = 29;
 constexpr int kWhole = 0, kHundredths = 2;
 
 double millimetres(double metres) { return rounded(metres, 1000); }
@@ -69,10 +69,10 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
         {"touches_other", nullptr, "It is seen to touch something that is not a rock",
          [](Row r) -> RockValue { return r.rock->touchesOther; }, nullptr, false},
         {"free_below_at_least_m", "free below [m]",
-         "Free height under its lowest visible point: at least this; what sent nothing back is never free",
+         "Free height under its lowest visible point: at least this; what sent nothing back is never free; without a pose, up is the scanner's z axis",
          [](Row r) -> RockValue { return rounded(r.rock->freeHeightM, 100); },
          [](Row r) { return atLeast(r.rock->freeHeightM, kHundredths); }, true},
-        {"arch_deg", "arch [°] ± 25", "Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them",
+        {"arch_deg", "arch [°] ± 25", "Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them; without a pose, up is the scanner's z axis",
          [](Row r) -> RockValue { return r.rock->archDeg ? RockValue(rounded(*r.rock->archDeg, 1)) : RockValue(); },
          [](Row r) { return r.rock->archDeg ? fixed(*r.rock->archDeg, kWhole) + (r.rock->isBelowContacts ? " ↓" : "") : "–"; }, true},
         {"arch_tolerance_deg", nullptr, "Uncertainty of the arch angle",
@@ -92,6 +92,8 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
          [](Row r) -> RockValue { return std::span(r.rock->maybeOneWith); }, nullptr, false},
         {"names", nullptr, "Names of the targets on it", [](Row r) -> RockValue { return r.names.empty() ? RockValue() : RockValue(r.names.c_str()); },
          nullptr, false},
+        {"up_assumed", nullptr, "The scan has no pose, so up is the scanner's z axis: free height below it and whether it hangs",
+         [](Row r) -> RockValue { return r.upAssumed; }, nullptr, false},
     }};
     // clang-format on
 }
@@ -114,7 +116,7 @@ double sortingNumber(const RockValue& value) {
 
 RockRows::RockRows(const Study& study, CoordinateFrame frame, const NamedCells& names)
     : frame_(frame), beams_(static_cast<std::uint32_t>(study.segmentation->segment.beams)),
-      curve_(sizeCurve(study.rocks, study.settings.oversizeM)) {
+      upAssumed_(upOf(*study.segmentation->inputs.scan).assumed), curve_(sizeCurve(study.rocks, study.settings.oversizeM)) {
     if (frame != CoordinateFrame::Scanner) placed_.emplace(*study.segmentation->inputs.scan);
     if (names.empty()) return;
     const Grid<std::uint32_t> labels = rockLabels(*study.segmentation, study.map);
@@ -128,6 +130,7 @@ RockRows::RockRows(const Study& study, CoordinateFrame frame, const NamedCells& 
 RockRow RockRows::of(const Rock& rock) const {
     RockRow row{&rock, static_cast<int>(rock.cell / beams_), static_cast<int>(rock.cell % beams_), rock.centreM,
                 curve_.shareUpTo(rock.shortestCaliperM)};
+    row.upAssumed = upAssumed_;
     if (const auto named = names_.find(rock.label); named != names_.end()) row.names = named->second;
     if (placed_) row.centreM = placed_->inFrame(frame_, row.line, row.beam, rock.centreM);
     return row;

@@ -25,6 +25,7 @@ struct RockRow {
     Eigen::Vector3d centreM = Eigen::Vector3d::Zero(); ///< in the frame of the table
     double finerShare = 0.0;                           ///< 0..1: share of the rocks that are not wider than it
     std::string names{};                               ///< of the named cells on it, separated by "; "
+    bool upAssumed = true;                             ///< as in UpDirection
 };
 
 /// Nothing, a truth, a whole number, a number, numbers of rocks, or a text.
@@ -59,6 +60,7 @@ public:
 private:
     CoordinateFrame frame_;
     std::uint32_t beams_;
+    bool upAssumed_;
     SizeCurve curve_;
     std::optional<PlacedPoints> placed_;
     std::map<std::uint32_t, std::string> names_; // by label

@@ -55,12 +55,15 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
         refuseWaiting();
     });
     connect(&panel_, &RocksPanel::edited, this, &Rocks::change);
-    connect(&table_, &RockTable::chosen, this, [this](const std::vector<std::uint32_t>& labels) {
+    const auto choose = [this](const std::vector<std::uint32_t>& labels) {
         std::vector<std::size_t> cells;
-        for (const std::uint32_t label : labels) cells.push_back(picture_->rock(label)->cell);
+        for (const std::uint32_t label : labels) {
+            if (const rocks::Rock* rock = picture_ ? picture_->rock(label) : nullptr) cells.push_back(rock->cell);
+        }
         select(std::move(cells));
         if (views_.cloud().outline()) bringIntoSight(views_.cloud(), *views_.cloud().outline());
-    });
+    };
+    connect(&table_, &RockTable::chosen, this, choose);
     connect(&table_, &RockTable::filterChanged, this, &Rocks::ask);
     connect(&table_, &RockTable::jumpRequested, this, &Rocks::lookAt);
     connect(&table_, &RockTable::exportRequested, this, &Rocks::askExport);
@@ -69,6 +72,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     });
     RockCard& card = panel_.card();
     connect(&card, &RockCard::closeRequested, this, [this] { select({}); });
+    connect(&card, &RockCard::rockRequested, this, [choose](std::uint32_t label) { choose({label}); });
     connect(&card, &RockCard::splitRequested, this, [this](bool on) { useTool(on ? RockTool::Split : RockTool::None); });
     connect(&card, &RockCard::cutRequested, this, [this](bool on) { useTool(on ? RockTool::Cut : RockTool::None); });
     connect(&card, &RockCard::mergeRequested, this, &Rocks::mergeOffered);

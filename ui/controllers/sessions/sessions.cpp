@@ -213,16 +213,18 @@ void Sessions::ask() {
     openSession(path);
 }
 
-void Sessions::openSession(const QString& path) { open({path}); }
+void Sessions::openSession(const QString& path) { read({path}, {}, true); }
 
-void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
+void Sessions::open(const QStringList& paths, const ReadingOptions& options) { read(paths, options, false); }
+
+void Sessions::read(const QStringList& paths, const ReadingOptions& options, bool onlySession) {
     if (paths.isEmpty()) return;
     const QString first = paths.front();
     if (std::error_code problem; !std::filesystem::is_regular_file(exactBytes(first), problem)) return openScan(paths, options);
     reading_ = true;
     inBackground(
         this,
-        [this, paths, options, first, number = ++readings_]() -> std::function<void()> {
+        [this, paths, options, first, onlySession, number = ++readings_]() -> std::function<void()> {
             const bool isFile = isSessionFile(first);
             auto read = isFile ? inspect::readSession(exactBytes(first)) : sessionOfPicture(first);
             const QString own = isFile ? first : QString(); // a picture is not written to
@@ -230,10 +232,14 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
                 std::error_code none;
                 std::erase_if((*read)->places, [&](const std::filesystem::path& place) { return !std::filesystem::exists(place, none); });
             }
-            return [this, paths, options, own, number, read = std::move(read)] {
+            return [this, paths, options, own, onlySession, number, read = std::move(read)] {
                 if (number != readings_) return;
                 reading_ = false;
-                if (!read)
+                if (!read && onlySession)
+                    refuse(
+                        NoticeBar::Kind::Error,
+                        tr("%1: this is not a session; choose a session, or a screenshot that carries one.").arg(shownName(paths.front())));
+                else if (!read)
                     openScan(paths, options);
                 else if (!*read)
                     refuse(NoticeBar::Kind::Error, exactText(read->error().sentence()));

@@ -36,6 +36,7 @@ public:
 
     /// Opens dropped or named files: a session or a picture with a session is continued, other files are opened as scans.
     void open(const QStringList& paths, const ReadingOptions& options = {});
+    /// Refuses other files.
     void openSession(const QString& path);
     void ask();
     void askSaveAs();
@@ -91,6 +92,7 @@ private:
     [[nodiscard]] QString write(const Job& job); // pool's thread; empty, or why not
     void finishSaving(const QString& trouble);
     void save();
+    void read(const QStringList& paths, const ReadingOptions& options, bool onlySession);
     void openScan(const QStringList& paths, const ReadingOptions& options);
     void restore(inspect::ReadSession read, const QString& file);
     void openNextPlace();

@@ -24,7 +24,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kRecentFiles = 10;
-constexpr int kVersion = 1; // of the file; a file of another version is ignored
+constexpr int kVersion = 1; // of the file; the settings of another version are not used
 
 /// The lock of the folder of a settings file, until the result is destroyed. On a file system without locks, and where another program
 /// holds the lock all the time, the file is used nevertheless.
@@ -72,11 +72,20 @@ Preferences::Preferences(const QString& iniPath) {
         return;
     }
     file_ = SettingsFile::opened(iniPath);
-    if (file_->value("version", kVersion).toInt() != kVersion) file_->clear();
+    const bool isOurs = file_->value("version").toInt() == kVersion;
+    if (QFileInfo(iniPath).size() > 0 && (!isOurs || file_->status() == QSettings::FormatError)) {
+        aside_ = iniPath + ".damaged";
+        QFile::remove(aside_);
+        QFile::copy(iniPath, aside_);
+    }
+    if (!isOurs) file_->clear();
     file_->setValue("version", kVersion);
 }
 
 std::optional<Error> Preferences::refusal() const {
+    if (!aside_.isEmpty())
+        return Error{"not all settings in this file can be read", exactBytes(file_->fileName()),
+                     "what it held is in " + exactBytes(aside_)};
     if (refused_.isEmpty()) return std::nullopt;
     return Error{"it is not a regular file, so settings are not read and nothing of this window is stored", exactBytes(refused_),
                  "remove it and start again"};

@@ -20,7 +20,7 @@ public:
     explicit Preferences(const QString& iniPath);
     /// In the user's configuration folder.
     [[nodiscard]] static QString usualPath();
-    /// Why no settings are stored although a path was given: what is there is not a regular file.
+    /// What is wrong with the file: it is not a regular one, so no settings are stored, or not all of it can be read, and a copy is kept.
     [[nodiscard]] std::optional<Error> refusal() const;
 
     [[nodiscard]] QByteArray bytes(const QString& key) const;
@@ -53,6 +53,7 @@ public:
 private:
     std::unique_ptr<QSettings> file_;    // null: settings are not stored
     QString refused_;                    // the path of what is not a regular file
+    QString aside_;                      // the copy of a file that cannot be read as a whole
     std::map<QString, QString> folders_; // of this run, by kind
 };
 

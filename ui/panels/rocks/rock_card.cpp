@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStringList>
+#include <QTextDocumentFragment>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -24,33 +25,32 @@ constexpr int kAroundText = 12; // px: a button in a narrow panel
 QString metres(double value, int decimals = 2) { return RockCard::tr("%1 m").arg(value, 0, 'f', decimals); }
 QString atLeastText(const QString& value) { return RockCard::tr("at least %1").arg(value); }
 
-QString contactsText(const rocks::Rock& rock) {
+QString link(std::uint32_t label) { return QString("<a href=\"%1\">%1</a>").arg(label); }
+
+QStringList links(const std::vector<std::uint32_t>& rocks) {
     QStringList labels;
-    for (const std::uint32_t other : rock.contacts) labels << QString::number(other);
+    for (const std::uint32_t other : rocks) labels << link(other);
+    return labels;
+}
+
+QString contactsText(const rocks::Rock& rock) {
+    const QStringList labels = links(rock.contacts);
     if (labels.isEmpty()) return rock.touchesOther ? RockCard::tr("something that is not a rock") : RockCard::tr("none seen");
     return labels.size() == 1 ? RockCard::tr("at least 1: rock %1").arg(labels.front())
                               : RockCard::tr("at least %1: rocks %2").arg(QString::number(labels.size()), labels.join(", "));
 }
 
 QString listed(const std::vector<std::uint32_t>& rocks) {
-    QStringList labels;
-    for (const std::uint32_t other : rocks) labels << QString::number(other);
+    const QStringList labels = links(rocks);
     return labels.isEmpty() ? QStringLiteral("–") : labels.join(", ");
-}
-
-// "12 and 15", "12, 15 and 20"
-QString rocksText(const std::vector<std::uint32_t>& rocks) {
-    QStringList labels;
-    for (const std::uint32_t other : rocks) labels << QString::number(other);
-    const QString last = labels.takeLast();
-    return labels.isEmpty() ? last : RockCard::tr("%1 and %2").arg(labels.join(", "), last);
 }
 
 QString archText(const rocks::Rock& rock) {
     if (!rock.archDeg) return QStringLiteral("–");
-    return RockCard::tr("%1° ± %2°%3")
+    return RockCard::tr("%1° ± %2°%3%4")
         .arg(*rock.archDeg, 0, 'f', 0)
         .arg(rocks::kArchToleranceDeg, 0, 'f', 0)
+        .arg(RockCard::tr(", between rocks %1 and %2").arg(link(rock.archBetween[0]), link(rock.archBetween[1])))
         .arg(rock.isBelowContacts ? RockCard::tr(", hangs below") : QString());
 }
 
@@ -99,8 +99,17 @@ RockCard::RockCard(QWidget* parent)
     head->addWidget(close_);
     auto* lines = new QVBoxLayout;
     lines->setSpacing(2);
+    // A clicked number replaces the text that it is in: only after the click.
+    const auto follow = [this](QLabel* label) {
+        connect(
+            label, &QLabel::linkActivated, this, [this](const QString& rock) { emit rockRequested(rock.toUInt()); }, Qt::QueuedConnection);
+    };
+    state_->setObjectName("rock-state");
+    state_->setTextFormat(Qt::RichText);
+    follow(state_);
     for (std::size_t n = 0; n < kRows; ++n) {
         rows_[n] = {new QLabel, new QLabel};
+        follow(rows_[n].second);
         rows_[n].second->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         rows_[n].second->setWordWrap(true);
         auto* line = new QHBoxLayout; // no columns: a long name does not narrow the numbers of other rows
@@ -164,9 +173,9 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     if (isRock_ && !rock->apart.empty()) state += (state.isEmpty() ? QString() : "\n") + partsText(*rock);
     const bool maybeOne = isRock_ && !rock->maybeOneWith.empty();
     if (maybeOne)
-        state += (state.isEmpty() ? QString() : "\n") + tr("may be one with %1: Merge joins them").arg(rocksText(rock->maybeOneWith));
+        state += (state.isEmpty() ? QString() : "\n") + tr("may be one with %1: Merge joins them").arg(rocksText(rock->maybeOneWith, link));
     if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("a rock by hand: marked or cut");
-    state_->setText(state);
+    state_->setText(state.replace('\n', "<br>"));
     state_->setVisible(!state.isEmpty());
     for (QPushButton* button : {split_, cut_, name_, section_}) button->setEnabled(isRock_);
     merge_->setEnabled(cells.size() > 1 || maybeOne);
@@ -185,16 +194,17 @@ void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock, con
     setRow(1, tr("distance, median"), metres(rock.distanceM));
     setRow(2, tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2));
     setRow(3, tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0));
-    setRow(4, tr("behind rocks"), listed(rock.rocksInFront));
-    setRow(5, tr("visible contacts"), contactsText(rock));
+    setRow(4, tr("behind rocks"), listed(rock.rocksInFront), Qt::RichText);
+    setRow(5, tr("visible contacts"), contactsText(rock), Qt::RichText);
     setRow(6, tr("free height below"), rock.freeHeightM > 0.0 ? atLeastText(metres(rock.freeHeightM)) : tr("none seen"));
-    setRow(7, tr("arch angle"), archText(rock));
-    setRow(8, tr("confidence p"), QString::number(rock.confidence, 'f', 2));
+    setRow(7, tr("arch angle"), archText(rock), Qt::RichText);
+    if (rocks::upOf(*picture.study.segmentation->inputs.scan).assumed) setRow(8, tr("up"), tr("the scanner's z axis, assumed"));
+    setRow(9, tr("confidence p"), QString::number(rock.confidence, 'f', 2));
     QStringList pinned;
     for (const auto& [cell, target] : targets) {
         if (picture.labelAt(cell) == rock.label) pinned << target;
     }
-    if (!pinned.isEmpty()) setRow(9, tr("pinned target"), pinned.join(", "));
+    if (!pinned.isEmpty()) setRow(10, tr("pinned target"), pinned.join(", "));
 }
 
 void RockCard::showNoRock(const RockPicture& picture, std::size_t cell) {
@@ -208,17 +218,21 @@ void RockCard::showNoRock(const RockPicture& picture, std::size_t cell) {
     setRow(2, tr("visible area"), tr("%1 m²").arg(region->sums.areaM2, 0, 'f', 2));
 }
 
-void RockCard::setRow(std::size_t row, const QString& name, const QString& value) {
+void RockCard::setRow(std::size_t row, const QString& name, const QString& value, Qt::TextFormat format) {
     rows_[row].first->setText(name);
+    rows_[row].second->setTextFormat(format);
     rows_[row].second->setText(value);
     rows_[row].first->show();
     rows_[row].second->show();
 }
 
 QString RockCard::text() const {
-    QStringList lines{title_->text(), spans_->isHidden() ? QString() : spans_->text(), state_->text()};
+    const auto plain = [](const QLabel& label) {
+        return label.textFormat() == Qt::RichText ? QTextDocumentFragment::fromHtml(label.text()).toPlainText() : label.text();
+    };
+    QStringList lines{title_->text(), spans_->isHidden() ? QString() : spans_->text(), plain(*state_)};
     for (const auto& [name, value] : rows_) {
-        if (!name->isHidden()) lines << name->text() + ": " + value->text();
+        if (!name->isHidden()) lines << name->text() + ": " + plain(*value);
     }
     lines << rockCaveat() << caveat_->text();
     return lines.join('\n');

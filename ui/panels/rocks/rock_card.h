@@ -46,14 +46,16 @@ signals:
     void mergeRequested();
     void nameRequested();
     void sectionRequested();
+    /// Another rock that the card names.
+    void rockRequested(std::uint32_t label);
     /// The operator marks it as a rock, or as not a rock.
     void markRequested(bool rock);
 
 private:
-    static constexpr std::size_t kRows = 10;
+    static constexpr std::size_t kRows = 11;
     void showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets, const QString& name);
     void showNoRock(const RockPicture& picture, std::size_t cell);
-    void setRow(std::size_t row, const QString& name, const QString& value);
+    void setRow(std::size_t row, const QString& name, const QString& value, Qt::TextFormat format = Qt::PlainText);
 
     QLabel* swatch_;
     QLabel* title_;

@@ -133,6 +133,20 @@ QString partsText(const rocks::Rock& rock) {
     return QObject::tr("▲ %1 parts that do not touch, %2 m apart").arg(rock.apart.size() + 1).arg(rock.apartM(), 0, 'f', 2);
 }
 
+QString rocksText(const std::vector<std::uint32_t>& labels, QString (*one)(std::uint32_t label)) {
+    QStringList texts;
+    for (const std::uint32_t label : labels) texts << one(label);
+    const QString last = texts.takeLast();
+    return texts.isEmpty() ? last : QObject::tr("%1 and %2").arg(texts.join(", "), last);
+}
+
+QString likelyText(const rocks::Rock& rock) {
+    if (rock.maybeOneWith.empty()) return {};
+    return QObject::tr("≈ may be one with %1").arg(rocksText(rock.maybeOneWith, [](std::uint32_t label) {
+        return QString::number(label);
+    }));
+}
+
 QString rockTip(const rocks::Rock& rock) {
     QString tip = QObject::tr("%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m")
                       .arg(rock.label)

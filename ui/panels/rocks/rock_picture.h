@@ -68,6 +68,11 @@ struct RockOutline {
 /// "▲ 2 parts that do not touch, 1.34 m apart"; empty for a rock in one piece.
 [[nodiscard]] QString partsText(const rocks::Rock& rock);
 
+/// "12 and 15", "12, 15 and 20".
+[[nodiscard]] QString rocksText(const std::vector<std::uint32_t>& labels, QString (*one)(std::uint32_t label));
+/// "≈ may be one with 12 and 15"; empty for a rock of its own.
+[[nodiscard]] QString likelyText(const rocks::Rock& rock);
+
 /// The caveat of every result about rocks: once on the screen, and in every text that leaves it.
 [[nodiscard]] QString rockCaveat();
 

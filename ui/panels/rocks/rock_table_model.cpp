@@ -71,11 +71,13 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     const QString name =
         index.column() == 0 && (role == Qt::DisplayRole || role == Qt::ToolTipRole) ? picture_->nameOf(rock.label, names_) : QString();
     if (role == Qt::ToolTipRole && index.column() == 0) {
-        const QString parts = partsText(rock);
-        const QString tip = name + (name.isEmpty() || parts.isEmpty() ? "" : "\n") + parts;
-        if (!tip.isEmpty()) return tip;
+        QStringList tip{name, partsText(rock), likelyText(rock)};
+        tip.removeAll({});
+        if (!tip.isEmpty()) return tip.join('\n');
     }
-    if (role == Qt::DisplayRole) return shownText(column.text({&rock})) + (name.isEmpty() ? QString() : " " + name);
+    const bool isMarked = index.column() == 0 && !rock.maybeOneWith.empty();
+    if (role == Qt::DisplayRole)
+        return shownText(column.text({&rock})) + (isMarked ? " ≈" : "") + (name.isEmpty() ? QString() : " " + name);
     if (role == kNumberRole) return rocks::sortingNumber(column.value({&rock}));
     if (role == Qt::TextAlignmentRole) return static_cast<int>(index.column() == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
     if (role == Qt::DecorationRole && index.column() == 0) return rockSwatch(*picture_, rock, kSwatch);
