@@ -18,6 +18,7 @@ void fill(const fs::path& folder, const fs::path& bell) {
     for (const char* name : {"BELL.json", "BELL.u16", "BELL.pcd"}) fs::copy_file(bell / name, folder / name);
     const std::string cloud = test::fileText(folder / "BELL.pcd");
     std::ofstream(folder / "empty.pcd");
+    fs::copy_file(bell / "BELL.pcd", folder / "-x.pcd");
     std::ofstream(folder / "cut.pcd", std::ios::binary) << cloud.substr(0, cloud.size() / 2);
     std::ofstream(folder / "text.pcd") << "hello\nworld\n";
     std::ofstream table(folder / "ten.csv");
