@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 /// A fresh folder with the files that the mistakes name, because some of them write.
 void fill(const fs::path& folder, const fs::path& bell) {
-    for (const char* name : {"BELL.json", "BELL.u16", "BELL.pcd"}) fs::copy_file(bell / name, folder / name);
+    for (const char* name : {"BELL.json", "BELL.u16", "BELL.pcd", "BELL.csv"}) fs::copy_file(bell / name, folder / name);
     const std::string cloud = test::fileText(folder / "BELL.pcd");
     std::ofstream(folder / "empty.pcd");
     fs::copy_file(bell / "BELL.pcd", folder / "-x.pcd");
@@ -42,7 +42,8 @@ std::string trimmed(const std::string& text) {
 TEST(Mistakes, EachHasItsExitCodeAndMessage) {
     const test::TemporaryFolder bell;
     ASSERT_EQ(test::runLab("simulate -o " + (bell / "BELL.json").string() + " --seed 7 --lines 40 --beams 60").code, 0);
-    ASSERT_EQ(test::runCli("convert " + (bell / "BELL.json").string() + " " + (bell / "BELL.pcd").string()).code, 0);
+    for (const char* name : {"BELL.pcd", "BELL.csv"})
+        ASSERT_EQ(test::runCli("convert " + (bell / "BELL.json").string() + " " + (bell / name).string()).code, 0);
     std::istringstream rows(test::fileText(fs::path(test::sourceFolder()) / "tests/data/mistakes.txt"));
     int mistakes = 0;
     for (std::string row; std::getline(rows, row);) {
