@@ -91,6 +91,7 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const Result<edges::Settings> settings = settingsFor(detect.method, *opened);
     if (!settings) return settings.error();
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
+    warnOfIdleWriting(detect.write, *detection->scan);
     const Outputs out = outputsOf(detect, *detection->scan);
     if (auto distinct = checkDistinct(out.paths()); !distinct) return distinct;
     const auto coordinates = writeOutputs(detect, out, *detection, loadMs);

@@ -109,6 +109,7 @@ Result<std::shared_ptr<const inspect::SectionPlane>> planeFor(const RocksFlags& 
 }
 
 Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detection, const std::shared_ptr<const rocks::Study>& study) {
+    warnOfIdleWriting(flags.write, *detection.scan);
     exports::ExportOptions options = exportOptions(flags.write, *detection.scan);
     options.rocks = study;
     const auto plane = planeFor(flags, *study);

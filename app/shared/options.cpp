@@ -221,6 +221,11 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
     command.add_option("--role", flags.role, "Role of the operator, stored in the record")->type_name("NAME")->group(group);
 }
 
+void warnOfIdleWriting(const WriteFlags& flags, const Scan& scan) {
+    if (flags.includeAttached && scan.attached.empty())
+        printError(printable(scan.name) + ": --include-attached has no effect: no cell of the scan has several points; leave it out.");
+}
+
 ReadingOptions readingOptions(const ReadFlags& flags) {
     ReadingOptions options = flags.options;
     if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = showStage;

@@ -57,6 +57,9 @@ void addPosesFlag(CLI::App& command, std::vector<std::string>& poses);
 /// Adds --frame --ascii --include-attached --operator --role and the options of formats.
 void addWriteFlags(CLI::App& command, WriteFlags& flags);
 
+/// Prints it on stderr if the scan has no points that --include-attached adds.
+void warnOfIdleWriting(const WriteFlags& flags, const Scan& scan);
+
 /// Adds --preset and one flag per row of the parameter table; the values go into `flags`.
 void addMethodFlags(CLI::App& command, MethodFlags& flags);
 
