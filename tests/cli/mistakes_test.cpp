@@ -25,6 +25,13 @@ void fill(const fs::path& folder, const fs::path& bell) {
     for (int line = 0; line < 20; ++line) {
         for (int beam = 0; beam < 10; ++beam) table << 1 + line * beam % 7 << (beam < 9 ? "," : "\n");
     }
+    const auto changed = [&](const char* name, const std::string& from, const std::string& to) {
+        std::string text = test::fileText(folder / "BELL.json");
+        std::ofstream(folder / name) << text.replace(text.find(from), from.size(), to);
+    };
+    changed("keys.json", "\"no_return\"", "\"no_retrun\"");
+    changed("nodata.json", "BELL.u16", "NOPE.u16");
+    changed("far.json", "\"unit_mm\": 1.0", "\"unit_mm\": 100.0");
     std::ofstream(folder / "plain.json") << R"({"format": "edgescan-preset/1"})";
     std::ofstream(folder / "cal.json") << R"({"format": "x"})";
     for (const char* name : {"a.fls", "a.zfs", "a.rcp", "a.lgs"}) {

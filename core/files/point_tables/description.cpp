@@ -184,6 +184,7 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
         if (!acquisition) return acquisition.error();
         grid.acquisition = *acquisition;
     }
+    grid.unknownKeys = fields.unknown();
     return grid;
 }
 
