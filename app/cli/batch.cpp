@@ -355,14 +355,15 @@ int run(Batch& batch) {
         return code;
     };
     if (const auto folder = checkFolder(batch.results); !folder) return refuse(folder.error(), kWrongUsage);
-    if (const auto method = checkMethod(batch.method); !method) return refuse(method.error(), kWrongUsage);
+    if (const auto method = checkMethodAndWarn(batch.method); !method) return refuse(method.error(), kWrongUsage);
     const auto wanted = wantedFiles(batch.wanted);
     if (!wanted) return refuse(wanted.error(), kWrongUsage);
     if (const auto names = batch::outputNames({}, batch.names); !names) return refuse(names.error(), kWrongUsage);
     batch.withRocks = batch.withRocks || std::ranges::any_of(*wanted, &WantedFile::isOfRocks);
     if (const auto rocks = checkRocks(batch.rocks); !rocks) return refuse(rocks.error(), kWrongUsage);
     if (!batch.withRocks && anyTyped(batch.rocks))
-        return refuse({"these flags are of rocks, and none are asked for", "batch", "add --rocks, or a result of rocks"}, kWrongUsage);
+        return refuse({"these flags are of rocks, and none are asked for", typedFlags(batch.rocks), "add --rocks, or a result of rocks"},
+                      kWrongUsage);
     if (!batch.shard.empty()) {
         if (const auto shard = batch::shardOf(batch.shard); !shard) return refuse(shard.error(), kWrongUsage);
         if (batch.merge) return refuse({"a merge is of all parts", "--shard", "leave one of the two out"}, kWrongUsage);

@@ -4,12 +4,12 @@
 #include "app/shared/exits.h"
 #include "core/base/file_address.h"
 #include "core/base/instruction_set.h"
+#include "core/base/nearest_name.h"
 #include "core/base/result.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -80,36 +80,6 @@ constexpr std::array kRenamed = std::to_array<Renamed>({
     {"simulate", "--holes", "--hole-count"},
 });
 
-/// The smallest number of letters to insert, delete or replace.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0U : 1U);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
-
-/// The known name that was probably meant; empty if all differ much.
-std::string nearest(const std::string& typed, const std::vector<std::string>& known) {
-    constexpr std::size_t kLongestName = 40;
-    if (typed.size() > kLongestName) return {};
-    std::string best;
-    std::size_t least = 1 + std::max<std::size_t>(1, typed.size() / 3);
-    for (const std::string& name : known) {
-        const std::size_t distance = name.starts_with(typed) ? 1 : editDistance(typed, name);
-        if (distance >= least) continue;
-        least = distance;
-        best = name;
-    }
-    return best;
-}
-
 std::string hintFor(std::string_view command, const std::string& typed, const std::vector<std::string>& known, const std::string& list) {
     const auto renamed = std::ranges::find_if(kRenamed, [&](const Renamed& one) {
         return (one.command == command || (one.command == "*" && !command.empty())) && one.old == std::string_view(typed);
@@ -118,7 +88,7 @@ std::string hintFor(std::string_view command, const std::string& typed, const st
         renamed != kRenamed.end() &&
         (renamed->command != "*" || std::ranges::any_of(known, [&](const std::string& one) { return renamed->now.starts_with(one); }));
     if (isThere) return "use " + std::string(renamed->now);
-    const std::string meant = nearest(typed, known);
+    const std::string meant = nearestName(typed, known);
     return (meant.empty() ? "" : "did you mean " + meant + "? ") + list;
 }
 

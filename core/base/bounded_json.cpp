@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace edgescan {
@@ -17,6 +18,16 @@ constexpr std::size_t kMostKeysOfOne = 4096; // for each new key, an ordered obj
 constexpr std::uint64_t kBytesPerByte = 32;
 constexpr std::size_t kAskFrom = std::size_t{1} << 20U;
 constexpr std::size_t kLongestShown = 60;
+
+bool isDecimal(char c) { return c >= '0' && c <= '9'; }
+
+/// "..., 217,4": whether the text ends with digits behind a comma without a blank, or with one more character.
+bool isAfterDecimalComma(std::string_view text) {
+    if (!text.empty() && !isDecimal(text.back())) text.remove_suffix(1);
+    std::size_t at = text.size();
+    while (at > 0 && isDecimal(text[at - 1])) --at;
+    return at < text.size() && at > 1 && text[at - 1] == ',' && isDecimal(text[at - 2]);
+}
 
 template <class Json>
 class BoundedBuilder final : public nlohmann::json_sax<Json> {
@@ -52,9 +63,13 @@ public:
     }
 
     Json popRoot() { return std::move(root_); }
-    [[nodiscard]] Error error(const std::string& where) const {
+    [[nodiscard]] Error error(std::string_view text, const std::string& where) const {
         if (byte_ == 0) return {problem_, where, "correct the file or choose another"};
-        return {problem_, where + ": byte " + std::to_string(byte_), "check it around this place"};
+        const std::string_view before = text.substr(0, byte_);
+        const auto lines = 1 + std::ranges::count(before, '\n');
+        const std::size_t column = before.size() - (before.rfind('\n') + 1); // from 1, as byte_
+        const std::string hint = "check line " + std::to_string(lines) + ", column " + std::to_string(column);
+        return {problem_, where + ": byte " + std::to_string(byte_), hint + (isAfterDecimalComma(before) ? "; write 217.4 for 217,4" : "")};
     }
 
 private:
@@ -96,7 +111,7 @@ Result<Json> parsedWithin(std::string_view text, const std::string& where, const
         if (auto enough = checkMemory(productOf({text.size(), kBytesPerByte}), where); !enough) return enough.error();
     }
     BoundedBuilder<Json> builder(bounds);
-    if (!Json::sax_parse(text.begin(), text.end(), &builder)) return builder.error(where);
+    if (!Json::sax_parse(text.begin(), text.end(), &builder)) return builder.error(text, where);
     return builder.popRoot();
 }
 

@@ -1,4 +1,5 @@
 // What a person types wrong, from tests/data/mistakes.txt: each mistake has its exit code and one message with what, where and what to do.
+#include "tests/support/robot_files.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -33,6 +34,18 @@ void fill(const fs::path& folder, const fs::path& bell) {
     changed("nodata.json", "BELL.u16", "NOPE.u16");
     changed("far.json", "\"unit_mm\": 1.0", "\"unit_mm\": 100.0");
     std::ofstream(folder / "plain.json") << R"({"format": "edgescan-preset/1"})";
+    const auto preset = [&](const char* name, const std::string& settings) {
+        std::ofstream(folder / name) << R"({"format": "edgescan-preset/1", "settings": {)" << settings << "}}";
+    };
+    preset("jump.json", R"("jump": 50)");
+    preset("gray.json", R"("method": "edgescan+", "lower": 20, "kernel": 5)");
+    preset("both.json", R"("sensitivity": 2, "edge-strength": 3)");
+    preset("typo.json", R"("jmp": 50)");
+    std::ofstream(folder / "comma.json") << "{\"format\": \"edgescan-pose/1\",\n \"heading_deg\": 217,4}\n";
+    Calibration robot = test::exampleCalibration();
+    robot.axis = Eigen::Vector3d::UnitX();
+    std::ofstream(folder / "robot.json") << test::calibrationText(robot);
+    std::ofstream(folder / "BELL_edges.json") << R"({"schema": "edgescan-detect/1"})";
     std::ofstream(folder / "cal.json") << R"({"format": "x"})";
     for (const char* name : {"a.fls", "a.zfs", "a.rcp", "a.lgs"}) {
         std::ofstream file(folder / name, std::ios::binary);

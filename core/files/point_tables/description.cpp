@@ -43,6 +43,8 @@ struct OwnFile {
 };
 constexpr std::array kOwnFiles = std::to_array<OwnFile>({
     {"edgescan-preset/1", "a preset", "choose it in the panel Edges, or give it with --preset"},
+    {"edgescan-detect/1", "a report of detect", "open its scan"},
+    {"edgescan-rocks/1", "a report of rocks", "open its scan"},
     {"edgescan-pose/1", "a pose", "open its scan and give it with --pose"},
     {"edgescan-calibration/1", "a calibration", "open its scan and give it with --calibration"},
     {"edgescan-targets/1", "a file of targets", "open its scan"},
