@@ -136,7 +136,7 @@ std::vector<std::string> methodNotes(const MethodFlags& flags) {
     kept.method = settings->method;
     const bool nothingKept = std::ranges::all_of(edges::changedFromDefault(kept), [](const std::string& key) { return key == "method"; });
     if (nothingKept && preset->keys.empty() && preset->settings.method != settings->method && preset->settings != edges::Settings{})
-        notes.push_back("--preset " + flags.preset + " has no effect: the method " + method + " uses none of its settings; leave one out.");
+        notes.push_back("--preset " + flags.preset + " has no effect: the method " + method + " uses no setting of it; leave one out.");
     if (preset->keys.empty()) return notes;
     if (std::ranges::find(preset->keys, "method") == preset->keys.end() && flags.typed.at("method") == kNotTyped)
         notes.push_back("--preset " + flags.preset + " names no method: it is " + method + "; give --method to choose.");
