@@ -51,14 +51,15 @@ Result<Done> split(const RocksFlags& flags, const rocks::Inputs& inputs, rocks::
         if (!cell) return cell.error();
         const bool wasRock = isOnRock(study, *cell);
         const auto edit = rocks::splitAt(*study.segmentation, *study.tree, study.settings.level, *cell);
+        const Error notOnRock{"the cell " + text + " is not on a rock", "--split", "choose a cell of a rock; --labels shows them"};
+        if (!edit && !wasRock) return notOnRock;
         if (!edit)
             return Error{"there is nothing to split at " + text, "--split",
                          "choose a cell of a rock that is made of several pieces, or a lower --level"};
         std::vector<rocks::Edit> edits = study.edits;
         edits.push_back(*edit);
         study = rocks::studyRocks(inputs, study.settings, edits, &study);
-        if (!wasRock && !isOnRock(study, *cell))
-            return Error{"the cell " + text + " is not on a rock", "--split", "choose a cell of a rock; --labels shows them"};
+        if (!wasRock && !isOnRock(study, *cell)) return notOnRock;
     }
     return Done{};
 }
