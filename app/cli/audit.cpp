@@ -30,6 +30,14 @@ int written(const Audited& asked, const nlohmann::ordered_json& document, int co
     return done ? code : failWith(done.error());
 }
 
+CLI::Validator hashText() {
+    const auto check = [](const std::string& text) {
+        const bool isHash = text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+        return isHash ? std::string() : "\"" + text + "\" is not a hash; give the 64 digits of 0 to 9 and a to f that audit prints";
+    };
+    return {check, ""};
+}
+
 int run(const Audited& asked) {
     const auto check = checkAudit(asked.file, asked.last);
     if (!check) {
@@ -52,7 +60,8 @@ void addAudit(CLI::App& app, int& code) {
     CLI::App& command = *app.add_subcommand("audit", "Checks an audit log: names each line that was altered, dropped or moved");
     command.add_option("LOG", asked->file, "The log, audit.jsonl")->required();
     command.add_option("--last", asked->last, "A hash of it that was noted elsewhere: a log without that line lacks its end")
-        ->type_name("HASH");
+        ->type_name("HASH")
+        ->check(hashText());
     addJsonFlag(command, asked->json, "Every fault with its line");
     command.callback([asked, &code] { code = run(*asked); });
 }

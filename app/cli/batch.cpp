@@ -8,6 +8,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/base/whole_file.h"
@@ -25,6 +26,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <span>
@@ -89,6 +91,23 @@ std::string leftOutText(const std::vector<std::string>& files) {
            " more files are not scans but records or exports, and are left out; name them singly to have them read.";
 }
 
+constexpr std::array kTables{"results.csv", "results.ndjson", "settings.json", "survey.html"};
+
+/// Of a first run in a folder that another command wrote to.
+void warnOfOtherFiles(const fs::path& results) {
+    std::error_code problem;
+    if (fs::exists(results / ".batch", problem)) return;
+    std::vector<std::string> others;
+    for (fs::directory_iterator entry(results, problem), end; !problem && entry != end; entry.increment(problem)) {
+        const std::string name = entry->path().filename().string();
+        if (!entry->is_directory(problem) && !name.starts_with('.') && std::ranges::find(kTables, name) == kTables.end())
+            others.push_back(name);
+    }
+    if (others.empty()) return;
+    printError(Error{"this folder holds files that batch did not write, such as " + *std::ranges::min_element(others), results.string(),
+                     "give -o a folder that is used for nothing else"});
+}
+
 Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     const auto listing = batch::listArchive(batch.asked, batch.results);
     if (!listing) return listing.error();
@@ -108,7 +127,7 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     for (const batch::ArchiveListing::NotRead& one : listing->notRead) printError(printable(one.path) + ": " + one.why + ".");
     for (const std::string& input : listing->inputs) claimInput(input); // no table and no result replaces a scan
     for (const std::string& asked : batch.asked) claimInput(asked);     // or a list
-    for (const char* table : {"results.csv", "results.ndjson", "settings.json", "survey.html"}) {
+    for (const char* table : kTables) {
         if (auto free = checkIsNoInput(fs::path(batch.results) / table); !free) return free.error();
     }
     work.results = batch.results;
@@ -246,6 +265,16 @@ Result<Done> writeTables(const Batch& batch, const Json& settings, const std::ve
     return writeWholeFiles(contents);
 }
 
+/// What to run before the merge.
+std::string hintOfMerge(const Json& elements, int of, bool isFirst) {
+    if (isFirst) return "no part has run yet: run each part with --shard N/PARTS, or all at once without --merge";
+    if (elements.empty()) return "run the same command without --merge";
+    std::string parts;
+    for (const Json& element : elements)
+        parts += (parts.empty() ? "" : ", ") + std::to_string(element.get<int>()) + "/" + std::to_string(of);
+    return "run again with --shard " + parts + ", then the merge";
+}
+
 // The elements of an array job that must run again.
 Json elementsOf(const std::vector<std::string>& missing, int of) {
     Json elements = Json::array();
@@ -279,12 +308,14 @@ int report(const Batch& batch, const Running& running, const AllRows& all, doubl
                 {"unchanged", running.counts.unchanged},
                 {"worked", running.counts.ended() - running.counts.unchanged},
                 {"seconds", static_cast<double>(static_cast<long long>(seconds * 1000)) / 1000}};
-    if (batch.merge) report["missing_elements"] = elementsOf(all.missing, batch::shardsIn(batch.results));
+    const int parts = batch.merge ? batch::shardsIn(batch.results) : 1;
+    const Json elements = elementsOf(all.missing, parts);
+    if (batch.merge) report["missing_elements"] = elements;
     if (const auto written = writeDocument(batch.json, document("batch", report), false); !written) return failWith(written.error());
     if (!all.missing.empty()) {
-        printError(
-            Error{std::to_string(all.missing.size()) + " scans have no row yet, so no table was written", batch.results,
-                  batch.merge ? "run the elements named again, then the merge" : "run the same command again: it goes on from here"});
+        printError(Error{counted(all.missing.size(), "scan has", "scans have") + " no row yet, so no table was written", batch.results,
+                         batch.merge ? hintOfMerge(elements, parts, running.work.before.empty())
+                                     : "run the same command again: it goes on from here"});
         return kRefused;
     }
     return refused + failed > 0 ? kPartly : kDone;
@@ -324,20 +355,22 @@ int run(Batch& batch) {
         return code;
     };
     if (const auto folder = checkFolder(batch.results); !folder) return refuse(folder.error(), kWrongUsage);
-    if (const auto method = checkMethod(batch.method); !method) return refuse(method.error(), kWrongUsage);
+    if (const auto method = checkMethodAndWarn(batch.method); !method) return refuse(method.error(), kWrongUsage);
     const auto wanted = wantedFiles(batch.wanted);
     if (!wanted) return refuse(wanted.error(), kWrongUsage);
     if (const auto names = batch::outputNames({}, batch.names); !names) return refuse(names.error(), kWrongUsage);
     batch.withRocks = batch.withRocks || std::ranges::any_of(*wanted, &WantedFile::isOfRocks);
     if (const auto rocks = checkRocks(batch.rocks); !rocks) return refuse(rocks.error(), kWrongUsage);
     if (!batch.withRocks && anyTyped(batch.rocks))
-        return refuse({"these flags are of rocks, and none are asked for", "batch", "add --rocks, or a result of rocks"}, kWrongUsage);
+        return refuse({"these flags are of rocks, and none are asked for", typedFlags(batch.rocks), "add --rocks, or a result of rocks"},
+                      kWrongUsage);
     if (!batch.shard.empty()) {
         if (const auto shard = batch::shardOf(batch.shard); !shard) return refuse(shard.error(), kWrongUsage);
         if (batch.merge) return refuse({"a merge is of all parts", "--shard", "leave one of the two out"}, kWrongUsage);
     }
     const auto settings = settingsOfRun(batch);
     if (!settings) return refuse(settings.error(), kWrongUsage);
+    warnOfOtherFiles(batch.results);
     auto work = planned(batch, *settings);
     if (!work) return refuse(work.error(), kRefused);
     const auto code = runPlan(batch, *work, *settings);

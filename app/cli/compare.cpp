@@ -85,7 +85,7 @@ void addCompare(CLI::App& app, int& code) {
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     command.callback([flags, &code] {
-        const Result<Done> method = checkMethod(flags->method);
+        const Result<Done> method = checkMethodAndWarn(flags->method);
         const Result<Done> result = method ? compare(*flags) : method;
         code = result ? kDone : method ? kRefused : kWrongUsage;
         if (!result) printError(result.error());

@@ -27,6 +27,7 @@ int run(const Convert& convert) {
     edges::Detection detection;
     detection.scan = std::make_shared<const Scan>(std::move(*opened));
     const Scan& scan = *detection.scan;
+    warnOfIdleWriting(convert.write, scan);
     const exports::ExportOptions options = exportOptions(convert.write, scan, convert.out);
     const std::vector<std::string> lost = files::lostOnSaving(
         scan, convert.out,

@@ -91,6 +91,7 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const Result<edges::Settings> settings = settingsFor(detect.method, *opened);
     if (!settings) return settings.error();
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
+    warnOfIdleWriting(detect.write, *detection->scan);
     const Outputs out = outputsOf(detect, *detection->scan);
     if (auto distinct = checkDistinct(out.paths()); !distinct) return distinct;
     const auto coordinates = writeOutputs(detect, out, *detection, loadMs);
@@ -115,6 +116,7 @@ bool onePathForSeveral(const Detect& detect) {
 // Wrong usage is reported before any file is read.
 Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
+    if (auto one = checkOnePose(detect.files, detect.read); !one) return one;
     if (auto known = checkExtensions(detect.out); !known) return known;
     const auto wanted = wantedExports(detect.out, exports::ExportKind::Needs::Edges, "scan", CoordinateFrame::Mine);
     if (auto used = checkWriting(detect.write, wanted); !used) return used;
@@ -133,7 +135,7 @@ Result<Done> checkUsage(const Detect& detect) {
 
 int run(const Detect& detect) {
     const Result<Done> usage = checkUsage(detect);
-    const Result<Done> method = checkMethod(detect.method);
+    const Result<Done> method = checkMethodAndWarn(detect.method);
     if (!usage || !method) return failWith(usage ? method.error() : usage.error(), kWrongUsage);
     if (const auto made = makeFolder(detect.out.folder, "give -o a folder that can be written to"); !made) return failWith(made.error());
     std::size_t done = 0, refused = 0;

@@ -36,6 +36,7 @@ struct Info {
 };
 
 int run(const Info& info) {
+    if (const auto one = checkOnePose(info.files, info.read); !one) return failWith(one.error(), kWrongUsage);
     JsonLines json(info.json);
     std::size_t done = 0, refused = 0;
     for (const std::string& file : info.files) {

@@ -14,6 +14,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -121,6 +122,8 @@ nlohmann::ordered_json summary(const Record& record, const files::LiveStatus& st
 }
 
 int run(const Record& record) {
+    if (std::error_code ignored; std::filesystem::exists(record.address, ignored))
+        return failWith({"this is a file and not a scanner", record.address, "replay plays a recording"}, kWrongUsage);
     const Result<scanner::HostPort> address = scanner::hostPort(record.address);
     if (!address) return failWith(address.error(), kWrongUsage);
     const char* ofBridge = !record.topic.empty() ? "--topic" : !record.joint.empty() ? "--joint" : nullptr;

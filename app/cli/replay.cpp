@@ -47,7 +47,7 @@ void waitForNextLine(const scanner::PlayedLine& played, double speed) {
 }
 
 int run(const ReplayWanted& wanted) {
-    if (const auto method = checkMethod(wanted.method); !method) return failWith(method.error(), kWrongUsage);
+    if (const auto method = checkMethodAndWarn(wanted.method); !method) return failWith(method.error(), kWrongUsage);
     JsonLines json(wanted.json);
     auto scan = files::openScan(wanted.file, wanted.place, [&](const scanner::PlayedLine& played) {
         if (!wanted.quiet) json.add(document("replay-line", lineReport(played)));

@@ -110,10 +110,10 @@ Result<Done> make(const ReportCommand& report) {
 
 int run(ReportCommand& report) {
     if (const auto right = checkOutput(report.out); !right) return failWith(right.error(), kWrongUsage);
-    if (const auto method = checkMethod(report.method); !method) return failWith(method.error(), kWrongUsage);
+    if (const auto method = checkMethodAndWarn(report.method); !method) return failWith(method.error(), kWrongUsage);
     if (const auto rocks = checkRocks(report.rocks); !rocks) return failWith(rocks.error(), kWrongUsage);
     if (!report.withRocks && anyTyped(report.rocks)) {
-        printError(Error{"these flags are of rocks, and the report has none", "report", "add --rocks"});
+        printError(Error{"these flags are of rocks, and the report has none", typedFlags(report.rocks), "add --rocks"});
         return kWrongUsage;
     }
     const auto made = make(report);

@@ -10,6 +10,7 @@
 #include "core/base/whole_file.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
+#include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "core/exports/provenance.h"
 #include "core/exports/rock_files.h"
@@ -39,18 +40,26 @@ struct RocksFlags {
     MethodFlags method;
 };
 
+bool isOnRock(const rocks::Study& study, std::uint32_t cell) {
+    return study.map.regions[study.map.regionOfSegment[study.segmentation->segment[cell]]].kind == rocks::RegionKind::Rock;
+}
+
 // Splits at these cells, one after the other, like clicks in the viewer.
 Result<Done> split(const RocksFlags& flags, const rocks::Inputs& inputs, rocks::Study& study) {
     for (const std::string& text : flags.split) {
         const auto cell = cellIn(*inputs.scan, text, "--split");
         if (!cell) return cell.error();
+        const bool wasRock = isOnRock(study, *cell);
         const auto edit = rocks::splitAt(*study.segmentation, *study.tree, study.settings.level, *cell);
+        const Error notOnRock{"the cell " + text + " is not on a rock", "--split", "choose a cell of a rock; --labels shows them"};
+        if (!edit && !wasRock) return notOnRock;
         if (!edit)
             return Error{"there is nothing to split at " + text, "--split",
                          "choose a cell of a rock that is made of several pieces, or a lower --level"};
         std::vector<rocks::Edit> edits = study.edits;
         edits.push_back(*edit);
         study = rocks::studyRocks(inputs, study.settings, edits, &study);
+        if (!wasRock && !isOnRock(study, *cell)) return notOnRock;
     }
     return Done{};
 }
@@ -102,6 +111,7 @@ Result<std::shared_ptr<const inspect::SectionPlane>> planeFor(const RocksFlags& 
 }
 
 Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detection, const std::shared_ptr<const rocks::Study>& study) {
+    warnOfIdleWriting(flags.write, *detection.scan);
     exports::ExportOptions options = exportOptions(flags.write, *detection.scan);
     options.rocks = study;
     const auto plane = planeFor(flags, *study);
@@ -176,11 +186,22 @@ Result<Done> checkUsage(RocksFlags& flags) {
 
 /// Rocks are found from the steps and folds of the surface, whatever of these is an edge.
 void warnOfIdleFlags(const RocksFlags& flags) {
+    const auto warn = [](const std::string& flag) {
+        printError(flag + " has no effect: rocks are found from the surface, not from its edges; leave it out.");
+    };
+    const auto ofGray = [](const edges::Settings& settings) { return !edges::reads(settings.method, edges::kReadsSurface); };
+    if (const auto preset = presetOf(flags.method); !flags.method.preset.empty() && preset && ofGray(preset->settings) &&
+                                                    edges::sameUpTo(edges::Stage::Responses, preset->settings, edges::Settings{}))
+        warn("--preset " + flags.method.preset);
     for (const edges::Parameter& p : edges::parameters()) {
         const edges::Stage stage = p.feeds;
-        const bool used = stage == edges::Stage::Surface || stage == edges::Stage::Responses || std::string_view(p.key) == "method";
-        if (!used && flags.method.typed.at(p.key) != kNotTyped)
-            printError(edges::flagOf(p) + " has no effect: rocks are found from the surface, not from its edges; leave it out.");
+        const std::string& typed = flags.method.typed.at(p.key);
+        if (typed == kNotTyped) continue;
+        edges::Settings ofMethod;
+        const bool isMethod = std::string_view(p.key) == "method";
+        if (const auto value = edges::parseValue(p, typed); isMethod && value) p.set(ofMethod, *value);
+        const bool used = stage == edges::Stage::Surface || stage == edges::Stage::Responses || (isMethod && !ofGray(ofMethod));
+        if (!used) warn(edges::flagOf(p) + (isMethod ? " " + typed : ""));
     }
 }
 

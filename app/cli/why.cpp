@@ -35,7 +35,7 @@ Result<Done> explain(const WhyFlags& flags) {
 }
 
 int run(const WhyFlags& flags) {
-    const Result<Done> method = checkMethod(flags.method);
+    const Result<Done> method = checkMethodAndWarn(flags.method);
     if (!method) return failWith(method.error(), kWrongUsage);
     const Result<Done> result = explain(flags);
     return result ? kDone : failWith(result.error());

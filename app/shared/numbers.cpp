@@ -36,7 +36,12 @@ std::string limitsText(NumberLimits limits, bool whole) {
 
 std::string rangeName(NumberLimits limits) { return "NUMBER " + shortestText(limits.least) + ".." + shortestText(limits.most); }
 
-double numberTyped(const std::string& flag, const std::string& text, NumberLimits limits, bool whole) {
+std::string unitIn(const std::string& help) {
+    const std::size_t from = help.find('['), to = help.find(']');
+    return from < to && to != help.npos ? help.substr(from + 1, to - from - 1) : std::string();
+}
+
+double numberTyped(const std::string& flag, const std::string& text, NumberLimits limits, bool whole, const std::string& unit) {
     const std::optional<double> value = numberOf(text);
     if (value && limits.hold(*value) && (!whole || *value == std::floor(*value))) return *value;
     const bool isOutside = value && !limits.hold(*value);
@@ -45,7 +50,7 @@ double numberTyped(const std::string& flag, const std::string& text, NumberLimit
                                        : " is not a number";
     const std::string hint =
         isOutside ? std::string(whole ? "a whole number" : "a number") + " within these limits" : limitsText(limits, whole);
-    throw CLI::ValidationError(flag, "\"" + text + "\"" + what + "; give " + hint);
+    throw CLI::ValidationError(flag, "\"" + text + "\"" + what + "; give " + hint + (unit.empty() ? "" : ", in " + unit));
 }
 
 } // namespace edgescan::cli

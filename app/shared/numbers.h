@@ -40,8 +40,12 @@ inline constexpr NumberLimits kSeconds{0, 4e7};
 /// "NUMBER 0..20", for the help.
 [[nodiscard]] std::string rangeName(NumberLimits limits);
 
-/// Parses a number. Throws CLI::ValidationError with the flag's name and limits.
-[[nodiscard]] double numberTyped(const std::string& flag, const std::string& text, NumberLimits limits, bool whole);
+/// Parses a number. Throws CLI::ValidationError with the flag's name, limits and unit (may be empty).
+[[nodiscard]] double numberTyped(const std::string& flag, const std::string& text, NumberLimits limits, bool whole,
+                                 const std::string& unit);
+
+/// "s" of "End after this time [s]; 0 = run on"; empty: the help names no unit.
+[[nodiscard]] std::string unitIn(const std::string& help);
 
 template <class Value>
 struct NumberIn {
@@ -57,8 +61,8 @@ template <class Value>
 CLI::Option& addNumber(CLI::App& command, const std::string& flag, Value& value, NumberLimits limits, const std::string& help) {
     using Number = typename NumberIn<Value>::Type;
     static_assert(std::is_arithmetic_v<Number>);
-    const auto parse = [flag, limits, &value](const std::string& text) {
-        value = static_cast<Number>(numberTyped(flag, text, limits, std::is_integral_v<Number>));
+    const auto parse = [flag, limits, unit = unitIn(help), &value](const std::string& text) {
+        value = static_cast<Number>(numberTyped(flag, text, limits, std::is_integral_v<Number>, unit));
     };
     CLI::Option& option = *command.add_option_function<std::string>(flag, parse, help)->type_name(rangeName(limits));
     if constexpr (std::is_same_v<Value, Number>) {

@@ -50,7 +50,7 @@ void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
         const std::string flag = std::string("--") + p.key;
         const NumberLimits limits = p.limits();
         const auto parse = [&flags, flag, limits, &p](const std::string& text) {
-            flags.typed.emplace_back(&p, numberTyped(flag, text, limits, p.decimals == 0));
+            flags.typed.emplace_back(&p, numberTyped(flag, text, limits, p.decimals == 0, p.unit));
         };
         const std::string unit = *p.unit == '\0' ? "" : std::string(" [") + p.unit + "]";
         command.add_option_function<std::string>(flag, parse, p.help + unit)
@@ -126,6 +126,10 @@ Result<scanner::SweepSettings> sweepOf(const Mounting& mounting) {
         sweep.degPerLine = calibration->degPerStep; // its first angle and direction are applied with the pose of the scanner
         sweep.indexDeg = calibration->mirrorIndexDeg;
         sweep.axisAssumed = sweep.stepAssumed = false;
+        if (mounting.axis && *mounting.axis != sweep.axis)
+            return Error{std::string("the stepper of ") + mounting.calibration + " turns about the other axis, " +
+                             (sweep.axis == Axis::Spin ? "spin" : "sweep"),
+                         "--axis", "leave --axis out, or correct \"stepper.axis\" of the calibration"};
     }
     if (mounting.axis) {
         sweep.axis = *mounting.axis;
@@ -221,19 +225,39 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
     command.add_option("--role", flags.role, "Role of the operator, stored in the record")->type_name("NAME")->group(group);
 }
 
+void warnOfIdleWriting(const WriteFlags& flags, const Scan& scan) {
+    if (flags.includeAttached && scan.attached.empty())
+        printError(printable(scan.name) + ": --include-attached has no effect: no cell of the scan has several points; leave it out.");
+}
+
 ReadingOptions readingOptions(const ReadFlags& flags) {
     ReadingOptions options = flags.options;
     if (flags.progress || isatty(STDERR_FILENO) != 0) options.progress = showStage;
     return options;
 }
 
+Result<Done> checkOnePose(const std::vector<std::string>& files, const ReadFlags& flags) {
+    if (files.size() < 2 || flags.options.pose.empty()) return Done{};
+    return Error{"one pose file cannot be that of several scans", "--pose", "give one scan, or call each pose SCAN.EXT.pose.json"};
+}
+
 Result<Scan> openAndWarn(const std::string& file, const ReadFlags& flags) {
     Result<Scan> scan = files::openAsAsked(file, readingOptions(flags));
-    if (!scan) return scan;
+    if (!scan) {
+        Error error = scan.error();
+        if (error.where.starts_with("--")) error.where.insert(0, printable(file) + ": ");
+        return error;
+    }
     for (const auto& sentences : {scan->warnings, placeWarnings(*scan)}) {
         for (const std::string& sentence : sentences) printError(printable(file) + ": " + sentence);
     }
     return scan;
+}
+
+Result<Done> checkMethodAndWarn(const MethodFlags& flags) {
+    auto checked = checkMethod(flags);
+    for (const std::string& note : checked ? methodNotes(flags) : std::vector<std::string>()) printError(note);
+    return checked;
 }
 
 void addMethodFlags(CLI::App& command, MethodFlags& flags) {

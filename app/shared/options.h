@@ -51,14 +51,23 @@ void addPosesFlag(CLI::App& command, std::vector<std::string>& poses);
 /// The reading options of the flags. Progress is printed on stderr if it is a terminal or with --progress.
 [[nodiscard]] ReadingOptions readingOptions(const ReadFlags& flags);
 
+/// Error: several scans, and one pose file for all of them.
+[[nodiscard]] Result<Done> checkOnePose(const std::vector<std::string>& files, const ReadFlags& flags);
+
 /// Opens the scan. Warnings about assumed, repaired or dropped data are printed on stderr.
 [[nodiscard]] Result<Scan> openAndWarn(const std::string& file, const ReadFlags& flags);
 
 /// Adds --frame --ascii --include-attached --operator --role and the options of formats.
 void addWriteFlags(CLI::App& command, WriteFlags& flags);
 
+/// Prints it on stderr if the scan has no points that --include-attached adds.
+void warnOfIdleWriting(const WriteFlags& flags, const Scan& scan);
+
 /// Adds --preset and one flag per row of the parameter table; the values go into `flags`.
 void addMethodFlags(CLI::App& command, MethodFlags& flags);
+
+/// As checkMethod(). What the flags choose without saying so is printed on stderr.
+[[nodiscard]] Result<Done> checkMethodAndWarn(const MethodFlags& flags);
 
 struct RockFlags {
     std::vector<std::pair<const rocks::RockParameter*, double>> typed;

@@ -5,6 +5,7 @@
 #include "core/base/shell_quoted.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/step_meaning.h"
+#include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "core/files/open_save/save_scan.h"
 
@@ -38,15 +39,22 @@ std::string typedFlags(const MethodFlags& flags) {
     return text;
 }
 
+namespace {
+
+/// A typed flag of gray levels, where no method and no preset is: it selects Canny, because otherwise it would have no effect.
+const edges::Parameter* grayFlag(const MethodFlags& flags) {
+    if (!flags.preset.empty() || flags.typed.at("method") != kNotTyped) return nullptr;
+    const auto found = std::ranges::find_if(edges::parameters(), [&](const edges::Parameter& p) {
+        return flags.typed.at(p.key) != kNotTyped && !p.usedBy(edges::Settings{}) && p.usedBy(edges::cannySettings());
+    });
+    return found == edges::parameters().end() ? nullptr : &*found;
+}
+
+} // namespace
+
 Result<edges::Preset> presetOf(const MethodFlags& flags) {
     if (!flags.preset.empty()) return edges::findPreset(flags.preset);
-    // Gray-level flags without a method select Canny on gray levels: otherwise a typed threshold would have no effect.
-    const bool gray =
-        flags.typed.at("method") == kNotTyped && std::ranges::any_of(flags.typed, [](const auto& flag) {
-            const edges::Parameter& parameter = *edges::findParameter(flag.first);
-            return flag.second != kNotTyped && !parameter.usedBy(edges::Settings{}) && parameter.usedBy(edges::cannySettings());
-        });
-    return edges::findPreset(gray ? "log" : edges::builtInPresets().front().name);
+    return edges::findPreset(grayFlag(flags) != nullptr ? "log" : edges::builtInPresets().front().name);
 }
 
 namespace {
@@ -114,6 +122,30 @@ Result<Done> checkMethod(const MethodFlags& flags) {
     const Result<double> lower = edges::lowerOfStep(*step, *settings, usual);
     if (!lower) return lower.error();
     return Done{};
+}
+
+std::vector<std::string> methodNotes(const MethodFlags& flags) {
+    const auto preset = presetOf(flags);
+    const auto settings = settingsBut(flags);
+    if (!preset || !settings) return {};
+    const std::string method = edges::traitsOf(settings->method).key;
+    std::vector<std::string> notes;
+    if (const edges::Parameter* gray = grayFlag(flags))
+        notes.push_back(edges::flagOf(*gray) + " is of gray levels: the method is " + method + "; give --method to choose.");
+    edges::Settings kept = preset->settings; // by another method
+    kept.method = settings->method;
+    const bool nothingKept = std::ranges::all_of(edges::changedFromDefault(kept), [](const std::string& key) { return key == "method"; });
+    if (nothingKept && preset->keys.empty() && preset->settings.method != settings->method && preset->settings != edges::Settings{})
+        notes.push_back("--preset " + flags.preset + " has no effect: the method " + method + " uses no setting of it; leave one out.");
+    if (preset->keys.empty()) return notes;
+    if (std::ranges::find(preset->keys, "method") == preset->keys.end() && flags.typed.at("method") == kNotTyped)
+        notes.push_back("--preset " + flags.preset + " names no method: it is " + method + "; give --method to choose.");
+    std::string idle;
+    for (const std::string& key : preset->keys) {
+        if (!edges::findParameter(key)->usedBy(*settings)) idle += (idle.empty() ? "" : ", ") + key;
+    }
+    if (!idle.empty()) notes.push_back("--preset " + flags.preset + ": the method " + method + " does not use " + idle + ".");
+    return notes;
 }
 
 Result<edges::Settings> settingsFor(const MethodFlags& flags, const Scan& scan) {

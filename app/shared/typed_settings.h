@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace edgescan::cli {
 
@@ -39,6 +40,9 @@ struct MethodFlags {
 
 /// Checks the flags as settingsFor() would, before a scan is open. From here on a preset file is an input (core/base/inputs.h).
 [[nodiscard]] Result<Done> checkMethod(const MethodFlags& flags);
+
+/// What the flags choose without saying so, a sentence each: the method, and settings of a preset that it does not use.
+[[nodiscard]] std::vector<std::string> methodNotes(const MethodFlags& flags);
 
 /// Like settingsOf(). A lower threshold typed as a depth ("0.5 m", "5 %") is computed for this scan.
 [[nodiscard]] Result<edges::Settings> settingsFor(const MethodFlags& flags, const Scan& scan);

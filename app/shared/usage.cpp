@@ -4,11 +4,12 @@
 #include "app/shared/exits.h"
 #include "core/base/file_address.h"
 #include "core/base/instruction_set.h"
+#include "core/base/nearest_name.h"
 #include "core/base/result.h"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,36 +80,6 @@ constexpr std::array kRenamed = std::to_array<Renamed>({
     {"simulate", "--holes", "--hole-count"},
 });
 
-/// The smallest number of letters to insert, delete or replace.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0U : 1U);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
-
-/// The known name that was probably meant; empty if all differ much.
-std::string nearest(const std::string& typed, const std::vector<std::string>& known) {
-    constexpr std::size_t kLongestName = 40;
-    if (typed.size() > kLongestName) return {};
-    std::string best;
-    std::size_t least = 1 + std::max<std::size_t>(1, typed.size() / 3);
-    for (const std::string& name : known) {
-        const std::size_t distance = name.starts_with(typed) ? 1 : editDistance(typed, name);
-        if (distance >= least) continue;
-        least = distance;
-        best = name;
-    }
-    return best;
-}
-
 std::string hintFor(std::string_view command, const std::string& typed, const std::vector<std::string>& known, const std::string& list) {
     const auto renamed = std::ranges::find_if(kRenamed, [&](const Renamed& one) {
         return (one.command == command || (one.command == "*" && !command.empty())) && one.old == std::string_view(typed);
@@ -117,7 +88,7 @@ std::string hintFor(std::string_view command, const std::string& typed, const st
         renamed != kRenamed.end() &&
         (renamed->command != "*" || std::ranges::any_of(known, [&](const std::string& one) { return renamed->now.starts_with(one); }));
     if (isThere) return "use " + std::string(renamed->now);
-    const std::string meant = nearest(typed, known);
+    const std::string meant = nearestName(typed, known);
     return (meant.empty() ? "" : "did you mean " + meant + "? ") + list;
 }
 
@@ -133,6 +104,8 @@ std::optional<Error> unknownCommand(const CLI::App& app, const std::vector<std::
     std::vector<std::string> names;
     for (const CLI::App* command : commands) names.push_back(command->get_name());
     if (std::ranges::find(names, words[1]) != names.end()) return std::nullopt;
+    if (std::ranges::find(names, "detect") != names.end() && std::filesystem::exists(words[1]))
+        return Error{"this is a file, not a command", words[1], "type " + programName() + " detect " + words[1]};
     return Error{"there is no such command", words[1], hintFor("", words[1], names, list)};
 }
 
@@ -158,6 +131,7 @@ Error unexpected(const CLI::App& app, const std::vector<std::string>& words, con
         const bool pair = option != nullptr && option->get_type_name().find(',') != std::string::npos;
         return Error{"this argument is one too many", extra, pair ? "write " + *(at - 2) + " " + option->get_type_name() : list};
     }
+    if (std::filesystem::exists(*flag)) return Error{"this file is read as a flag", *flag, "write ./" + *flag};
     const std::string typed = flag->substr(0, flag->find('='));
     if (words.size() > 1 && isFlag(words[1]) && !name.empty() && *flag == words[1])
         return Error{"this flag belongs behind the command", typed, "type " + programName() + " " + name + " " + typed};
@@ -183,15 +157,30 @@ Error missing(const CLI::App& app, const CLI::App& command, const CLI::Option& o
     return {option.get_name() + " is missing", "", "type " + line};
 }
 
+Error noValue(const CLI::Option& option) {
+    return {"a value is missing", option.get_name(), "give " + option.get_name() + " " + valueOf(option)};
+}
+
 /// Another number of values than the option takes: none, too few, or too many.
-Error otherCount(const CLI::Option& option, const std::string& sentence) {
+Error otherCount(const CLI::Option& option, const std::string& sentence, const std::vector<std::string>& words) {
     constexpr std::string_view kReceived = "received ";
     const std::size_t at = sentence.find(kReceived);
     const int least = option.get_items_expected_min();
-    if (at == sentence.npos) return {"a value is missing", option.get_name(), "give " + option.get_name() + " " + valueOf(option)};
+    if (at == sentence.npos) return noValue(option);
+    std::string names; // of the flag, as typed
+    std::string typed; // its last value
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        if (!isFlag(word) || !option.check_name(name)) continue;
+        if ((names + " ").find(name + " ") == names.npos) names += (names.empty() ? "" : " and ") + name;
+        typed = name != word ? word.substr(name.size() + 1) : &word == &words.back() ? "" : *(&word + 1);
+    }
+    if (least < 2 && names.find(' ') != names.npos) return {names + " are one flag", "", "give one of them, once"};
     if (least < 2) return {option.get_name() + " is given more than once", "", "give it once"};
     return {"takes " + std::to_string(least) + " values and got " + sentence.substr(at + kReceived.size()), option.get_name(),
-            "its values: " + option.get_description()};
+            (option.get_delimiter() == ',' ? "write \"" + typed + "\" as " + std::to_string(least) + " numbers with commas between them: "
+                                           : "its values: ") +
+                option.get_description()};
 }
 
 /// "\"inch\" is not one of its values; use mm, cm or m" of CLI11's "inch not in {mm,cm,m}"; our own sentences stay.
@@ -210,14 +199,14 @@ std::string refusedValue(const std::string& sentence) {
 }
 
 /// CLI11's error as what, where and what to do.
-Error inOurWords(const CLI::App& app, const CLI::ParseError& error) {
+Error inOurWords(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error) {
     const std::string sentence = error.what();
     const CLI::App& command = commandOf(app);
     const std::string name = sentence.substr(0, sentence.find_first_of(": "));
     const CLI::Option* option = command.get_option_no_throw(name);
     const std::string list = (&command == &app ? "" : command.get_name() + " ") + "--help lists all flags";
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && option != nullptr) return missing(app, command, *option);
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && option != nullptr) return otherCount(*option, sentence);
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && option != nullptr) return otherCount(*option, sentence, words);
     if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) return {sentence, "", "give one of them"};
     if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return {sentence, "", "give both"};
     if (dynamic_cast<const CLI::ValidationError*>(&error) == nullptr) return {sentence, "", list};
@@ -236,6 +225,47 @@ Result<std::string> withoutAddress(const std::string& word) {
     return value ? word.substr(0, equals + 1) + *value : value;
 }
 
+/// "--jump" of "\u2014jump", as a word processor writes it; empty: the word begins with no long dash.
+std::string withTwoDashes(std::string_view word) {
+    constexpr std::array<std::string_view, 4> kDashes{"-", "\u2013", "\u2014", "\u2212"};
+    bool isLong = false;
+    const auto next = [&] { return std::ranges::find_if(kDashes, [&](std::string_view dash) { return word.starts_with(dash); }); };
+    for (auto dash = next(); dash != kDashes.end(); dash = next()) {
+        isLong = isLong || dash->size() > 1;
+        word.remove_prefix(dash->size());
+    }
+    return isLong ? "--" + std::string(word) : std::string();
+}
+
+/// What the parser would take for something else: a flag as a value or as a file. After -- every word is a file: `words` gets "./-x" for
+/// "-x".
+Result<Done> checkFlags(const CLI::App& app, std::vector<std::string>& words) {
+    const Apps commands = app.get_subcommands([&](const CLI::App* one) { return words.size() > 1 && one->get_name() == words[1]; });
+    const CLI::App& command = commands.empty() ? app : *commands.front();
+    const auto optionOf = [&](const std::string& word) {
+        return isFlag(word) ? command.get_option_no_throw(word.substr(0, word.find('='))) : nullptr;
+    };
+    std::size_t n = 1;
+    for (; n < words.size() && words[n] != "--"; ++n) {
+        const std::string flag = withTwoDashes(words[n]);
+        if (optionOf(flag) != nullptr) return Error{"this begins with a long dash", words[n], "write " + flag};
+        const CLI::Option* option = optionOf(words[n]);
+        if (option == nullptr || words[n].find('=') != std::string::npos) continue;
+        const int values = option->get_delimiter() == '\0' ? option->get_items_expected_min() : 1;
+        for (int value = 0; value < values && n + 1 < words.size(); ++value) {
+            ++n;
+            if (words[n] == "--" || optionOf(words[n]) != nullptr) return noValue(*option);
+        }
+    }
+    if (n >= words.size()) return Done{};
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(n));
+    for (; n < words.size(); ++n) {
+        if (optionOf(words[n]) != nullptr) return Error{"after -- every word is a file", words[n], "write flags before --"};
+        if (isFlag(words[n])) words[n].insert(0, "./");
+    }
+    return Done{};
+}
+
 } // namespace
 
 std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
@@ -247,14 +277,12 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
         if (!word) return failWith(word.error(), kWrongUsage);
         words.push_back(std::move(*word));
     }
+    if (const auto unknown = unknownCommand(app, words)) return failWith(*unknown, kWrongUsage);
+    if (const auto right = checkFlags(app, words); !right) return failWith(right.error(), kWrongUsage);
     for (const std::string& word : words) typed.push_back(word.c_str());
-    if (const auto unknown = unknownCommand(app, words)) {
-        printError(*unknown);
-        return kWrongUsage;
-    }
     try {
         checkValues(app, words);
-        app.parse(argc, typed.data());
+        app.parse(static_cast<int>(typed.size()), typed.data());
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
@@ -265,7 +293,7 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
         if ((counted && std::ranges::any_of(left, isFlag)) || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
             printError(unexpected(app, words, left));
         else
-            printError(inOurWords(app, error));
+            printError(inOurWords(app, words, error));
     }
     return kWrongUsage;
 }

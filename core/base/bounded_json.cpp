@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace edgescan {
@@ -18,6 +19,16 @@ constexpr std::size_t kMostKeysOfOne = 4096; // for each new key, an ordered obj
 constexpr std::uint64_t kBytesPerByte = 32;
 constexpr std::size_t kAskFrom = std::size_t{1} << 20U;
 constexpr std::size_t kLongestShown = 60;
+
+bool isDecimal(char c) { return c >= '0' && c <= '9'; }
+
+/// "..., 217,4": whether the text ends with digits behind a comma without a blank, or with one more character.
+bool isAfterDecimalComma(std::string_view text) {
+    if (!text.empty() && !isDecimal(text.back())) text.remove_suffix(1);
+    std::size_t at = text.size();
+    while (at > 0 && isDecimal(text[at - 1])) --at;
+    return at < text.size() && at > 1 && text[at - 1] == ',' && isDecimal(text[at - 2]);
+}
 
 template <class Json>
 class BoundedBuilder final : public nlohmann::json_sax<Json> {
@@ -53,9 +64,14 @@ public:
     }
 
     Json popRoot() { return std::move(root_); }
-    [[nodiscard]] Error error(const std::string& where) const {
+    [[nodiscard]] Error error(std::string_view text, const std::string& where) const {
         if (byte_ == 0) return {problem_, where, "correct the file or choose another"};
-        return {problem_, withValues("%1: byte %2", {where, byte_}), "check it around this place"};
+        const std::string_view before = text.substr(0, byte_);
+        const auto lines = static_cast<std::size_t>(1 + std::ranges::count(before, '\n'));
+        const std::size_t column = before.size() - (before.rfind('\n') + 1); // from 1, as byte_
+        return {problem_, withValues("%1: byte %2", {where, byte_}),
+                withValues(isAfterDecimalComma(before) ? "check line %1, column %2; write 217.4 for 217,4" : "check line %1, column %2",
+                           {lines, column})};
     }
 
 private:
@@ -97,7 +113,7 @@ Result<Json> parsedWithin(std::string_view text, const std::string& where, const
         if (auto enough = checkMemory(productOf({text.size(), kBytesPerByte}), where); !enough) return enough.error();
     }
     BoundedBuilder<Json> builder(bounds);
-    if (!Json::sax_parse(text.begin(), text.end(), &builder)) return builder.error(where);
+    if (!Json::sax_parse(text.begin(), text.end(), &builder)) return builder.error(text, where);
     return builder.popRoot();
 }
 

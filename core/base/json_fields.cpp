@@ -188,11 +188,18 @@ std::vector<JsonFields> JsonFields::objects(const char* key) {
     return list;
 }
 
-void JsonFields::done() {
+std::vector<std::string> JsonFields::unknown() const {
+    std::vector<std::string> keys;
     for (const auto& [key, value] : object_.items()) {
-        if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-        const auto meant = std::find_if(known_.begin(), known_.end(), [&, &name = key](const std::string& known) {
-            return withoutUnit(known) == withoutUnit(name) || withoutUnit(known) == name;
+        if (std::find(known_.begin(), known_.end(), key) == known_.end()) keys.push_back(key);
+    }
+    return keys;
+}
+
+void JsonFields::done() {
+    for (const std::string& key : unknown()) {
+        const auto meant = std::find_if(known_.begin(), known_.end(), [&](const std::string& known) {
+            return withoutUnit(known) == withoutUnit(key) || withoutUnit(known) == key;
         });
         const std::string shown = key.substr(0, 60);
         if (meant != known_.end()) return refuse(shown, withValues("is not a key here, but \"%1\" is: units belong to the name", {*meant}));

@@ -52,7 +52,9 @@ public:
 
     /// Reports "stepper.axis must ..." unless an error was found before.
     void refuse(const std::string& key, const std::string& what);
-    /// Refuses keys that the reader did not ask for.
+    /// Keys that the reader did not ask for.
+    [[nodiscard]] std::vector<std::string> unknown() const;
+    /// Refuses them.
     void done();
     [[nodiscard]] const std::optional<Error>& problem() const { return *problem_; }
 

@@ -115,10 +115,12 @@ Result<Done> knownFormat(const Json& object, const char* known, const Verificati
                  "verify with the version that made the export"};
 }
 
-/// Compares what the sidecar says about the file with the file.
+/// Compares what the sidecar says about the file with the file. A sidecar that was altered says nothing about it.
 void compareSidecar(const Json& sidecar, const std::string& bytes, Verification& v) {
-    if (sidecar.contains("sidecar_sha256") && !sidecarIsWhole(sidecar))
-        v.findings.emplace_back("The file next to the export was altered: its block \"export\" with time, counts and bounds, or its grid.");
+    if (sidecar.contains("sidecar_sha256") && !sidecarIsWhole(sidecar)) {
+        v.damage.emplace_back("The file next to the export was altered: its block \"export\" with time, counts and bounds, or its grid.");
+        return;
+    }
     if (wordAt(sidecar, "/export/sha256") != v.foundSha256)
         v.findings.emplace_back("The export is not the file that the record next to it was written for: its SHA-256 is another.");
     if (at(sidecar, "/export/bytes") != Json(bytes.size()))
@@ -127,7 +129,7 @@ void compareSidecar(const Json& sidecar, const std::string& bytes, Verification&
     if (name != v.exported.filename().string()) v.remarks.push_back("It was called " + name + " when it was written.");
 }
 
-/// The record and its place; faults of either place are added to the findings.
+/// The record of the place that is whole; faults of either place are added to the damage and the findings.
 Result<Json> recordOf(const std::string& bytes, Verification& v) {
     Json fromSidecar;
     const auto path = files::sidecarOf(v.exported);
@@ -136,18 +138,20 @@ Result<Json> recordOf(const std::string& bytes, Verification& v) {
         if (const auto known = knownFormat(whole, files::kSidecarFormat, v); !known) return known.error();
         if (wordAt(whole, "/format") == files::kSidecarFormat) fromSidecar = at(whole, "/record");
         if (const auto known = knownFormat(fromSidecar, kRecordFormat, v); !known) return known.error();
-        if (!recordIsWhole(fromSidecar)) v.findings.emplace_back("The record next to the export is damaged or was altered.");
-        compareSidecar(whole, bytes, v);
+        if (recordIsWhole(fromSidecar))
+            compareSidecar(whole, bytes, v);
+        else
+            v.damage.emplace_back("The record next to the export is damaged or was altered.");
     }
     const std::string embedded = embeddedRecord(bytes);
     const Json inside = parsed(embedded);
     if (const auto known = knownFormat(inside, kRecordFormat, v); !known) return known.error();
-    if (!embedded.empty() && !recordIsWhole(inside)) v.findings.emplace_back("The record inside the export is damaged or was altered.");
+    if (!embedded.empty() && !recordIsWhole(inside)) v.damage.emplace_back("The record inside the export is damaged or was altered.");
     if (recordIsWhole(inside) && recordIsWhole(fromSidecar) && inside != fromSidecar)
         v.findings.emplace_back("The record inside the export and the one next to it are not the same.");
     if (recordIsWhole(fromSidecar)) return fromSidecar;
     if (recordIsWhole(inside)) return inside;
-    const bool none = embedded.empty() && v.findings.empty();
+    const bool none = embedded.empty() && v.damage.empty();
     return Error{none ? "there is no record in the export and none next to it" : "no record of the export is left unaltered",
                  v.exported.string(),
                  none ? "copy " + files::sidecarPath(v.exported).filename().string() + " next to it" : "export the scan again"};
@@ -375,31 +379,30 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     if (!again) return again.error();
     compareRecord(*record, parsed(exportRecord(kind->content, **detection, options)), v);
     compareFiles(found, *again, *record, v);
-    v.identical = v.findings.empty();
-    if (!v.identical) compareProgram(*record, v);
+    v.identical = v.findings.empty() && v.damage.empty();
+    if (!v.findings.empty()) compareProgram(*record, v);
     return v;
 }
 
 std::string verificationText(const Verification& v) {
-    std::string text = printable(v.exported.string()) + ": ";
-    if (v.identical) {
-        text += "identical to what " + printable(v.scan.string()) + " gives.";
-        for (const std::string& remark : v.remarks) text += " " + printable(remark);
-        return text;
+    std::string text = printable(v.exported.string()) + (v.findings.empty() ? ": identical to what " : ": NOT identical to what ") +
+                       printable(v.scan.string()) + " gives.";
+    for (const auto& sentences : {v.damage, v.findings, v.findings.empty() ? v.remarks : std::vector<std::string>()}) {
+        for (const std::string& sentence : sentences) text += " " + printable(sentence);
     }
-    text += "NOT identical to what " + printable(v.scan.string()) + " gives.";
-    for (const std::string& finding : v.findings) text += " " + printable(finding);
     return text;
 }
 
 Json verificationReport(const Verification& v) {
+    std::vector<std::string> findings = v.damage;
+    findings.insert(findings.end(), v.findings.begin(), v.findings.end());
     return {{"export", v.exported.string()},
             {"identical", v.identical},
             {"scan", v.scan.string()},
             {"first_difference", v.firstDifference ? Json(*v.firstDifference) : Json()},
             {"expected_sha256", v.expectedSha256},
             {"found_sha256", v.foundSha256},
-            {"findings", v.findings},
+            {"findings", findings},
             {"remarks", v.remarks}};
 }
 

@@ -18,6 +18,7 @@ struct Verification {
     std::filesystem::path exported;               ///< the verified file
     std::filesystem::path scan;                   ///< the scan from which it was made again
     std::optional<std::uint64_t> firstDifference; ///< first differing byte of the export, from 0
+    std::vector<std::string> damage;              ///< sentences: a record that was altered, which says nothing about the export
     std::vector<std::string> findings;            ///< sentences: the differences, and possible reasons
     std::vector<std::string> remarks;             ///< differences that do not count: a picture compressed by another zlib
     std::string expectedSha256, foundSha256;      ///< of the export made again, and of the one on the disk

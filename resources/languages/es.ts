@@ -2045,7 +2045,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the JSON is damaged or cut off here</source><translation>el JSON está dañado o cortado aquí</translation></message>
 <message><source>correct the file or choose another</source><translation>corrija el archivo o elija otro</translation></message>
 <message><source>%1: byte %2</source><translation>%1: byte %2</translation></message>
-<message><source>check it around this place</source><translation>compruébelo alrededor de este lugar</translation></message>
+<message><source>check line %1, column %2; write 217.4 for 217,4</source><translation>revise la línea %1, columna %2; escriba 217.4 en lugar de 217,4</translation></message>
+<message><source>check line %1, column %2</source><translation>revise la línea %1, columna %2</translation></message>
 <message><source>this JSON is nested too deep</source><translation>este JSON está anidado a demasiada profundidad</translation></message>
 <message><source>this JSON is too large: %1, and %2 are read</source><translation>este JSON es demasiado grande: %1, y se leen %2</translation></message>
 <message><source>choose another file</source><translation>elija otro archivo</translation></message>
@@ -2616,6 +2617,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>"line_deg" is missing</source><translation>falta "line_deg"</translation></message>
 <message><source>"axis" is missing</source><translation>falta "axis"</translation></message>
 <message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>añádalo al archivo .json, o indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>"%1" is not a key of a raw grid and was not used: check its spelling.</source><translation>"%1" no es una clave de una cuadrícula en bruto y no se usó: revise su ortografía.</translation></message>
+<message><source>The ranges reach %1 km: check unit_mm, the millimetres per count.</source><translation>Las distancias llegan a %1 km: revise unit_mm, los milímetros por cuenta.</translation></message>
 <message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta el archivo de datos %1; en su lugar se leyó %2.</translation></message>
 <message><source>counts alone are not a raw grid</source><translation>unas cuentas solas no son una cuadrícula sin procesar</translation></message>
 <message><source>give the description before them</source><translation>indique la descripción antes que ellas</translation></message>
@@ -2761,6 +2764,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n other has no cell of its own and was left out</source><translation>%n otro no tiene celda propia y se dejó fuera</translation></message>
 <message><source>%n others have no cell of their own and were left out</source><translation>%n otros no tienen celda propia y se dejaron fuera</translation></message>
 <message><source>%1 lines, %2 beams and mounting %3 were found from them.</source><translation>%1 líneas, %2 haces y el montaje %3 se encontraron a partir de ellos.</translation></message>
+<message><source>--unit does not apply: the file holds ranges that give the unit of its points</source><translation>--unit no se aplica: el archivo contiene distancias que dan la unidad de sus puntos</translation></message>
 <message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la última línea del escaneo está incompleta y la última fila no tiene fin de línea: el archivo se cortó</translation></message>
 <message><source>the file is in another frame than the scanner's, and %1 of its points share their line and beam with another</source><translation>el archivo está en otro marco que el del escáner, y %1 de sus puntos comparten línea y haz con otro</translation></message>
 <message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>La cuadrícula tiene tantas líneas y haces como nombran los puntos, %1 x %2: una línea o un haz detrás del último punto no está en el archivo.</translation></message>
@@ -2886,12 +2890,14 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compárelo con docs/reference/formats.md, "Raw grid"</translation></message>
 <message><source>this is a preset and not a scan</source><translation>esto es un preajuste y no un escaneo</translation></message>
 <message><source>choose it in the panel Edges, or give it with --preset</source><translation>elíjalo en el panel Bordes, o indíquelo con --preset</translation></message>
+<message><source>this is a report of detect and not a scan</source><translation>esto es un informe de detect y no un escaneo</translation></message>
+<message><source>open its scan</source><translation>abra su escaneo</translation></message>
+<message><source>this is a report of rocks and not a scan</source><translation>esto es un informe de rocks y no un escaneo</translation></message>
 <message><source>this is a pose and not a scan</source><translation>esto es una pose y no un escaneo</translation></message>
 <message><source>open its scan and give it with --pose</source><translation>abra su escaneo e indíquelo con --pose</translation></message>
 <message><source>this is a calibration and not a scan</source><translation>esto es una calibración y no un escaneo</translation></message>
 <message><source>open its scan and give it with --calibration</source><translation>abra su escaneo e indíquelo con --calibration</translation></message>
 <message><source>this is a file of targets and not a scan</source><translation>esto es un archivo de objetivos y no un escaneo</translation></message>
-<message><source>open its scan</source><translation>abra su escaneo</translation></message>
 <message><source>this is edits of rocks and not a scan</source><translation>esto es una edición de rocas y no un escaneo</translation></message>
 <message><source>open its scan, or give it with --edits</source><translation>abra su escaneo, o indíquelas con --edits</translation></message>
 <message><source>this is a record of an export and not a scan</source><translation>esto es un registro de una exportación y no un escaneo</translation></message>

@@ -2045,7 +2045,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the JSON is damaged or cut off here</source><translation>le JSON est endommagé ou coupé ici</translation></message>
 <message><source>correct the file or choose another</source><translation>corrigez le fichier ou choisissez-en un autre</translation></message>
 <message><source>%1: byte %2</source><translation>%1 : octet %2</translation></message>
-<message><source>check it around this place</source><translation>vérifiez-le autour de cet endroit</translation></message>
+<message><source>check line %1, column %2; write 217.4 for 217,4</source><translation>vérifiez la ligne %1, colonne %2 ; écrivez 217.4 au lieu de 217,4</translation></message>
+<message><source>check line %1, column %2</source><translation>vérifiez la ligne %1, colonne %2</translation></message>
 <message><source>this JSON is nested too deep</source><translation>ce JSON est imbriqué trop profondément</translation></message>
 <message><source>this JSON is too large: %1, and %2 are read</source><translation>ce JSON est trop grand : %1, et %2 sont lus</translation></message>
 <message><source>choose another file</source><translation>choisissez un autre fichier</translation></message>
@@ -2616,6 +2617,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>"line_deg" is missing</source><translation>"line_deg" manque</translation></message>
 <message><source>"axis" is missing</source><translation>"axis" manque</translation></message>
 <message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>ajoutez-le au fichier .json, ou indiquez --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>"%1" is not a key of a raw grid and was not used: check its spelling.</source><translation>"%1" n'est pas une clé d'une grille brute et n'a pas été utilisé : vérifiez son orthographe.</translation></message>
+<message><source>The ranges reach %1 km: check unit_mm, the millimetres per count.</source><translation>Les distances atteignent %1 km : vérifiez unit_mm, les millimètres par pas.</translation></message>
 <message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Le fichier de données %1 manque ; %2 a été lu à sa place.</translation></message>
 <message><source>counts alone are not a raw grid</source><translation>des comptes seuls ne sont pas une grille brute</translation></message>
 <message><source>give the description before them</source><translation>donnez la description avant eux</translation></message>
@@ -2761,6 +2764,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n other has no cell of its own and was left out</source><translation>%n autre n'a pas de cellule à lui et a été laissé de côté</translation></message>
 <message><source>%n others have no cell of their own and were left out</source><translation>%n autres n'ont pas de cellule à eux et ont été laissés de côté</translation></message>
 <message><source>%1 lines, %2 beams and mounting %3 were found from them.</source><translation>%1 lignes, %2 faisceaux et le montage %3 ont été trouvés à partir d'eux.</translation></message>
+<message><source>--unit does not apply: the file holds ranges that give the unit of its points</source><translation>--unit ne s'applique pas : le fichier contient des distances qui donnent l'unité de ses points</translation></message>
 <message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>la dernière ligne du scan est incomplète et la dernière rangée n'a pas de fin de ligne : le fichier a été coupé</translation></message>
 <message><source>the file is in another frame than the scanner's, and %1 of its points share their line and beam with another</source><translation>le fichier est dans un autre repère que celui du scanner, et %1 de ses points partagent leur ligne et leur faisceau avec un autre</translation></message>
 <message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>La grille a autant de lignes et de faisceaux que les points en nomment, %1 x %2 : une ligne ou un faisceau derrière le dernier point n'est pas dans le fichier.</translation></message>
@@ -2886,12 +2890,14 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>comparez-le avec docs/reference/formats.md, "Raw grid"</translation></message>
 <message><source>this is a preset and not a scan</source><translation>ceci est un préréglage et non un scan</translation></message>
 <message><source>choose it in the panel Edges, or give it with --preset</source><translation>choisissez-le dans le panneau Arêtes, ou donnez-le avec --preset</translation></message>
+<message><source>this is a report of detect and not a scan</source><translation>ceci est un rapport de detect et non un scan</translation></message>
+<message><source>open its scan</source><translation>ouvrez son scan</translation></message>
+<message><source>this is a report of rocks and not a scan</source><translation>ceci est un rapport de rocks et non un scan</translation></message>
 <message><source>this is a pose and not a scan</source><translation>ceci est une pose et non un scan</translation></message>
 <message><source>open its scan and give it with --pose</source><translation>ouvrez son scan et donnez-le avec --pose</translation></message>
 <message><source>this is a calibration and not a scan</source><translation>ceci est un étalonnage et non un scan</translation></message>
 <message><source>open its scan and give it with --calibration</source><translation>ouvrez son scan et donnez-le avec --calibration</translation></message>
 <message><source>this is a file of targets and not a scan</source><translation>ceci est un fichier de cibles et non un scan</translation></message>
-<message><source>open its scan</source><translation>ouvrez son scan</translation></message>
 <message><source>this is edits of rocks and not a scan</source><translation>ceci est une modification de roches et non un scan</translation></message>
 <message><source>open its scan, or give it with --edits</source><translation>ouvrez son scan, ou donnez-les avec --edits</translation></message>
 <message><source>this is a record of an export and not a scan</source><translation>ceci est un compte rendu d'export et non un scan</translation></message>

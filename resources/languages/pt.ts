@@ -2045,7 +2045,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the JSON is damaged or cut off here</source><translation>o JSON está danificado ou cortado aqui</translation></message>
 <message><source>correct the file or choose another</source><translation>corrija o arquivo ou escolha outro</translation></message>
 <message><source>%1: byte %2</source><translation>%1: byte %2</translation></message>
-<message><source>check it around this place</source><translation>verifique-o em torno deste lugar</translation></message>
+<message><source>check line %1, column %2; write 217.4 for 217,4</source><translation>verifique a linha %1, coluna %2; escreva 217.4 em vez de 217,4</translation></message>
+<message><source>check line %1, column %2</source><translation>verifique a linha %1, coluna %2</translation></message>
 <message><source>this JSON is nested too deep</source><translation>este JSON está aninhado fundo demais</translation></message>
 <message><source>this JSON is too large: %1, and %2 are read</source><translation>este JSON é grande demais: %1, e são lidos %2</translation></message>
 <message><source>choose another file</source><translation>escolha outro arquivo</translation></message>
@@ -2616,6 +2617,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>"line_deg" is missing</source><translation>falta "line_deg"</translation></message>
 <message><source>"axis" is missing</source><translation>falta "axis"</translation></message>
 <message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>acrescente-o ao arquivo .json, ou indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>"%1" is not a key of a raw grid and was not used: check its spelling.</source><translation>"%1" não é uma chave de uma grade bruta e não foi usada: verifique a ortografia.</translation></message>
+<message><source>The ranges reach %1 km: check unit_mm, the millimetres per count.</source><translation>As distâncias chegam a %1 km: verifique unit_mm, os milímetros por contagem.</translation></message>
 <message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta o arquivo de dados %1; em seu lugar foi lido %2.</translation></message>
 <message><source>counts alone are not a raw grid</source><translation>contagens sozinhas não são uma grade bruta</translation></message>
 <message><source>give the description before them</source><translation>dê a descrição antes delas</translation></message>
@@ -2761,6 +2764,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n other has no cell of its own and was left out</source><translation>%n outro não tem célula própria e foi deixado de fora</translation></message>
 <message><source>%n others have no cell of their own and were left out</source><translation>%n outros não têm célula própria e foram deixados de fora</translation></message>
 <message><source>%1 lines, %2 beams and mounting %3 were found from them.</source><translation>%1 linhas, %2 feixes e a montagem %3 foram encontrados a partir deles.</translation></message>
+<message><source>--unit does not apply: the file holds ranges that give the unit of its points</source><translation>--unit não se aplica: o arquivo contém distâncias que dão a unidade de seus pontos</translation></message>
 <message><source>the last scan line is not complete and the last row has no line end: the file was cut off</source><translation>a última linha da varredura está incompleta e a última fileira não tem fim de linha: o arquivo foi cortado</translation></message>
 <message><source>the file is in another frame than the scanner's, and %1 of its points share their line and beam with another</source><translation>o arquivo está em outro referencial que o do scanner, e %1 de seus pontos compartilham linha e feixe com outro</translation></message>
 <message><source>The grid has as many lines and beams as the points name, %1 x %2: a line or beam behind the last point is not in the file.</source><translation>A grade tem tantas linhas e feixes quantos os pontos nomeiam, %1 x %2: uma linha ou um feixe atrás do último ponto não está no arquivo.</translation></message>
@@ -2886,12 +2890,14 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compare-o com docs/reference/formats.md, "Raw grid"</translation></message>
 <message><source>this is a preset and not a scan</source><translation>isto é uma predefinição e não uma varredura</translation></message>
 <message><source>choose it in the panel Edges, or give it with --preset</source><translation>escolha-o no painel Bordas, ou indique-o com --preset</translation></message>
+<message><source>this is a report of detect and not a scan</source><translation>isto é um relatório de detect e não uma varredura</translation></message>
+<message><source>open its scan</source><translation>abra sua varredura</translation></message>
+<message><source>this is a report of rocks and not a scan</source><translation>isto é um relatório de rocks e não uma varredura</translation></message>
 <message><source>this is a pose and not a scan</source><translation>isto é uma pose e não uma varredura</translation></message>
 <message><source>open its scan and give it with --pose</source><translation>abra sua varredura e indique-o com --pose</translation></message>
 <message><source>this is a calibration and not a scan</source><translation>isto é uma calibração e não uma varredura</translation></message>
 <message><source>open its scan and give it with --calibration</source><translation>abra sua varredura e indique-o com --calibration</translation></message>
 <message><source>this is a file of targets and not a scan</source><translation>isto é um arquivo de alvos e não uma varredura</translation></message>
-<message><source>open its scan</source><translation>abra sua varredura</translation></message>
 <message><source>this is edits of rocks and not a scan</source><translation>isto é uma edição de rochas e não uma varredura</translation></message>
 <message><source>open its scan, or give it with --edits</source><translation>abra sua varredura, ou indique-as com --edits</translation></message>
 <message><source>this is a record of an export and not a scan</source><translation>isto é um registro de uma exportação e não uma varredura</translation></message>

@@ -24,7 +24,7 @@ TEST(CliAudit, NamesTheLineThatWasAltered) {
     EXPECT_EQ(report["schema"], "edgescan-audit/1");
     EXPECT_EQ(report["lines"], 4);
     EXPECT_EQ(runCli("audit " + path + " --last " + report["last_sha256"].get<std::string>()).code, 0);
-    EXPECT_EQ(runCli("audit " + path + " --last 00").code, 3);
+    EXPECT_EQ(runCli("audit " + path + " --last " + std::string(64, '0')).code, 3);
     std::string text = test::fileText(path);
     text.replace(text.find("bell2"), 5, "bell9");
     std::ofstream(path, std::ios::binary) << text;

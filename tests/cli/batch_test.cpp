@@ -180,6 +180,7 @@ TEST(CliBatch, PartsAndTheirMergeAreTheWhole) {
     const auto early = runCli(inArchive(folder, "r", "--merge"));
     EXPECT_EQ(early.code, 1);
     EXPECT_EQ(json::parse(early.out)["missing_elements"], json::array({3}));
+    EXPECT_NE(early.err.find("run again with --shard 3/4, then the merge"), std::string::npos) << early.err;
     EXPECT_FALSE(fs::exists(folder / "r/results.csv"));
     runPart(3);
     ASSERT_EQ(runCli(inArchive(folder, "r", "--merge")).code, 4);

@@ -1,4 +1,5 @@
 // What a person types wrong, from tests/data/mistakes.txt: each mistake has its exit code and one message with what, where and what to do.
+#include "tests/support/robot_files.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -15,16 +16,36 @@ namespace fs = std::filesystem;
 
 /// A fresh folder with the files that the mistakes name, because some of them write.
 void fill(const fs::path& folder, const fs::path& bell) {
-    for (const char* name : {"BELL.json", "BELL.u16", "BELL.pcd"}) fs::copy_file(bell / name, folder / name);
+    for (const char* name : {"BELL.json", "BELL.u16", "BELL.pcd", "BELL.csv"}) fs::copy_file(bell / name, folder / name);
     const std::string cloud = test::fileText(folder / "BELL.pcd");
     std::ofstream(folder / "empty.pcd");
+    fs::copy_file(bell / "BELL.pcd", folder / "-x.pcd");
     std::ofstream(folder / "cut.pcd", std::ios::binary) << cloud.substr(0, cloud.size() / 2);
     std::ofstream(folder / "text.pcd") << "hello\nworld\n";
     std::ofstream table(folder / "ten.csv");
     for (int line = 0; line < 20; ++line) {
         for (int beam = 0; beam < 10; ++beam) table << 1 + line * beam % 7 << (beam < 9 ? "," : "\n");
     }
+    const auto changed = [&](const char* name, const std::string& from, const std::string& to) {
+        std::string text = test::fileText(folder / "BELL.json");
+        std::ofstream(folder / name) << text.replace(text.find(from), from.size(), to);
+    };
+    changed("keys.json", "\"no_return\"", "\"no_retrun\"");
+    changed("nodata.json", "BELL.u16", "NOPE.u16");
+    changed("far.json", "\"unit_mm\": 1.0", "\"unit_mm\": 100.0");
     std::ofstream(folder / "plain.json") << R"({"format": "edgescan-preset/1"})";
+    const auto preset = [&](const char* name, const std::string& settings) {
+        std::ofstream(folder / name) << R"({"format": "edgescan-preset/1", "settings": {)" << settings << "}}";
+    };
+    preset("jump.json", R"("jump": 50)");
+    preset("gray.json", R"("method": "edgescan+", "lower": 20, "kernel": 5)");
+    preset("both.json", R"("sensitivity": 2, "edge-strength": 3)");
+    preset("typo.json", R"("jmp": 50)");
+    std::ofstream(folder / "comma.json") << "{\"format\": \"edgescan-pose/1\",\n \"heading_deg\": 217,4}\n";
+    Calibration robot = test::exampleCalibration();
+    robot.axis = Eigen::Vector3d::UnitX();
+    std::ofstream(folder / "robot.json") << test::calibrationText(robot);
+    std::ofstream(folder / "BELL_edges.json") << R"({"schema": "edgescan-detect/1"})";
     std::ofstream(folder / "cal.json") << R"({"format": "x"})";
     for (const char* name : {"a.fls", "a.zfs", "a.rcp", "a.lgs"}) {
         std::ofstream file(folder / name, std::ios::binary);
@@ -41,7 +62,8 @@ std::string trimmed(const std::string& text) {
 TEST(Mistakes, EachHasItsExitCodeAndMessage) {
     const test::TemporaryFolder bell;
     ASSERT_EQ(test::runLab("simulate -o " + (bell / "BELL.json").string() + " --seed 7 --lines 40 --beams 60").code, 0);
-    ASSERT_EQ(test::runCli("convert " + (bell / "BELL.json").string() + " " + (bell / "BELL.pcd").string()).code, 0);
+    for (const char* name : {"BELL.pcd", "BELL.csv"})
+        ASSERT_EQ(test::runCli("convert " + (bell / "BELL.json").string() + " " + (bell / name).string()).code, 0);
     std::istringstream rows(test::fileText(fs::path(test::sourceFolder()) / "tests/data/mistakes.txt"));
     int mistakes = 0;
     for (std::string row; std::getline(rows, row);) {

@@ -102,13 +102,20 @@ TEST(CliVerify, EveryPartOfTheRecordIsCovered) {
         altered["export"][key] = value.is_number() ? ordered_json(value.get<double>() + 1) : ordered_json("another");
         const auto run = verifyWith(altered);
         EXPECT_EQ(run.code, 3) << key;
-        EXPECT_NE(run.out.find("NOT identical"), std::string::npos) << key << run.out << run.err;
+        EXPECT_NE(run.out.find(": identical to what"), std::string::npos) << key << run.out << run.err;
+        EXPECT_NE(run.out.find("The file next to the export was altered"), std::string::npos) << key << run.out << run.err;
     }
     for (const char* key : {"cells", "warnings", "coordinates", "settings", "scanner"}) {
         ordered_json altered = original;
         altered["record"][key] = "another";
         EXPECT_EQ(verifyWith(altered).code, 3) << key;
     }
+    std::ofstream(sidecar) << original.dump().substr(0, 500);
+    const auto cut = runCli("verify " + exported);
+    EXPECT_EQ(cut.code, 3) << cut.err;
+    EXPECT_NE(cut.out.find(": identical to what"), std::string::npos) << cut.out;
+    EXPECT_NE(cut.out.find("The record next to the export is damaged"), std::string::npos) << cut.out;
+    EXPECT_EQ(cut.out.find("SHA-256"), std::string::npos) << cut.out;
     ordered_json later = original;
     later["format"] = "edgescan-provenance/7";
     const auto unknown = verifyWith(later);

@@ -101,7 +101,7 @@ CLI::Option& add(CLI::App& command, const char* group, std::string_view key, sim
     const sim::SimulationNumber& row = *std::ranges::find(sim::simulationNumbers(), key, &sim::SimulationNumber::key);
     const std::string flag = std::string("--") + row.key;
     const auto parse = [&row, &settings, flag](const std::string& text) {
-        row.set(settings, numberTyped(flag, text, row.limits(), row.decimals == 0));
+        row.set(settings, numberTyped(flag, text, row.limits(), row.decimals == 0, row.unit));
     };
     CLI::Option& option =
         *command.add_option_function<std::string>(flag, parse, row.help)->type_name(rangeName(row.limits()))->group(group);

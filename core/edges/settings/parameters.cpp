@@ -1,6 +1,7 @@
 // The one table of parameters. A new parameter is one entry here and one member of Settings.
 #include "core/edges/settings/parameters.h"
 
+#include "core/base/nearest_name.h"
 #include "core/base/number_text.h"
 #include "core/edges/settings/method_traits.h"
 
@@ -180,6 +181,9 @@ Result<double> parseSet(const Parameter& parameter, std::string_view text) {
     int set = 0;
     for (std::string_view rest = text; true;) {
         const std::string_view name = rest.substr(0, rest.find(','));
+        if (name.empty() || name.find(' ') != name.npos)
+            return Error{"\"" + std::string(text) + "\" has a comma too many or a blank", flagOf(parameter),
+                         "write the names with commas between them and no blanks, as in jump,convex"};
         const auto found = std::ranges::find_if(parameter.choices, [&](const Choice& c) { return name == c.name; });
         if (found == parameter.choices.end()) {
             return Error{"\"" + std::string(name) + "\" is not one of " + choiceNames(parameter), flagOf(parameter),
@@ -322,10 +326,22 @@ nlohmann::json settingsToJson(const Settings& settings) {
 
 Result<Settings> settingsFromJson(const nlohmann::json& object, Settings settings, const std::string& where) {
     if (!object.is_object()) return Error{"the settings are not a JSON object", where, "write {\"kernel\": 3, ...}"};
+    std::vector<const Parameter*> named;
     for (const auto& [key, value] : object.items()) {
         const Parameter* parameter = findParameter(key);
-        if (parameter == nullptr)
-            return Error{"there is no parameter \"" + key + "\"", where, "see edgescan-cli detect --help for the names"};
+        if (parameter == nullptr) {
+            std::vector<std::string> known;
+            for (const Parameter& p : table()) {
+                known.emplace_back(p.key);
+                if (p.name != nullptr) known.emplace_back(p.name);
+            }
+            const std::string meant = nearestName(key, known);
+            return Error{"there is no parameter \"" + key + "\"", where,
+                         (meant.empty() ? "" : "did you mean " + meant + "? ") + "see edgescan-cli detect --help for the names"};
+        }
+        if (std::ranges::find(named, parameter) != named.end())
+            return Error{"two names of one setting are given", where, std::string("give ") + parameter->key + " or " + parameter->name};
+        named.push_back(parameter);
         std::string text;
         if (value.is_string())
             text = value.get<std::string>();

@@ -128,7 +128,12 @@ Result<Preset> findPreset(const std::string& nameOrPath) {
     if (const nlohmann::json& all = (*json)["settings"]; all.contains("rough-scans") && !all.contains("rules")) settings->rules = 4;
     if (const auto checked = checkSettings(*settings); !checked) return checked.error();
     const nlohmann::json name = json->value("name", nlohmann::json());
-    return Preset{name.is_string() ? name.get<std::string>() : path.stem().string(), "From " + nameOrPath, *settings, nameOrPath};
+    Preset preset{name.is_string() ? name.get<std::string>() : path.stem().string(), "From " + nameOrPath, *settings, nameOrPath};
+    const bool isByHand = (*json)["settings"].size() < parameters().size() / 2;
+    for (const auto& [key, value] : (*json)["settings"].items()) {
+        if (isByHand) preset.keys.push_back(key);
+    }
+    return preset;
 }
 
 std::string presetText(const Preset& preset) {

@@ -17,6 +17,8 @@ struct Preset {
     std::string help; ///< one sentence
     Settings settings;
     std::string path; ///< empty for a built-in preset
+    /// Keys of a file that a person wrote; empty: the program wrote it, with every setting.
+    std::vector<std::string> keys = {};
 };
 
 /// Canny on gray levels with default values for all else. Values read from files start from these, because the first preset files named no

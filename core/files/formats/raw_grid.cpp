@@ -1,13 +1,15 @@
 // Raw grid: NAME.json describes, NAME.u16 holds lines x beams counts (docs/reference/formats.md, "Raw grid").
 
-#include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
 
 #include "core/base/checked_size.h"
+#include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/simd.h"
+#include "core/base/translated_text.h"
 #include "core/base/whole_file.h"
 #include "core/files/point_tables/description.h"
 #include "core/scan/grid/count_states.h"
@@ -64,6 +66,20 @@ EDGESCAN_INLINE void rangesOfCounts(const std::uint16_t* counts, int beams, doub
     for (int j = 0; j < beams; ++j) rangeMm[j] = static_cast<float>(counts[j] * unitMm);
 }
 
+/// What a hand may have written wrong: names of keys, and the unit.
+void warnOfDescription(Scan& scan, const GridDescription& grid) {
+    constexpr float kFarMm = 1e6F;
+    for (const std::string& key : grid.unknownKeys)
+        scan.warnings.push_back(withValues("\"%1\" is not a key of a raw grid and was not used: check its spelling.", {printable(key)}));
+    float most = 0;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] == CellState::Valid) most = std::max(most, scan.rangeMm[k]);
+    }
+    if (most > kFarMm)
+        scan.warnings.push_back(
+            withValues("The ranges reach %1 km: check unit_mm, the millimetres per count.", {fixedText(most / kFarMm, 1)}));
+}
+
 Result<Scan> readPair(const GridDescription& grid, const Source& source, const fs::path& countsPath, std::span<const std::byte> counts) {
     if (auto fits = checkSize(grid, countsPath, counts.size()); !fits) return fits.error();
     if (auto enough = checkMemory(productOf({grid.lines, grid.beams, 16}), countsPath.string()); !enough) return enough.error();
@@ -85,6 +101,7 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
         for (std::size_t j = 0; j < line.size(); ++j) state[j] = states[line[j]];
     }
     applyStateRuns(scan, grid);
+    warnOfDescription(scan, grid);
     scan.format = "raw grid";
     scan.sha256 = sha256Hex(counts);
     return scan;
@@ -159,7 +176,7 @@ fs::path countsOf(const GridDescription& grid, const fs::path& describedIn) {
         if (grid.dataFile && fs::exists(name.parent_path() / *grid.dataFile, ignored)) return name.parent_path() / *grid.dataFile;
         if (fs::path counts = withExtension(name, ".u16"); fs::exists(counts, ignored)) return counts;
     }
-    return withExtension(describedIn, ".u16");
+    return grid.dataFile ? describedIn.parent_path() / *grid.dataFile : withExtension(describedIn, ".u16");
 }
 
 /// Through the description.

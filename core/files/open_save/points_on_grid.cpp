@@ -384,6 +384,8 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
         table.rangeMm.clear();
         table.state.clear();
     }
+    if (!table.rangeMm.empty() && table.unitMm && source.options->unitMm.value_or(*table.unitMm) != *table.unitMm)
+        return source.refused("--unit does not apply: the file holds ranges that give the unit of its points", "leave --unit out");
     const bool organised = table.height > 1 || laidOut;
     if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
     const auto afar = organised ? wrongOrigin(table, source) : std::nullopt;

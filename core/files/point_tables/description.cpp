@@ -44,6 +44,8 @@ struct OwnFile {
 };
 constexpr std::array kOwnFiles = std::to_array<OwnFile>({
     {"edgescan-preset/1", "this is a preset and not a scan", "choose it in the panel Edges, or give it with --preset"},
+    {"edgescan-detect/1", "this is a report of detect and not a scan", "open its scan"},
+    {"edgescan-rocks/1", "this is a report of rocks and not a scan", "open its scan"},
     {"edgescan-pose/1", "this is a pose and not a scan", "open its scan and give it with --pose"},
     {"edgescan-calibration/1", "this is a calibration and not a scan", "open its scan and give it with --calibration"},
     {"edgescan-targets/1", "this is a file of targets and not a scan", "open its scan"},
@@ -185,6 +187,7 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
         if (!acquisition) return acquisition.error();
         grid.acquisition = *acquisition;
     }
+    grid.unknownKeys = fields.unknown();
     return grid;
 }
 

@@ -40,7 +40,8 @@ struct StateRun {
 struct GridDescription {
     std::uint64_t lines = 0; ///< at least 1, at most 2^30
     std::uint64_t beams = 0;
-    std::optional<std::string> dataFile; ///< a relative name without ".."
+    std::vector<std::string> unknownKeys; ///< misspelt, or of another program
+    std::optional<std::string> dataFile;  ///< a relative name without ".."
     double unitMm = 1.0;
     std::vector<std::uint32_t> noReturnCodes{0};
     std::vector<std::uint32_t> statusCodes;

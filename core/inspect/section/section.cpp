@@ -21,7 +21,9 @@ namespace {
 
 constexpr double kUpright = 0.05; // horizontal share of a way below which it is vertical
 
-Error noPlane(const char* what) { return {std::string("no section can be drawn: ") + what, "", "click two other cells that have a range"}; }
+Error noPlane(const char* what) {
+    return {std::string("no section can be drawn: ") + what, "", "choose two other cells that have a range"};
+}
 
 SectionPlane planeAlong(const Eigen::Vector3d& originM, const Eigen::Vector3d& way, const rocks::UpDirection& up) {
     SectionPlane plane;

@@ -9,13 +9,22 @@
 namespace edgescan::rocks {
 namespace {
 
-std::string described(const BorderWhy& why, const RockSettings& settings) {
+std::string described(const BorderWhy& why, const Study& study) {
     if (why.regions[0] == 0 || why.regions[1] == 0)
         return "One of the cells belongs to no piece: nothing was measured there, or no piece fits.";
-    if (why.alwaysOne) return "Both cells lie in one piece that no level parts; a stroke can cut it.";
+    const bool isRock = study.map.regions[why.regions[0]].kind == RegionKind::Rock;
+    const bool isOtherRock = study.map.regions[why.regions[1]].kind == RegionKind::Rock;
+    if (why.alwaysOne)
+        return std::string("Both cells lie in one piece that no level parts") + (isRock ? "" : ", which is not a rock") +
+               "; a stroke can cut it.";
+    const std::string level = " at level " + shortestText(study.settings.level);
     if (why.sameRegion())
-        return "They are one rock at level " + shortestText(settings.level) + ", and two below " + fixedText(*why.joinedFrom, 2) + ".";
-    std::string text = "They are two at level " + shortestText(settings.level);
+        return "They are one " + std::string(isRock ? "rock" : "region, which is not a rock,") + level + ", and two below " +
+               fixedText(*why.joinedFrom, 2) + ".";
+    std::string text = "They are two" + level;
+    if (!isRock && !isOtherRock) text = "They are two regions" + level + ", which are not rocks";
+    if (isRock != isOtherRock)
+        text = "They are two regions" + level + ", of which only the " + (isRock ? "first" : "second") + " is a rock";
     text += why.joinedFrom ? ", and one from level " + fixedText(*why.joinedFrom, 2) + " on" : ", and no level joins them";
     if (!why.border) return text + "; they have no border with each other.";
     const RegionBorder& b = *why.border;
@@ -49,7 +58,7 @@ BorderWhy whyTwoRocks(const Study& study, std::uint32_t one, std::uint32_t other
         if (least == 0 || border.a != least || border.b != most) continue;
         why.border = border.a == why.regions[0] ? border : border.reversed();
     }
-    why.verdict = described(why, study.settings);
+    why.verdict = described(why, study);
     return why;
 }
 

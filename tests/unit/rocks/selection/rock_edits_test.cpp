@@ -152,6 +152,8 @@ TEST(RockEdits, TheSameEditsGiveTheSameLabelsWhateverWasThereBefore) {
 TEST(RockEdits, WhatIsCalledARockIsOne) {
     const Study not_ = studyRocks(sceneInputs(), {}, {{EditKind::NotRock, {plain().rocks[0].cell}}}, &plain());
     EXPECT_EQ(not_.rocks.size() + 1, plain().rocks.size());
+    const std::uint32_t cell = plain().rocks[0].cell;
+    EXPECT_NE(whyTwoRocks(not_, cell, cell).verdict.find("which is not a rock"), std::string::npos);
     const Study again =
         studyRocks(sceneInputs(), {}, {{EditKind::NotRock, {plain().rocks[0].cell}}, {EditKind::Rock, {plain().rocks[0].cell}}}, &not_);
     ASSERT_EQ(again.rocks.size(), plain().rocks.size());
