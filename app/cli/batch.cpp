@@ -359,6 +359,11 @@ int run(Batch& batch) {
     const auto wanted = wantedFiles(batch.wanted);
     if (!wanted) return refuse(wanted.error(), kWrongUsage);
     if (const auto names = batch::outputNames({}, batch.names); !names) return refuse(names.error(), kWrongUsage);
+    std::vector<WantedExport> written;
+    for (const WantedFile& file : *wanted) {
+        if (file.kind != nullptr) written.push_back({file.kind, file.stem + file.extension});
+    }
+    if (const auto used = checkWriting(batch.write, written); !used) return refuse(used.error(), kWrongUsage);
     batch.withRocks = batch.withRocks || std::ranges::any_of(*wanted, &WantedFile::isOfRocks);
     if (const auto rocks = checkRocks(batch.rocks); !rocks) return refuse(rocks.error(), kWrongUsage);
     if (!batch.withRocks && anyTyped(batch.rocks))

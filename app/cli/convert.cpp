@@ -22,6 +22,8 @@ int run(const Convert& convert) {
         printError({"the extension names no format that can be written", convert.out, "use " + files::writtenExtensions(true)});
         return kWrongUsage;
     }
+    if (auto used = checkWriting(convert.write, {{&exports::exportKind(exports::ExportContent::WholeScan), convert.out}}); !used)
+        return failWith(used.error(), kWrongUsage);
     Result<Scan> opened = openAndWarn(convert.in, convert.read);
     if (!opened) return failWith(opened.error());
     edges::Detection detection;
