@@ -70,7 +70,10 @@ Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExpor
     };
     const auto extensionOf = [](const WantedExport& one) { return asciiLower(fs::path(one.path).extension().string()); };
     const auto isText = [&](const WantedExport& one) { return extensionOf(one) == ".pcd" || extensionOf(one) == ".ply"; };
-    const auto isCloud = [](const WantedExport& one) { return one.kind->holds != Holds::Shapes; };
+    const auto isCloud = [](const WantedExport& one) {
+        const files::Format* format = one.kind->holds == Holds::Scan ? files::writtenFormat(one.path) : nullptr;
+        return one.kind->holds == Holds::Points || (format != nullptr && format->write != nullptr);
+    };
     if (const auto ascii = write.ascii ? idle("--ascii", isText) : Done{}; !ascii) return ascii;
     if (const auto all = write.includeAttached ? idle("--include-attached", isCloud) : Done{}; !all) return all;
     for (const files::WritingChoice& choice : files::kWritingChoices) {

@@ -122,7 +122,7 @@ nlohmann::ordered_json summary(const Record& record, const files::LiveStatus& st
 }
 
 int run(const Record& record) {
-    if (std::error_code ignored; std::filesystem::exists(record.address, ignored))
+    if (std::error_code ignored; std::filesystem::is_regular_file(record.address, ignored))
         return failWith({"this is a file and not a scanner", record.address, "replay plays a recording"}, kWrongUsage);
     const Result<scanner::HostPort> address = scanner::hostPort(record.address);
     if (!address) return failWith(address.error(), kWrongUsage);

@@ -121,8 +121,17 @@ void warnOfSeldomMeant(Scan& scan, const Arrays& arrays) {
         if (scan.state[k] == CellState::Valid) ranges.push_back(scan.rangeMm[k]);
     }
     if (ranges.empty()) scan.warnings.emplace_back("No cell of this scan has a range.");
+    const auto areOrdered = [](const std::vector<double>& degrees) { // also across a whole turn
+        bool rise = true, fall = true;
+        for (std::size_t n = 1; n < degrees.size(); ++n) {
+            const double step = std::remainder(degrees[n] - degrees[n - 1], 360.0);
+            rise = rise && step >= 0;
+            fall = fall && step <= 0;
+        }
+        return rise || fall;
+    };
     for (const auto& [name, angles] : {std::pair{"beam_deg", &arrays.beamDeg}, {"line_deg", &arrays.lineDeg}}) {
-        if (!std::ranges::is_sorted(*angles) && !std::ranges::is_sorted(*angles, std::ranges::greater()))
+        if (!areOrdered(*angles))
             scan.warnings.push_back(std::string(name) + " neither rises nor falls throughout, and edges are found between neighbours: " +
                                     "sort these angles and the ranges with them.");
     }

@@ -95,6 +95,11 @@ std::string hintFor(std::string_view command, const std::string& typed, const st
 using Apps = std::vector<const CLI::App*>;
 
 /// The first word, where it should be a command and is not.
+bool isThere(const std::string& path) {
+    std::error_code ignored; // of a name that is too long, or below a folder that may not be read
+    return std::filesystem::exists(path, ignored);
+}
+
 std::optional<Error> unknownCommand(const CLI::App& app, const std::vector<std::string>& words) {
     const Apps commands = app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); });
     if (commands.empty()) return std::nullopt;
@@ -104,7 +109,7 @@ std::optional<Error> unknownCommand(const CLI::App& app, const std::vector<std::
     std::vector<std::string> names;
     for (const CLI::App* command : commands) names.push_back(command->get_name());
     if (std::ranges::find(names, words[1]) != names.end()) return std::nullopt;
-    if (std::ranges::find(names, "detect") != names.end() && std::filesystem::exists(words[1]))
+    if (std::ranges::find(names, "detect") != names.end() && isThere(words[1]))
         return Error{"this is a file, not a command", words[1], "type " + programName() + " detect " + words[1]};
     return Error{"there is no such command", words[1], hintFor("", words[1], names, list)};
 }
@@ -131,7 +136,7 @@ Error unexpected(const CLI::App& app, const std::vector<std::string>& words, con
         const bool pair = option != nullptr && option->get_type_name().find(',') != std::string::npos;
         return Error{"this argument is one too many", extra, pair ? "write " + *(at - 2) + " " + option->get_type_name() : list};
     }
-    if (std::filesystem::exists(*flag)) return Error{"this file is read as a flag", *flag, "write ./" + *flag};
+    if (isThere(*flag)) return Error{"this file is read as a flag", *flag, "write ./" + *flag};
     const std::string typed = flag->substr(0, flag->find('='));
     if (words.size() > 1 && isFlag(words[1]) && !name.empty() && *flag == words[1])
         return Error{"this flag belongs behind the command", typed, "type " + programName() + " " + name + " " + typed};
@@ -247,7 +252,8 @@ Result<Done> checkFlags(const CLI::App& app, std::vector<std::string>& words) {
     };
     std::size_t n = 1;
     for (; n < words.size() && words[n] != "--"; ++n) {
-        const std::string flag = withTwoDashes(words[n]);
+        std::string flag = withTwoDashes(words[n]);
+        if (flag.size() == 3 && optionOf(flag) == nullptr) flag.erase(0, 1); // of one letter
         if (optionOf(flag) != nullptr) return Error{"this begins with a long dash", words[n], "write " + flag};
         const CLI::Option* option = optionOf(words[n]);
         if (option == nullptr || words[n].find('=') != std::string::npos) continue;

@@ -127,6 +127,7 @@ class Types(unittest.TestCase):
             self.assertEqual([warning.split(" ", 1)[0] for warning in warnings], [name])
             self.assertIn("neither rises nor falls", warnings[0])
         self.assertEqual(edgescan.Scan(ranges, beams[::-1], lines[::-1], axis="sweep").warnings, [])
+        self.assertEqual(edgescan.Scan(ranges, beams, (lines + 350) % 360, axis="spin").warnings, [])
         beams[5] = np.nan
         with self.assertRaisesRegex(edgescan.Error, r"^beam_deg\[5\]: nan is not a number; give a finite number for each\.$"):
             edgescan.Scan(ranges, beams, lines, axis="sweep")

@@ -84,6 +84,9 @@ private slots:
             QVERIFY(!again.refusal());
             QCOMPARE(again.text("language"), QString("fr"));
         }
+        std::ofstream(path, std::ios::binary | std::ios::trunc) << "[General]\nlanguage=fr\n"; // written by hand, without a version
+        QVERIFY(!Preferences(exactText(path)).refusal());
+        QCOMPARE(Preferences(exactText(path)).text("language"), QString("fr"));
         std::ofstream(path, std::ios::binary | std::ios::trunc).flush();
         QVERIFY(!Preferences(exactText(path)).refusal());
     }

@@ -250,7 +250,7 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     DepthResponses result;
     result.noise = limits.noise;
     result.jumpMm = static_cast<double>(limits.jumpMm);
-    result.borderPercent = kBorderQuiet + limits.noisy * (kBorderNoisy - kBorderQuiet);
+    result.borderPercent = std::round(kBorderQuiet + limits.noisy * (kBorderNoisy - kBorderQuiet)); // as it is shown
     result.scales = surface.scales;
     result.foldNoise = limits.foldNoise;
     result.neighboursAlike = surface.memory.windowMm > 0;

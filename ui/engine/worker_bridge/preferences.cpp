@@ -72,17 +72,22 @@ Preferences::Preferences(const QString& iniPath) {
         return;
     }
     file_ = SettingsFile::opened(iniPath);
-    const bool isOurs = file_->value("version").toInt() == kVersion;
-    if (QFileInfo(iniPath).size() > 0 && (!isOurs || file_->status() == QSettings::FormatError)) {
+    if (file_->value("version", kVersion).toInt() != kVersion || file_->status() == QSettings::FormatError) {
         aside_ = iniPath + ".damaged";
         QFile::remove(aside_);
-        QFile::copy(iniPath, aside_);
+        if (!QFile::copy(iniPath, aside_)) {
+            refused_ = iniPath;
+            file_.reset();
+            return;
+        }
+        file_->clear();
     }
-    if (!isOurs) file_->clear();
     file_->setValue("version", kVersion);
 }
 
 std::optional<Error> Preferences::refusal() const {
+    if (!aside_.isEmpty() && !refused_.isEmpty())
+        return Error{"not all settings in this file can be read", exactBytes(refused_), "remove it and start again"};
     if (!aside_.isEmpty())
         return Error{"not all settings in this file can be read", exactBytes(file_->fileName()),
                      "what it held is in " + exactBytes(aside_)};
