@@ -69,7 +69,8 @@ TEST(Usage, ANameOfVersion01IsAnsweredWithTheNewOne) {
 TEST(Usage, TooFewValuesOfOneFlagAreCounted) {
     const auto run = test::runCli("info x.pcd --sensor 1,2");
     EXPECT_EQ(run.code, 2);
-    EXPECT_EQ(run.err, "edgescan-cli: --sensor: takes 3 values and got 2; its values: Place of the scanner for a cloud without a grid, as "
+    EXPECT_EQ(run.err, "edgescan-cli: --sensor: takes 3 values and got 2; write \"1,2\" as 3 numbers with commas between them: Place of "
+                       "the scanner for a cloud without a grid, as "
                        "X,Y,Z [m].\n");
 }
 
