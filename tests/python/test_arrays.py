@@ -139,7 +139,7 @@ class FromArrays(unittest.TestCase):
             edgescan.Scan(np.ones((5, 7)), self.BEAMS, self.LINES)
         for wrong, part in ((dict(axis="turn"), "spin or sweep"), (dict(unit="inch"), "mm, cm, m, in, ft or usft"), (dict(unit=0), "unit"), (dict(unit=float("nan")), "unit"),
                             (dict(line_direction=0.5), "1 or -1"), (dict(pose="p.json"), "both"), (dict(calibration="c.json"), "both"),
-                            (dict(beam_deg=self.BEAMS * np.nan), "beam 0"), (dict(beam_deg=self.BEAMS * 0), "same way"),
+                            (dict(beam_deg=self.BEAMS * np.nan), r"beam_deg\[0\]"), (dict(beam_deg=self.BEAMS * 0), "same way"),
                             (dict(line_deg=self.LINES + 1e9), "line 0"), (dict(beam_deg=self.BEAMS + 400), "beam 0")):
             with self.subTest(**{k: str(v) for k, v in wrong.items()}), self.assertRaisesRegex(edgescan.Error, part):
                 self.make(**wrong)
@@ -182,8 +182,8 @@ class FromPoints(unittest.TestCase):
         self.assertTrue(any("projected" in warning for warning in made.warnings), made.warnings)
 
     def test_what_is_no_array_of_points_is_refused(self):
-        for wrong in (np.zeros((4, 2)), np.zeros(3), np.zeros((0, 3))):
-            with self.assertRaisesRegex(edgescan.Error, "n x 3"):
+        for wrong, part in ((np.zeros((4, 2)), "n x 3"), (np.zeros(3), "n x 3"), (np.zeros((0, 3)), "it is empty")):
+            with self.assertRaisesRegex(edgescan.Error, part):
                 edgescan.Scan.from_points(wrong)
         with self.assertRaisesRegex(TypeError, r"Scan.from_points\(\): xyz must be an array of numbers"):
             edgescan.Scan.from_points([["a", "b", "c"]])

@@ -187,6 +187,8 @@ Result<Scan> readRawGridJson(const Source& source) {
     const fs::path countsPath = countsOf(*grid, source.path);
     const bool renamed = grid->dataFile && countsPath.filename() != fs::path(*grid->dataFile).filename();
     const auto counts = readInput(countsPath);
+    if (std::error_code ignored; !counts && grid->dataFile && !fs::exists(countsPath, ignored))
+        return Error{counts.error().what, source.path.string() + ": " + *grid->dataFile, counts.error().hint};
     if (!counts) return counts.error();
     Result<Scan> scan = readPair(*grid, source, countsPath, *counts);
     if (scan && renamed) {
