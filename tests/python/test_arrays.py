@@ -208,7 +208,7 @@ class Silent(unittest.TestCase):
         self.assertTrue(any(w.startswith("unit m replaces mm") for w in scan.warnings), scan.warnings)
         self.assertTrue(any(w.startswith("topic has no effect") for w in scan.warnings), scan.warnings)
         scan = edgescan.open(bell_file())
-        with self.assertRaisesRegex(edgescan.Error, "the method canny does not use this flag"):
+        with self.assertRaisesRegex(edgescan.Error, "the method canny does not use this keyword"):
             edgescan.detect(scan, method="canny", jump=200)
         self.assertEqual(edgescan.detect(scan, edge_strength=2).mask_sha256, edgescan.detect(scan, sensitivity=2).mask_sha256)
         with self.assertRaisesRegex(edgescan.Error, "two names of one setting"):
