@@ -119,7 +119,8 @@ TEST(RockBorders, TheViewIsThePartOfTheEdgesWithThatProbability) {
 
 TEST(RockBorders, TheAutomaticLimitFallsSteadilyWithTheNoise) {
     double before = 51;
-    for (const auto& [timesNominal, limit] : {std::pair{1.0, 50.0}, {1.25, 50.0}, {1.4, 44.0}, {1.44, 42.0}, {1.5, 40.0}, {1.75, 30.0}, {3.0, 30.0}}) {
+    for (const auto& [timesNominal, limit] :
+         {std::pair{1.0, 50.0}, {1.25, 50.0}, {1.4, 44.0}, {1.44, 42.0}, {1.5, 40.0}, {1.75, 30.0}, {3.0, 30.0}}) {
         Settings settings = onlyBorders(kAutomatic);
         settings.noiseMm = timesNominal * 6.75;
         const auto view = detectEdges(bell(), settings);
