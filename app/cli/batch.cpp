@@ -350,36 +350,33 @@ Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
 int run(Batch& batch) {
     const edges::Pipeline
         withoutThreads; // checking the settings smooths a step; if that started a thread pool, every forked worker would hang
-    const auto refuse = [](const Error& error, int code) {
-        printError(error);
-        return code;
-    };
-    if (const auto folder = checkFolder(batch.results); !folder) return refuse(folder.error(), kWrongUsage);
-    if (const auto method = checkMethodAndWarn(batch.method); !method) return refuse(method.error(), kWrongUsage);
+    if (const auto folder = checkFolder(batch.results); !folder) return failWith(folder.error(), kWrongUsage);
+    if (const auto method = checkMethodAndWarn(batch.method); !method) return failWith(method.error(), kWrongUsage);
     const auto wanted = wantedFiles(batch.wanted);
-    if (!wanted) return refuse(wanted.error(), kWrongUsage);
-    if (const auto names = batch::outputNames({}, batch.names); !names) return refuse(names.error(), kWrongUsage);
+    if (!wanted) return failWith(wanted.error(), kWrongUsage);
+    if (const auto names = batch::outputNames({}, batch.names); !names) return failWith(names.error(), kWrongUsage);
     std::vector<WantedExport> written;
     for (const WantedFile& file : *wanted) {
-        if (file.kind != nullptr) written.push_back({file.kind, file.stem + file.extension});
+        if (file.kind != nullptr)
+            written.push_back({file.kind, exports::exportFileName(*file.kind, file.extension, CoordinateFrame::Mine)});
     }
-    if (const auto used = checkWriting(batch.write, written); !used) return refuse(used.error(), kWrongUsage);
+    if (const auto used = checkWriting(batch.write, written); !used) return failWith(used.error(), kWrongUsage);
     batch.withRocks = batch.withRocks || std::ranges::any_of(*wanted, &WantedFile::isOfRocks);
-    if (const auto rocks = checkRocks(batch.rocks); !rocks) return refuse(rocks.error(), kWrongUsage);
+    if (const auto rocks = checkRocks(batch.rocks); !rocks) return failWith(rocks.error(), kWrongUsage);
     if (!batch.withRocks && anyTyped(batch.rocks))
-        return refuse({"these flags are of rocks, and none are asked for", typedFlags(batch.rocks), "add --rocks, or a result of rocks"},
-                      kWrongUsage);
+        return failWith({"these flags are of rocks, and none are asked for", typedFlags(batch.rocks), "add --rocks, or a result of rocks"},
+                        kWrongUsage);
     if (!batch.shard.empty()) {
-        if (const auto shard = batch::shardOf(batch.shard); !shard) return refuse(shard.error(), kWrongUsage);
-        if (batch.merge) return refuse({"a merge is of all parts", "--shard", "leave one of the two out"}, kWrongUsage);
+        if (const auto shard = batch::shardOf(batch.shard); !shard) return failWith(shard.error(), kWrongUsage);
+        if (batch.merge) return failWith({"a merge is of all parts", "--shard", "leave one of the two out"}, kWrongUsage);
     }
     const auto settings = settingsOfRun(batch);
-    if (!settings) return refuse(settings.error(), kWrongUsage);
+    if (!settings) return failWith(settings.error(), kWrongUsage);
     warnOfOtherFiles(batch.results);
     auto work = planned(batch, *settings);
-    if (!work) return refuse(work.error(), kRefused);
+    if (!work) return failWith(work.error());
     const auto code = runPlan(batch, *work, *settings);
-    return code ? *code : refuse(code.error(), kRefused);
+    return code ? *code : failWith(code.error());
 }
 
 void addFlags(CLI::App& command, Batch& batch) {

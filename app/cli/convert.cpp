@@ -18,10 +18,9 @@ struct Convert {
 };
 
 int run(const Convert& convert) {
-    if (files::writtenFormat(convert.out) == nullptr) {
-        printError({"the extension names no format that can be written", convert.out, "use " + files::writtenExtensions(true)});
-        return kWrongUsage;
-    }
+    if (files::writtenFormat(convert.out) == nullptr)
+        return failWith({"the extension names no format that can be written", convert.out, "use " + files::writtenExtensions(true)},
+                        kWrongUsage);
     if (auto used = checkWriting(convert.write, {{&exports::exportKind(exports::ExportContent::WholeScan), convert.out}}); !used)
         return failWith(used.error(), kWrongUsage);
     Result<Scan> opened = openAndWarn(convert.in, convert.read);

@@ -59,31 +59,9 @@ Result<Done> checkFolder(const std::string& folder) {
 }
 
 Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExport>& wanted) {
-    using Holds = exports::ExportKind::Holds;
-    const auto idle = [&](const char* flag, const auto& changes) -> Result<Done> {
-        const bool some = std::ranges::any_of(wanted, [&](const WantedExport& one) {
-            const Holds holds = one.kind->holds;
-            return (holds == Holds::Points || holds == Holds::Shapes || holds == Holds::Scan) && changes(one);
-        });
-        if (some) return Done{};
-        return Error{"this flag changes no file that is written", flag, "leave it out, or write a file that it changes"};
-    };
-    const auto extensionOf = [](const WantedExport& one) { return asciiLower(fs::path(one.path).extension().string()); };
-    const auto isText = [&](const WantedExport& one) { return extensionOf(one) == ".pcd" || extensionOf(one) == ".ply"; };
-    const auto isCloud = [](const WantedExport& one) {
-        const files::Format* format = one.kind->holds == Holds::Scan ? files::writtenFormat(one.path) : nullptr;
-        return one.kind->holds == Holds::Points || (format != nullptr && format->write != nullptr);
-    };
-    if (const auto ascii = write.ascii ? idle("--ascii", isText) : Done{}; !ascii) return ascii;
-    if (const auto all = write.includeAttached ? idle("--include-attached", isCloud) : Done{}; !all) return all;
-    for (const files::WritingChoice& choice : files::kWritingChoices) {
-        const auto changes = [&](const WantedExport& one) {
-            return choice.changes(extensionOf(one)) && !(choice.needsEdges && one.kind->holds == Holds::Scan);
-        };
-        if (!(write.choices.*choice.member)) continue;
-        if (const auto used = idle((std::string("--") + choice.key).c_str(), changes); !used) return used;
-    }
-    return Done{};
+    const char* idle = idleWriting(write, wanted);
+    if (idle == nullptr) return Done{};
+    return Error{"this flag changes no file that is written", std::string("--") + idle, "leave it out, or write a file that it changes"};
 }
 
 Result<Done> checkExtensions(const ExportPaths& paths) {

@@ -39,11 +39,6 @@ bool writesFiles(const std::vector<std::string>& paths);
 /// Error: the folder of -o is a file, or has the name of one.
 Result<Done> checkFolder(const std::string& folder);
 
-struct WantedExport {
-    const exports::ExportKind* kind;
-    std::string path;
-};
-
 /// What is to be written of one scan.
 [[nodiscard]] std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::ExportKind::Needs needs,
                                                       const std::string& scanName, CoordinateFrame frame);

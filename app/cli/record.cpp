@@ -127,14 +127,11 @@ int run(const Record& record) {
     const Result<scanner::HostPort> address = scanner::hostPort(record.address);
     if (!address) return failWith(address.error(), kWrongUsage);
     const char* ofBridge = !record.topic.empty() ? "--topic" : !record.joint.empty() ? "--joint" : nullptr;
-    if (!address->bridge && ofBridge != nullptr) {
-        printError(Error{"only a robot's bridge has topics and joints", ofBridge, "give ws://HOST, or leave it out"});
-        return kWrongUsage;
-    }
-    if (record.mounting.lineStepDeg && *record.mounting.lineStepDeg == 0.0) {
-        printError(Error{"all lines would have one angle", "--line-step", "give the angle from line to line, such as 0.3"});
-        return kWrongUsage;
-    }
+    if (!address->bridge && ofBridge != nullptr)
+        return failWith(Error{"only a robot's bridge has topics and joints", ofBridge, "give ws://HOST, or leave it out"}, kWrongUsage);
+    if (record.mounting.lineStepDeg && *record.mounting.lineStepDeg == 0.0)
+        return failWith(Error{"all lines would have one angle", "--line-step", "give the angle from line to line, such as 0.3"},
+                        kWrongUsage);
     scanner::ConnectionSettings scanner;
     scanner.host = address->host;
     scanner.port = address->port;

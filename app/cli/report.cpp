@@ -112,10 +112,8 @@ int run(ReportCommand& report) {
     if (const auto right = checkOutput(report.out); !right) return failWith(right.error(), kWrongUsage);
     if (const auto method = checkMethodAndWarn(report.method); !method) return failWith(method.error(), kWrongUsage);
     if (const auto rocks = checkRocks(report.rocks); !rocks) return failWith(rocks.error(), kWrongUsage);
-    if (!report.withRocks && anyTyped(report.rocks)) {
-        printError(Error{"these flags are of rocks, and the report has none", typedFlags(report.rocks), "add --rocks"});
-        return kWrongUsage;
-    }
+    if (!report.withRocks && anyTyped(report.rocks))
+        return failWith(Error{"these flags are of rocks, and the report has none", typedFlags(report.rocks), "add --rocks"}, kWrongUsage);
     const auto made = make(report);
     return made ? kDone : failWith(made.error());
 }

@@ -40,10 +40,8 @@ Grid<std::uint8_t> shrunk(const Scan& scan, const Grid<std::uint8_t>& levels, in
 int run(const Thumbnail& thumbnail) {
     // File managers give names of temporary files, without .png.
     constexpr std::array<std::string_view, 8> kOthers{".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".pdf"};
-    if (std::ranges::any_of(kOthers, [&](std::string_view other) { return asciiLower(thumbnail.out).ends_with(other); })) {
-        printError({"the picture is a PNG", thumbnail.out, "give a name that ends with .png"});
-        return kWrongUsage;
-    }
+    if (std::ranges::any_of(kOthers, [&](std::string_view other) { return asciiLower(thumbnail.out).ends_with(other); }))
+        return failWith({"the picture is a PNG", thumbnail.out, "give a name that ends with .png"}, kWrongUsage);
     const Result<Scan> scan = files::openScan(thumbnail.in);
     if (!scan) return failWith(scan.error());
     const Grid<std::uint8_t> picture = shrunk(*scan, edges::grayImage(*scan, edges::Settings{}).levels, thumbnail.size);

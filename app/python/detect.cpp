@@ -99,29 +99,13 @@ cli::WriteFlags writeFlagsOf(const Typed& typed) {
     return flags;
 }
 
-/// Refuses keywords that change nothing in a file of this name.
-void checkUsed(const cli::WriteFlags& flags, exports::ExportContent content, const std::string& path) {
-    const bool whole = content == exports::ExportContent::WholeScan;
-    const files::Format* format = whole || exports::isCloud(content) ? files::writtenFormat(path) : nullptr;
-    const bool points = format != nullptr && format->write != nullptr;
-    const std::string extension = asciiLower(std::filesystem::path(path).extension().string());
-    const auto check = [](bool given, bool used, const std::string& keyword) {
-        if (given && !used)
-            throw Refused{{"this flag changes nothing in this file", "--" + keyword, "leave it out, or write a file that it changes"}};
-    };
-    check(flags.ascii, points && (extension == ".pcd" || extension == ".ply"), "ascii");
-    check(flags.includeAttached, points, "include-attached");
-    for (const files::WritingChoice& choice : files::kWritingChoices) {
-        const bool ofEdges = choice.member != &files::WritingChoices::comments && choice.member != &files::WritingChoices::doubles &&
-                             choice.member != &files::WritingChoices::dxf2000;
-        check(flags.choices.*choice.member, points && choice.changes(extension) && !(whole && ofEdges), choice.key);
-    }
-}
-
 std::size_t write(const edges::Detection& detection, exports::ExportContent content, const std::string& path, const Typed& typed) {
     const cli::WriteFlags flags = writeFlagsOf(typed);
-    valueOf(exports::checkExtension(exports::exportKind(content), path, path, ", "));
-    checkUsed(flags, content, path);
+    const cli::WantedExport file{&exports::exportKind(content), path};
+    valueOf(exports::checkExtension(*file.kind, path, path, ", "));
+    if (const char* idle = cli::idleWriting(flags, {&file, 1}))
+        throw Refused{
+            {"this flag changes nothing in this file", std::string("--") + idle, "leave it out, or write a file that it changes"}};
     return unlocked([&] {
         const BindInputs inputs;
         const Scan& scan = *detection.scan;

@@ -2,11 +2,13 @@
 #include "app/shared/typed_settings.h"
 
 #include "core/base/inputs.h"
+#include "core/base/number_text.h"
 #include "core/base/shell_quoted.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
+#include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 
 #include <algorithm>
@@ -156,6 +158,29 @@ Result<edges::Settings> settingsFor(const MethodFlags& flags, const Scan& scan) 
     if (!lower) return lower.error();
     settings->lower = *lower;
     return settings;
+}
+
+const char* idleWriting(const WriteFlags& flags, std::span<const WantedExport> wanted) {
+    using Holds = exports::ExportKind::Holds;
+    const auto changesNone = [&](const auto& changes) { return std::ranges::none_of(wanted, changes); };
+    const auto extensionOf = [](const WantedExport& one) { return asciiLower(std::filesystem::path(one.path).extension().string()); };
+    const auto holdsPoints = [](const WantedExport& one) {
+        const files::Format* format = one.kind->holds == Holds::Scan ? files::writtenFormat(one.path) : nullptr;
+        return one.kind->holds == Holds::Points || (format != nullptr && format->write != nullptr);
+    };
+    const auto isText = [&](const WantedExport& one) {
+        return holdsPoints(one) && (extensionOf(one) == ".pcd" || extensionOf(one) == ".ply");
+    };
+    if (flags.ascii && changesNone(isText)) return "ascii";
+    if (flags.includeAttached && changesNone(holdsPoints)) return "include-attached";
+    for (const files::WritingChoice& choice : files::kWritingChoices) {
+        const auto changes = [&](const WantedExport& one) {
+            const bool hasEdges = one.kind->holds == Holds::Points || one.kind->holds == Holds::Shapes;
+            return (hasEdges || (holdsPoints(one) && !choice.needsEdges)) && choice.changes(extensionOf(one));
+        };
+        if (flags.choices.*choice.member && changesNone(changes)) return choice.key;
+    }
+    return nullptr;
 }
 
 exports::ExportOptions exportOptions(const WriteFlags& flags, const Scan& scan, const std::filesystem::path& file) {

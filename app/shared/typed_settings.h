@@ -3,11 +3,13 @@
 
 #include "core/base/result.h"
 #include "core/edges/settings/presets.h"
+#include "core/exports/export_kinds.h"
 #include "core/exports/provenance.h"
 #include "core/scan/grid/scan.h"
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -55,6 +57,15 @@ struct WriteFlags {
     std::string operatorName, role;
     files::WritingChoices choices;
 };
+
+/// A file that is to be written.
+struct WantedExport {
+    const exports::ExportKind* kind;
+    std::string path;
+};
+
+/// The first of these flags without effect on any of the files: "ascii". Null: each changes one.
+[[nodiscard]] const char* idleWriting(const WriteFlags& flags, std::span<const WantedExport> wanted);
 
 /// The export options for one command. "auto" is files::usualFrame(); `file` is given where its format may hold no coordinates.
 [[nodiscard]] exports::ExportOptions exportOptions(const WriteFlags& flags, const Scan& scan, const std::filesystem::path& file = {});

@@ -89,10 +89,7 @@ int run(const Benchmark& asked) {
     std::optional<Error> wrong = unknownKey(asked.compared);
     if (!wrong && asked.compared.settings.bestThreshold && asked.truth.empty())
         wrong = Error{"without truth no threshold is the best", "--best", "give --truth DIR too"};
-    if (wrong) {
-        printError(*wrong);
-        return kWrongUsage;
-    }
+    if (wrong) return failWith(*wrong, kWrongUsage);
     const Result<Done> result = benchmark(asked);
     if (!result) printError(result.error());
     return result ? kDone : kRefused;

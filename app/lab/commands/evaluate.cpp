@@ -197,14 +197,11 @@ std::optional<Error> misplacedFlag(const CLI::App& command, bool rocks) {
 }
 
 int runRocks(Evaluate& evaluate, const edges::Settings& settings) {
-    if (std::any_of(evaluate.files.begin(), evaluate.files.end(), isMask)) {
-        printError({"a mask holds no rocks", "evaluate --rocks", "give the scans"});
-        return kWrongUsage;
-    }
-    if (!edges::reads(settings.method, edges::kReadsSurface)) {
-        printError({"rocks follow from the surface, which this method does not measure", "--method", "leave it out with --rocks"});
-        return kWrongUsage;
-    }
+    if (std::any_of(evaluate.files.begin(), evaluate.files.end(), isMask))
+        return failWith({"a mask holds no rocks", "evaluate --rocks", "give the scans"}, kWrongUsage);
+    if (!edges::reads(settings.method, edges::kReadsSurface))
+        return failWith({"rocks follow from the surface, which this method does not measure", "--method", "leave it out with --rocks"},
+                        kWrongUsage);
     evaluate.ofRocks.choices.edges = settings;
     evaluate.ofRocks.files = evaluate.files;
     evaluate.ofRocks.truths = evaluate.truths;
@@ -214,31 +211,24 @@ int runRocks(Evaluate& evaluate, const edges::Settings& settings) {
 }
 
 int run(Evaluate& evaluate, const CLI::App& command) {
-    if (const auto idle = misplacedFlag(command, evaluate.rocks)) {
-        printError(*idle);
-        return kWrongUsage;
-    }
+    if (const auto idle = misplacedFlag(command, evaluate.rocks)) return failWith(*idle, kWrongUsage);
     const Result<edges::Settings> settings = settingsOf(evaluate.method);
     if (!settings) return failWith(settings.error(), kWrongUsage);
     if (const Result<Done> usage = checkUsage(evaluate, *settings); !usage) return failWith(usage.error(), kWrongUsage);
     const bool masks = std::any_of(evaluate.files.begin(), evaluate.files.end(), isMask);
-    if (evaluate.files.size() != evaluate.truths.size()) {
-        printError({"there are " + std::to_string(evaluate.files.size()) + " files and " + std::to_string(evaluate.truths.size()) +
-                        " folders with truth",
-                    "evaluate", "give --truth once per file, in the same order"});
-        return kWrongUsage;
-    }
+    if (evaluate.files.size() != evaluate.truths.size())
+        return failWith({"there are " + std::to_string(evaluate.files.size()) + " files and " + std::to_string(evaluate.truths.size()) +
+                             " folders with truth",
+                         "evaluate", "give --truth once per file, in the same order"},
+                        kWrongUsage);
     if (evaluate.rocks) return runRocks(evaluate, *settings);
     const bool allMasks = std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask);
-    if (!evaluate.ranges.empty() && (!allMasks || evaluate.ranges.size() != evaluate.files.size())) {
-        printError({"such scans belong to masks, one to each", "--scan-of-mask",
-                    "give --scan-of-mask once per mask, in the same order, or leave it out"});
-        return kWrongUsage;
-    }
-    if (evaluate.sweep && masks) {
-        printError({"a mask has no threshold to sweep over", "evaluate", "give the scan and --method instead"});
-        return kWrongUsage;
-    }
+    if (!evaluate.ranges.empty() && (!allMasks || evaluate.ranges.size() != evaluate.files.size()))
+        return failWith({"such scans belong to masks, one to each", "--scan-of-mask",
+                         "give --scan-of-mask once per mask, in the same order, or leave it out"},
+                        kWrongUsage);
+    if (evaluate.sweep && masks)
+        return failWith({"a mask has no threshold to sweep over", "evaluate", "give the scan and --method instead"}, kWrongUsage);
     return writeOrShow(evaluateAll(evaluate, *settings), evaluate.json, [](const Json& figures) {
         show(figures["fixed"]);
         if (figures.contains("sweep")) showSweep(figures["sweep"]);

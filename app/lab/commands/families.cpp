@@ -174,10 +174,7 @@ std::optional<Error> wrongUsage(FamiliesAsked& asked) {
 }
 
 int run(FamiliesAsked& asked) {
-    if (const auto wrong = wrongUsage(asked)) {
-        printError(*wrong);
-        return kWrongUsage;
-    }
+    if (const auto wrong = wrongUsage(asked)) return failWith(*wrong, kWrongUsage);
     catchInterrupt();
     const Result<int> code = runAsked(asked);
     if (code) return *code;

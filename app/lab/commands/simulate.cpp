@@ -47,10 +47,9 @@ sim::SimulationSettings settingsOf(const Simulate& simulate) {
 }
 
 int run(const Simulate& simulate) {
-    if (files::writtenFormat(simulate.out) == nullptr) {
-        printError({"the extension names no format that can be written", simulate.out, "use " + files::writtenExtensions(true)});
-        return kWrongUsage;
-    }
+    if (files::writtenFormat(simulate.out) == nullptr)
+        return failWith({"the extension names no format that can be written", simulate.out, "use " + files::writtenExtensions(true)},
+                        kWrongUsage);
     sim::SimulationProgress progress;
     if (simulate.progress || isatty(STDERR_FILENO) != 0) {
         progress = [](double fraction) {
