@@ -34,13 +34,12 @@ std::int64_t wholeOf(const py::int_& number) {
     return beyond < 0 ? Limits::min() : beyond > 0 ? Limits::max() : value;
 }
 
-py::object objectOf(const nlohmann::ordered_json& json) {
+py::object objectOf(nlohmann::ordered_json json) {
     // jsonText() writes a byte that is not UTF-8 as \uef80 to \uefff, and Python's file names have \udc80 to \udcff for it.
-    nlohmann::ordered_json said = json;
-    if (said.is_object() && said.contains("warnings")) {
-        for (nlohmann::ordered_json& warning : said["warnings"]) warning = withKeywords(warning.get<std::string>());
+    if (json.is_object() && json.contains("warnings")) {
+        for (nlohmann::ordered_json& warning : json["warnings"]) warning = withKeywords(warning.get<std::string>());
     }
-    std::string text = exports::reportText(said, false);
+    std::string text = exports::reportText(json, false);
     for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 2)) {
         if (text.compare(at, 4, "\\uef") == 0 && text[at + 4] >= '8') text.replace(at + 2, 2, "dc");
     }

@@ -88,7 +88,7 @@ py::array vectorArray(const std::vector<T>& values, const std::shared_ptr<Owner>
 [[nodiscard]] CoordinateFrame frameOf(const Scan& scan, const std::string& name);
 
 /// Names in it are as nameOf() gives them.
-[[nodiscard]] py::object objectOf(const nlohmann::ordered_json& json);
+[[nodiscard]] py::object objectOf(nlohmann::ordered_json json);
 
 /// A class of the package, whose objects only the module makes: without a C++ object behind it, an object of Python would have no memory to
 /// read.

@@ -94,12 +94,12 @@ std::string hintFor(std::string_view command, const std::string& typed, const st
 
 using Apps = std::vector<const CLI::App*>;
 
-/// The first word, where it should be a command and is not.
 bool isThere(const std::string& path) {
     std::error_code ignored; // of a name that is too long, or below a folder that may not be read
     return std::filesystem::exists(path, ignored);
 }
 
+/// The first word, where it should be a command and is not.
 std::optional<Error> unknownCommand(const CLI::App& app, const std::vector<std::string>& words) {
     const Apps commands = app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); });
     if (commands.empty()) return std::nullopt;

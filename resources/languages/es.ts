@@ -3331,13 +3331,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the scanner</source><translation>el escáner</translation></message>
 <message><source>the scanner's answer to %1</source><translation>la respuesta del escáner a %1</translation></message>
 <message><source>the code of a refusal</source><translation>el código de un rechazo</translation></message>
-<message><source>the value</source><translation>el valor</translation></message>
-<message><source>the text</source><translation>el texto</translation></message>
-<message><source>the scan frequency</source><translation>la frecuencia de escaneo</translation></message>
 <message><source>the number of sectors</source><translation>el número de sectores</translation></message>
 <message><source>the angle step</source><translation>el paso angular</translation></message>
 <message><source>the start angle</source><translation>el ángulo inicial</translation></message>
 <message><source>the stop angle</source><translation>el ángulo final</translation></message>
+<message><source>the value</source><translation>el valor</translation></message>
+<message><source>the text</source><translation>el texto</translation></message>
+<message><source>the scan frequency</source><translation>la frecuencia de escaneo</translation></message>
 <message><source>the channels</source><translation>los canales</translation></message>
 <message><source>the remission switch</source><translation>el interruptor de remisión</translation></message>
 <message><source>the remission width</source><translation>el ancho de remisión</translation></message>

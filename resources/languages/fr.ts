@@ -3331,13 +3331,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the scanner</source><translation>le scanner</translation></message>
 <message><source>the scanner's answer to %1</source><translation>la réponse du scanner à %1</translation></message>
 <message><source>the code of a refusal</source><translation>le code d'un refus</translation></message>
-<message><source>the value</source><translation>la valeur</translation></message>
-<message><source>the text</source><translation>le texte</translation></message>
-<message><source>the scan frequency</source><translation>la fréquence de balayage</translation></message>
 <message><source>the number of sectors</source><translation>le nombre de secteurs</translation></message>
 <message><source>the angle step</source><translation>le pas angulaire</translation></message>
 <message><source>the start angle</source><translation>l'angle de début</translation></message>
 <message><source>the stop angle</source><translation>l'angle de fin</translation></message>
+<message><source>the value</source><translation>la valeur</translation></message>
+<message><source>the text</source><translation>le texte</translation></message>
+<message><source>the scan frequency</source><translation>la fréquence de balayage</translation></message>
 <message><source>the channels</source><translation>les canaux</translation></message>
 <message><source>the remission switch</source><translation>l'interrupteur de rémission</translation></message>
 <message><source>the remission width</source><translation>la largeur de rémission</translation></message>

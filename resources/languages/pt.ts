@@ -3331,13 +3331,13 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the scanner</source><translation>o scanner</translation></message>
 <message><source>the scanner's answer to %1</source><translation>a resposta do scanner a %1</translation></message>
 <message><source>the code of a refusal</source><translation>o código de uma recusa</translation></message>
-<message><source>the value</source><translation>o valor</translation></message>
-<message><source>the text</source><translation>o texto</translation></message>
-<message><source>the scan frequency</source><translation>a frequência de varredura</translation></message>
 <message><source>the number of sectors</source><translation>o número de setores</translation></message>
 <message><source>the angle step</source><translation>o passo angular</translation></message>
 <message><source>the start angle</source><translation>o ângulo inicial</translation></message>
 <message><source>the stop angle</source><translation>o ângulo final</translation></message>
+<message><source>the value</source><translation>o valor</translation></message>
+<message><source>the text</source><translation>o texto</translation></message>
+<message><source>the scan frequency</source><translation>a frequência de varredura</translation></message>
 <message><source>the channels</source><translation>os canais</translation></message>
 <message><source>the remission switch</source><translation>a chave de remissão</translation></message>
 <message><source>the remission width</source><translation>a largura de remissão</translation></message>

@@ -66,18 +66,18 @@ bool areCells(const PointTable& table) {
     if (cells.size() < kFewestPoints) return false;
     std::size_t shared = 0;
     std::size_t neighbours = 0;
-    std::vector<double> beside, apart;
+    std::vector<double> toNeighbour, toFarCell;
     const std::size_t stride = std::max<std::size_t>(1, cells.size() / kPairs);
     for (std::size_t n = 1; n < cells.size(); ++n) {
         shared += cells[n].cell == cells[n - 1].cell ? 1 : 0;
         if (cells[n].cell != cells[n - 1].cell + 1) continue;
         if (neighbours++ % stride != 0) continue;
         const Eigen::Vector3d& here = table.points[cells[n].point];
-        beside.push_back((here - table.points[cells[n - 1].point]).norm());
-        apart.push_back((here - table.points[cells[(n + cells.size() / 2) % cells.size()].point]).norm());
+        toNeighbour.push_back((here - table.points[cells[n - 1].point]).norm());
+        toFarCell.push_back((here - table.points[cells[(n + cells.size() / 2) % cells.size()].point]).norm());
     }
     if (static_cast<double>(shared) > kMostShared * static_cast<double>(cells.size()) || 4 * neighbours < cells.size()) return false;
-    return valueInOrder(beside, beside.size() / 2) * kNeighboursAre < valueInOrder(apart, apart.size() / 2);
+    return valueInOrder(toNeighbour, toNeighbour.size() / 2) * kNeighboursAre < valueInOrder(toFarCell, toFarCell.size() / 2);
 }
 
 constexpr std::size_t kRowsLookedAt = 200;

@@ -22,7 +22,7 @@ namespace {
 /// of a beam have the same angle from it. Empty when too few show it.
 std::optional<Eigen::Matrix3d> turnToAxis(const Grid<Eigen::Vector3d>& points) {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    std::size_t told = 0;
+    std::size_t beamsWithReturns = 0;
     for (int j = 0; j < points.beams; ++j) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
@@ -36,10 +36,10 @@ std::optional<Eigen::Matrix3d> turnToAxis(const Grid<Eigen::Vector3d>& points) {
             ++count;
         }
         if (count < 3) continue;
-        ++told;
+        ++beamsWithReturns;
         spread += squares - sum * sum.transpose() / count;
     }
-    if (told < 2) return std::nullopt;
+    if (beamsWithReturns < 2) return std::nullopt;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
     if (solver.info() != Eigen::Success || solver.eigenvalues()[1] < 1e-12 * static_cast<double>(points.size())) return std::nullopt;
     Eigen::Vector3d axis = solver.eigenvectors().col(0);

@@ -46,6 +46,15 @@ Result<ColaAnswer> parseRefusal(ByteView payload, Dialect dialect) {
     return answer;
 }
 
+/// What a scan configuration and an output range have alike.
+template <class Angles>
+void readSectors(ColaReader& reader, Angles& angles) {
+    angles.sectors = reader.u16("the number of sectors");
+    angles.step = reader.u32("the angle step");
+    angles.startAngle = reader.i32("the start angle");
+    angles.stopAngle = reader.i32("the stop angle");
+}
+
 } // namespace
 
 // Reads the arguments of a scanner's answers.
@@ -66,10 +75,7 @@ Result<ScanConfiguration> parseScanConfiguration(const ColaAnswer& answer) {
     return parsed(answer, [](ColaReader& reader) {
         ScanConfiguration configuration;
         configuration.frequency = reader.u32("the scan frequency");
-        configuration.sectors = reader.u16("the number of sectors");
-        configuration.step = reader.u32("the angle step");
-        configuration.startAngle = reader.i32("the start angle");
-        configuration.stopAngle = reader.i32("the stop angle");
+        readSectors(reader, configuration);
         return configuration;
     });
 }
@@ -77,10 +83,7 @@ Result<ScanConfiguration> parseScanConfiguration(const ColaAnswer& answer) {
 Result<OutputRange> parseOutputRange(const ColaAnswer& answer) {
     return parsed(answer, [](ColaReader& reader) {
         OutputRange range;
-        range.sectors = reader.u16("the number of sectors");
-        range.step = reader.u32("the angle step");
-        range.startAngle = reader.i32("the start angle");
-        range.stopAngle = reader.i32("the stop angle");
+        readSectors(reader, range);
         return range;
     });
 }

@@ -168,14 +168,14 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     else
         showNoRock(picture, cells.back());
     if (cells.size() > 1) title_->setText(tr("%1, and %2 more selected").arg(title_->text()).arg(cells.size() - 1));
-    QString state = stale ? tr("▲ of the picture before; being computed again") : QString();
-    if (isRock_ && isDoubtful(*rock)) state += (state.isEmpty() ? QString() : "\n") + tr("▲ uncertain outline: hatched");
-    if (isRock_ && !rock->apart.empty()) state += (state.isEmpty() ? QString() : "\n") + partsText(*rock);
+    QStringList state;
+    if (stale) state << tr("▲ of the picture before; being computed again");
+    if (isRock_ && isDoubtful(*rock)) state << tr("▲ uncertain outline: hatched");
+    if (isRock_ && !rock->apart.empty()) state << partsText(*rock);
     const bool maybeOne = isRock_ && !rock->maybeOneWith.empty();
-    if (maybeOne)
-        state += (state.isEmpty() ? QString() : "\n") + tr("may be one with %1: Merge joins them").arg(rocksText(rock->maybeOneWith, link));
-    if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("a rock by hand: marked or cut");
-    state_->setText(state.replace('\n', "<br>"));
+    if (maybeOne) state << tr("may be one with %1: Merge joins them").arg(rocksText(rock->maybeOneWith, link));
+    if (isRock_ && rock->byHand) state << tr("a rock by hand: marked or cut");
+    state_->setText(state.join("<br>"));
     state_->setVisible(!state.isEmpty());
     for (QPushButton* button : {split_, cut_, name_, section_}) button->setEnabled(isRock_);
     merge_->setEnabled(cells.size() > 1 || maybeOne);

@@ -328,8 +328,8 @@ void CloudView::updateOverlay() {
     // A tip describes the point under the mouse. The ring may belong to a target, which does not move with the mouse.
     const bool pinned =
         std::ranges::any_of(marks_.targets, [&](const TargetMark& target) { return target.active && target.cell == marked_; });
-    const auto told = hoveredCell_ ? hoveredCell_ : pinned ? std::nullopt : marked_;
-    if (told && !tip_.isEmpty()) marks.tipAt = pixelOf(*told);
+    const auto describedCell = hoveredCell_ ? hoveredCell_ : pinned ? std::nullopt : marked_;
+    if (describedCell && !tip_.isEmpty()) marks.tipAt = pixelOf(*describedCell);
     marks.dragged = dragged_;
     if (cloud_ && !marks_.empty()) marks.marks = marksOnScreen();
     if (marked_ && cloud_ && cloud_->drawable(*marked_)) {
