@@ -118,7 +118,7 @@ private slots:
         QTest::keyClick(shownEdges(on), Qt::Key_Down);
         QCOMPARE(shownEdges(on)->currentText(), QString("Rock borders"));
         QVERIFY(on.settled());
-        QCOMPARE(edgesIn(on), likely(50)); // automatic: the ranges are as noisy as an LMS511's
+        QCOMPARE(edgesIn(on), likely(50));
         QVERIFY(edgesIn(on) < all && on.slider("border-from")->isVisible());
         on.slider("border-from")->setFocus();
         QTest::keyClick(on.slider("border-from"), Qt::Key_Right);

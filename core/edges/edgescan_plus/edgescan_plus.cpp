@@ -5,6 +5,7 @@
 #include "core/base/portable_math.h"
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/gap_detour.h"
+#include "core/edges/edgescan_plus/noise_smoothing.h"
 #include "core/edges/edgescan_plus/silhouettes.h"
 #include "core/edges/edgescan_plus/stored_folds.h"
 #include "core/edges/edgescan_plus/suppression.h"
@@ -33,8 +34,7 @@ constexpr double kWindowMm = 50.0;
 constexpr double kMemoryWindowMm = 50.0;
 // x nominal: between them the share of what noisy ranges need grows; in the middle is where the rules of default set 4 change at once
 constexpr double kQuiet = 1.25, kNoisy = 1.75;
-// %: the least probability of a rock border that is shown; noise lowers the probability of true borders
-constexpr double kBorderQuiet = 50, kBorderNoisy = 30;
+constexpr double kLeftOfJumps = 0.67, kLeftOfFolds = 0.6; // of the noise, after noisy ranges were smoothed
 // tangents: ranges are often lost on steeper surfaces, and there nothing ends
 constexpr float kRimSlant = 5.67F, kRimSlantOf4 = 2.75F; // of 80 and of 70 degrees
 constexpr double kLeastNoise = 0.2;                      // x nominal
@@ -47,6 +47,23 @@ double noiseShare(const RangeNoise& noise, double spacingMm, double rangeM = 5.0
     const double least = std::clamp(kJumpSpacings * spacingMm / kJumpMm, kLeastNoise, kRelief);
     const double nominal = rangeM == 5.0 ? kNominalNoiseMm : kNominalNoiseMm * (kOffsetShare + kPerMetreShare * rangeM);
     return std::clamp(noise.at(rangeM) / nominal, least, 10.0);
+}
+
+// The share of what noisy ranges need. Under the rules of default set 4 all of it or nothing.
+double noisyShare(double q, const Settings& settings) {
+    if (settings.rules < 5) return q > 0.5 * (kQuiet + kNoisy) ? 1 : 0;
+    return std::clamp((q - kQuiet) / (kNoisy - kQuiet), 0.0, 1.0);
+}
+
+// Typed or measured.
+RangeNoise noiseForLimits(const DepthSurface& surface, const Settings& settings) {
+    const double typed = settings.noiseMm; // NaN: measured
+    if (typed >= 0) return {typed * kOffsetShare, typed * kPerMetreShare};
+    return settings.rules < 5 ? surface.ofRange : surface.steady;
+}
+
+RangeNoise times(const RangeNoise& noise, double factor) {
+    return {factor * noise.offsetMm, factor * noise.perMetreMm, factor * noise.perSquareMetreMm};
 }
 
 // The responses of one line in both directions, and around it.
@@ -170,6 +187,9 @@ DepthSurface depthSurface(const Scan& scan, const Settings& settings, int thread
     surface.steady = ofTiles.steady;
     removeSpikes(surface.inverse, surface.ofRange);
     surface.spacingMm = pointSpacingMm(surface.inverse, surface.steps);
+    const RangeNoise ofLimits = noiseForLimits(surface, settings);
+    if (!remembered && settings.rules >= 5) surface.smoothed = noisyShare(noiseShare(ofLimits, surface.spacingMm), settings);
+    if (surface.smoothed > 0) smoothNoise(surface.inverse, ofLimits, surface.smoothed, threads);
     return surface;
 }
 
@@ -185,18 +205,21 @@ DepthSurface withFilledGaps(DepthSurface surface, const GapFilling* filling) {
 DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     DepthLimits limits;
     const bool before5 = settings.rules < 5;
-    const double typed = settings.noiseMm; // NaN: measured
-    limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : before5 ? surface.ofRange : surface.steady;
-    limits.foldNoise = limits.noise;
+    limits.noise = noiseForLimits(surface, settings);
+    const auto left = [&surface](double share) { return 1 - surface.smoothed * (1 - share); };
+    limits.foldNoise = times(limits.noise, left(kLeftOfFolds));
     double q = noiseShare(limits.noise, surface.spacingMm);
     // A jump is computed from neighbouring cells, so its noise is that of neighbours. It is taken at the scan's own range: noise that grows
     // with the square of the range cannot be extrapolated to 5 m from ranges below one metre.
-    const bool remembered = std::isnan(typed) && surface.memory.windowMm > 0;
+    const bool remembered = std::isnan(settings.noiseMm) && surface.memory.windowMm > 0;
     if (remembered) {
         limits.noise = surface.memory.range;
         limits.foldNoise = surface.memory.fold;
         q = noiseShare({surface.scales.sigmaMm.front(), 0, 0}, surface.spacingMm, surface.scales.rangeM);
     }
+    limits.noisy = static_cast<float>(noisyShare(q, settings));
+    limits.passes = limits.noisy > 0 ? 2 : 1;
+    q *= left(kLeftOfJumps);
     limits.jumpMm = static_cast<float>(settings.jumpMm >= 0 ? settings.jumpMm : kJumpMm * q);
     limits.growth = static_cast<float>(settings.growthPercent / 100.0);
     limits.grazing = static_cast<float>(settings.grazing);
@@ -205,9 +228,6 @@ DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     limits.windowMm = static_cast<float>(kWindowMm * portable::pow(q, 0.7));
     if (remembered) limits.windowMm = std::max(limits.windowMm, static_cast<float>(surface.memory.windowMm));
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
-    limits.noisy =
-        before5 ? (q > 0.5 * (kQuiet + kNoisy) ? 1.0F : 0.0F) : static_cast<float>(std::clamp((q - kQuiet) / (kNoisy - kQuiet), 0.0, 1.0));
-    limits.passes = limits.noisy > 0 ? 2 : 1;
     limits.rimSlant = before5 ? kRimSlantOf4 : kRimSlant;
     limits.turns = settings.turns;
     if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
@@ -250,7 +270,6 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     DepthResponses result;
     result.noise = limits.noise;
     result.jumpMm = static_cast<double>(limits.jumpMm);
-    result.borderPercent = std::round(kBorderQuiet + limits.noisy * (kBorderNoisy - kBorderQuiet)); // as it is shown
     result.scales = surface.scales;
     result.foldNoise = limits.foldNoise;
     result.neighboursAlike = surface.memory.windowMm > 0;
@@ -288,7 +307,6 @@ DepthResponses withCreaseAngle(const DepthResponses& before, const StoredFolds& 
                           Grid<float>(support.lines, support.beams),
                           before.noise,
                           before.jumpMm,
-                          before.borderPercent,
                           before.scales,
                           before.foldNoise,
                           before.neighboursAlike,

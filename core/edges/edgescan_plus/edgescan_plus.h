@@ -22,9 +22,8 @@ struct DepthResponses {
     Grid<float> crease;                      ///< lines x beams; positive: convex, negative: concave; weighed if the scan is rough
     RangeNoise noise;                        ///< measured or typed, mm
     double jumpMm = 0;                       ///< J0, automatic or typed, mm
-    double borderPercent = 0;                ///< automatic least probability of a rock border that is shown, %
     NoiseScales scales;                      ///< of the measured noise
-    RangeNoise foldNoise;                    ///< the noise for folds; equals `noise` if the noise is white
+    RangeNoise foldNoise;                    ///< the noise for folds: what smoothing leaves of `noise` if that is white
     bool neighboursAlike = false;            ///< the errors of neighbours are correlated: measured, or set by noiseKind
     std::vector<std::uint32_t> border;       ///< measured cells next to a void of more than 4 cells, ascending
     /// those of `border` and beyond that are near sides of an outline (core/edges/edgescan_plus/silhouettes.h), ascending
@@ -40,7 +39,7 @@ struct DepthEdges {
     RangeNoise noise;        ///< measured or typed
 };
 
-/// Steps 1 and 6: the cleaned sweep and its noise. Of all settings only `straighten` and `noiseKind` change it.
+/// Steps 1 and 6: the cleaned sweep and its noise. Only settings that feed Stage::Surface change it.
 struct DepthSurface {
     InverseRange inverse;
     SweepSlips slips;
@@ -52,6 +51,7 @@ struct DepthSurface {
     NoiseScales scales;
     MemoryNoise memory;            ///< the noise if errors of neighbours are correlated; empty if it is not needed
     std::vector<CellRun> withheld; ///< cells left out by a filter or lost, ascending: not open voids
+    double smoothed = 0;           ///< share of smoothNoise() in `inverse`, 0 to 1
 };
 [[nodiscard]] DepthSurface depthSurface(const Scan& scan, const Settings& settings, int threads = 0);
 

@@ -25,7 +25,7 @@ struct DepthField {
 };
 
 /// Thresholds of the stages, from settings and noise (docs/method/edges.md, "Step 3", "Step 5", "Step 6"). depthLimits() sets all of them;
-/// the values here are only placeholders. q is the noise divided by that of an LMS511.
+/// the values here are only placeholders. q is the noise divided by that of an LMS511, less what smoothNoise() removes.
 struct DepthLimits {
     float jumpMm = 30;    ///< J0: smallest jump near the scanner, mm; automatic: 30 q
     float growth = 0.01F; ///< p: added to J0, as a share of the range

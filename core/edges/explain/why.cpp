@@ -76,7 +76,6 @@ void followBorder(Why& why, const Detection& detection, std::size_t k) {
     why.leftOut = !why.probe.edge && all.mask[k] != 0;
     if (!why.probe.edge && !why.leftOut) return;
     const Grid<DepthEdge>& classes = why.leftOut ? all.kind : *detection.classes;
-    why.leastBorder = leastBorderPercent(*detection.responses, settings);
     const std::array cells{static_cast<std::uint32_t>(k)};
     why.border = borderPercents(*detection.surface, *detection.responses, settings, cells).front();
     if (*why.border == kUnknownBorder || classes[k] >= DepthEdge::Border) return; // of these no evidence is weighed

@@ -29,7 +29,6 @@ struct Why : Judgement {
     std::optional<double> appearsAt;         ///< the cell is an edge up to this value of the parameter; null: at no value
     bool leftOut = false;                    ///< it is an edge, but only rock borders are shown
     std::optional<BorderPercent> border;     ///< of an edge and of one that is left out; null: the method does not measure the surface
-    double leastBorder = 0;                  ///< ... and how likely a rock border must be to be shown, %
     std::vector<BorderReason> borderReasons; ///< the three that decided it
     std::string verdict;                     ///< one sentence, with the parameter's key as on the command line
 };

@@ -160,7 +160,7 @@ std::string WhyWords::upperThreshold() const {
 std::string WhyWords::reasonOfNone(const std::string& strength) const {
     switch (noEdgeReason(why_)) {
     case NoEdge::NotBorder: {
-        const std::string from = formatValue(*findParameter("border-from"), why_.leastBorder);
+        const std::string from = formatValue(*findParameter("border-from"), settings_.borderPercent);
         return say("it is an edge, but only %1 % likely the border of a rock, and only those from %2 % on are shown (%3)",
                    {std::to_string(*why_.border), from, named("border-from")});
     }
@@ -286,8 +286,10 @@ std::string WhyWords::depthText() const {
     if (why_.rough && !depth.folds.empty()) text += "\n" + roughText();
     if (depth.support == Support::Void) return text;
     text += "\n" + say("Range noise used: sigma %1 m here, %2 m at 5 m.", {noiseMetres(depth.noiseMm), noiseMetres(depth.noiseAt5mMm)});
-    if (depth.foldNoiseMm != depth.noiseMm)
+    if (depth.foldNoiseMm > depth.noiseMm)
         text += " " + say("Neighbours err alike, so for folds it counts as %1 m here.", {noiseMetres(depth.foldNoiseMm)});
+    if (depth.foldNoiseMm < depth.noiseMm)
+        text += " " + say("Noisy ranges are smoothed, so for folds it counts as %1 m here.", {noiseMetres(depth.foldNoiseMm)});
     return text;
 }
 

@@ -165,7 +165,6 @@ Measured measuredOf(const Detection& detection) {
     }
     if (detection.responses) {
         measured.jumpMm = detection.responses->jumpMm;
-        measured.borderPercent = detection.responses->borderPercent;
         measured.noiseMm = detection.responses->noise.at(5.0);
     }
     return measured;

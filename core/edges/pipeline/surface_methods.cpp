@@ -17,9 +17,8 @@ namespace {
 std::vector<std::uint32_t> leftOut(const Detection& detection, const std::vector<std::uint32_t>& cells) {
     std::vector<std::uint32_t> out;
     const std::vector<BorderPercent> borders = borderPercents(*detection.surface, *detection.responses, detection.settings, cells, 0);
-    const double least = leastBorderPercent(*detection.responses, detection.settings);
     for (std::size_t n = 0; n < cells.size(); ++n) {
-        if (borders[n] < least) out.push_back(cells[n]);
+        if (borders[n] < detection.settings.borderPercent) out.push_back(cells[n]);
     }
     return out;
 }

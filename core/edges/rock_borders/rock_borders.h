@@ -16,11 +16,6 @@ using BorderPercent = std::uint8_t;
 inline constexpr BorderPercent kUnknownBorder = 255;
 inline constexpr BorderPercent kStrongBorder = 70, kWeakBorder = 30; ///< from here on drawn as a border; below as a fold
 
-/// Edges of this probability and more are shown where only rock borders are, %: typed, or automatic.
-[[nodiscard]] inline double leastBorderPercent(const DepthResponses& responses, const Settings& settings) {
-    return settings.borderPercent >= 0 ? settings.borderPercent : responses.borderPercent;
-}
-
 /// Of these cells, in their order. Outlines before a void and rims of voids that are edges have 100; of a data border, which is not an edge
 /// of anything, nothing is known. The same for any number of threads.
 [[nodiscard]] std::vector<BorderPercent> borderPercents(const DepthSurface& surface, const DepthResponses& responses,

@@ -37,7 +37,6 @@ struct Measured {
     double nearMm = kAutomatic, farMm = kAutomatic; ///< window of the gray levels
     double jumpMm = kAutomatic;                     ///< smallest jump near the scanner
     double noiseMm = kAutomatic;                    ///< range noise sigma at 5 m
-    double borderPercent = kAutomatic;              ///< least probability of a rock border that is shown, %
 };
 
 struct Parameter : TableRow<Settings> {

@@ -86,8 +86,8 @@ struct Settings {
     bool roughScans = true; ///< rules 4 only: on a scan of rough surfaces folds must exceed their surroundings
 
     // Which of the edges are shown (docs/method/edges.md, "Rock border or fold")
-    bool rockBorders = false;          ///< only those that are likely the border of a rock
-    double borderPercent = kAutomatic; ///< ... with this probability, %, and more; automatic: from the noise
+    bool rockBorders = false;  ///< only those that are likely the border of a rock
+    double borderPercent = 50; ///< ... with this probability, %, and more
 
     // Gaps (docs/method/edges.md, "Gaps")
     int fillCells = 0;      ///< shorter side of the gaps to fill, cells; 0: no filling

@@ -117,22 +117,6 @@ TEST(RockBorders, TheViewIsThePartOfTheEdgesWithThatProbability) {
     }
 }
 
-TEST(RockBorders, TheAutomaticLimitFallsSteadilyWithTheNoise) {
-    double before = 51;
-    for (const auto& [timesNominal, limit] :
-         {std::pair{1.0, 50.0}, {1.25, 50.0}, {1.4, 44.0}, {1.44, 42.0}, {1.5, 40.0}, {1.75, 30.0}, {3.0, 30.0}}) {
-        Settings settings = onlyBorders(kAutomatic);
-        settings.noiseMm = timesNominal * 6.75;
-        const auto view = detectEdges(bell(), settings);
-        const double shown = measuredOf(*view).borderPercent;
-        EXPECT_NEAR(shown, limit, 1e-4) << timesNominal;
-        EXPECT_LE(shown, before);
-        before = shown;
-        settings.borderPercent = shown;
-        EXPECT_EQ(*detectEdges(bell(), settings)->edges, *view->edges) << timesNominal;
-    }
-}
-
 // Threshold map, curve and the threshold of a cell describe the same edges as the decision at each threshold.
 TEST(RockBorders, ThresholdsOfTheViewAgreeWithItsEdges) {
     const auto detection = detectEdges(bell(), onlyBorders(40));

@@ -150,7 +150,7 @@ TEST(Presets, TheDefaultSettingsAreThoseOfTheirVersion) {
     EXPECT_EQ(kDefaultSet.version, 5);
     EXPECT_EQ(
         settingsToJson(Settings{}).dump(),
-        R"({"aperture":3,"border-from":"auto","classes":"jump,convex,concave,silhouette,rim","crease":30,"far":"auto","fill":0,"fill-edges":"off","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
+        R"({"aperture":3,"border-from":50,"classes":"jump,convex,concave,silhouette,rim","crease":30,"far":"auto","fill":0,"fill-edges":"off","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
         R"("kernel":3,"log-mask":"four","lower":6,"mask-isolated":"on","mask-missing":"on","method":"edgescan+","min-length":4,"near":"auto",)"
         R"("noise":"auto","noise-kind":"measured","norm":"l1","ratio":3,"rock-borders":"off","rough-scans":"on","rules":5,"scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3,"turns":"on"})");
     EXPECT_EQ(builtInPresets().front().name, kDefaultSet.name);
