@@ -130,6 +130,7 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     for (const char* table : kTables) {
         if (auto free = checkIsNoInput(fs::path(batch.results) / table); !free) return free.error();
     }
+    if (auto one = checkOnePose(listing->inputs, batch.read); !one) return one.error();
     work.results = batch.results;
     work.read = batch.read;
     work.method = batch.method;
@@ -360,7 +361,10 @@ int run(Batch& batch) {
         if (file.kind != nullptr)
             written.push_back({file.kind, exports::exportFileName(*file.kind, file.extension, CoordinateFrame::Mine)});
     }
-    if (const auto used = checkWriting(batch.write, written); !used) return failWith(used.error(), kWrongUsage);
+    WriteFlags ofFiles = batch.write;
+    if (std::ranges::any_of(*wanted, [](const WantedFile& file) { return file.extension == ".html"; }))
+        ofFiles.operatorName = ofFiles.role = ""; // the report names them
+    if (const auto used = checkWriting(ofFiles, written); !used) return failWith(used.error(), kWrongUsage);
     batch.withRocks = batch.withRocks || std::ranges::any_of(*wanted, &WantedFile::isOfRocks);
     if (const auto rocks = checkRocks(batch.rocks); !rocks) return failWith(rocks.error(), kWrongUsage);
     if (!batch.withRocks && anyTyped(batch.rocks))
@@ -375,6 +379,7 @@ int run(Batch& batch) {
     warnOfOtherFiles(batch.results);
     auto work = planned(batch, *settings);
     if (!work) return failWith(work.error());
+    if (const auto can = checkOutputs(std::array{batch.json}); !can) return failWith(can.error());
     const auto code = runPlan(batch, *work, *settings);
     return code ? *code : failWith(code.error());
 }

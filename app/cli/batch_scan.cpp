@@ -288,7 +288,9 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
     for (const WantedFile& wanted : work.wanted) {
         const auto written = writeOne(work, wanted, *detection, rocks, loadMs, staging, row);
         if (!written) {
-            refuse(row, "failed", written.error());
+            Error error = written.error();
+            if (error.where.starts_with(staging.string())) error.where = input + ", " + fs::path(error.where).filename().string();
+            refuse(row, "failed", error);
             return {};
         }
     }
@@ -299,11 +301,15 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
 
 Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated) {
     std::vector<WantedFile> wanted;
+    if (commaSeparated.empty()) return wanted;
     for (std::size_t at = 0; at <= commaSeparated.size();) {
         const std::size_t end = std::min(commaSeparated.find(',', at), commaSeparated.size());
         const std::string typed = commaSeparated.substr(at, end - at);
         at = end + 1;
-        if (typed.empty() || std::ranges::any_of(wanted, [&](const WantedFile& other) { return other.typed == typed; })) continue;
+        if (typed.empty())
+            return Error{"a comma is too many or a name is missing", commaSeparated, "write the names with one comma between them"};
+        if (typed == "none") return Error{"none means no file at all", commaSeparated, "give none alone, or leave it out"};
+        if (std::ranges::any_of(wanted, [&](const WantedFile& other) { return other.typed == typed; })) continue;
         const std::size_t dot = std::min(typed.find('.'), typed.size());
         const auto word = std::ranges::find(resultWords(), typed.substr(0, dot), &ResultWord::word);
         const bool hasExtension = word != resultWords().end() && word->extension.empty();

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
+#include "core/base/inputs.h"
 #include "core/containers/png/png.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
@@ -47,6 +48,10 @@ Result<inspect::RegistrationRequest> wishOf(const CompareFlags& flags) {
 
 Result<Done> compare(const CompareFlags& flags) {
     if (auto distinct = checkDistinct(std::array{flags.json, flags.picture}); !distinct) return distinct;
+    if (auto one = checkOnePose({flags.before, flags.now}, flags.read); !one) return one;
+    claimInput(flags.before);
+    claimInput(flags.now);
+    if (auto can = checkOutputs(std::array{flags.json, flags.picture}); !can) return can;
     const auto wish = wishOf(flags);
     if (!wish) return wish.error();
     const auto before = detected(flags, flags.before);

@@ -2,10 +2,13 @@
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"
+#include "core/base/inputs.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 
+#include <array>
 #include <memory>
 
 namespace edgescan::cli {
@@ -23,6 +26,8 @@ int run(const Convert& convert) {
                         kWrongUsage);
     if (auto used = checkWriting(convert.write, {{&exports::exportKind(exports::ExportContent::WholeScan), convert.out}}); !used)
         return failWith(used.error(), kWrongUsage);
+    claimInput(convert.in);
+    if (auto can = checkOutputs(std::array{convert.out}); !can) return failWith(can.error());
     Result<Scan> opened = openAndWarn(convert.in, convert.read);
     if (!opened) return failWith(opened.error());
     edges::Detection detection;
@@ -33,11 +38,12 @@ int run(const Convert& convert) {
     const std::vector<std::string> lost = files::lostOnSaving(
         scan, convert.out,
         {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached, .choices = options.choices});
+    const std::string replaced = replacedMark(convert.out);
     const auto saved = exports::exportWithProvenance(exports::ExportContent::WholeScan, detection, convert.out, options);
     if (!saved) return failWith(saved.error());
     for (const std::string& sentence : lost) printError(printable(convert.in) + ": " + sentence);
     printError(printable(convert.in) + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) +
-               " beams; written to " + placesText({convert.out}) + ".");
+               " beams; written to " + placesText({convert.out}) + replaced + ".");
     printError(placesText({convert.out}) + ": " + exports::coordinatesText(*saved->coordinates));
     return kDone;
 }

@@ -101,7 +101,8 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     if (places.empty())
         printResult(found);
     else if (writesFiles(out.paths()))
-        printError(found + "; written to " + places + (detect.out.folder.empty() ? "" : ": " + namesText(out.paths())) + ".");
+        printError(found + "; written to " + places + (detect.out.folder.empty() ? "" : ": " + namesText(out.paths(), detect.out.folder)) +
+                   ".");
     if (!coordinates->empty()) printError(places + ": " + *coordinates);
     return Done{};
 }
@@ -113,6 +114,12 @@ bool onePathForSeveral(const Detect& detect) {
     return detect.files.size() > 1 && onePath;
 }
 
+std::vector<std::string> typedOutputs(const Detect& detect) {
+    std::vector<std::string> typed{detect.json};
+    typed.insert(typed.end(), detect.out.typed.begin(), detect.out.typed.end());
+    return typed;
+}
+
 // Wrong usage is reported before any file is read.
 Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
@@ -120,9 +127,7 @@ Result<Done> checkUsage(const Detect& detect) {
     if (auto known = checkExtensions(detect.out); !known) return known;
     const auto wanted = wantedExports(detect.out, exports::ExportKind::Needs::Edges, "scan", CoordinateFrame::Mine);
     if (auto used = checkWriting(detect.write, wanted); !used) return used;
-    std::vector<std::string> typed{detect.json};
-    typed.insert(typed.end(), detect.out.typed.begin(), detect.out.typed.end());
-    if (auto distinct = checkDistinct(typed); !distinct) return distinct;
+    if (auto distinct = checkDistinct(typedOutputs(detect)); !distinct) return distinct;
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
         claimInput(file); // before the first scan writes results
@@ -138,6 +143,7 @@ int run(const Detect& detect) {
     const Result<Done> method = checkMethodAndWarn(detect.method);
     if (!usage || !method) return failWith(usage ? method.error() : usage.error(), kWrongUsage);
     if (const auto made = makeFolder(detect.out.folder, "give -o a folder that can be written to"); !made) return failWith(made.error());
+    if (const auto can = checkOutputs(typedOutputs(detect)); !can) return failWith(can.error());
     std::size_t done = 0, refused = 0;
     for (const std::string& file : detect.files) {
         const auto one = [&] {

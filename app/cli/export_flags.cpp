@@ -93,10 +93,11 @@ std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::Expor
     return wanted;
 }
 
-std::string namesText(const std::vector<std::string>& paths) {
+std::string namesText(const std::vector<std::string>& paths, const std::string& folder) {
     std::string names;
     for (const std::string& path : paths) {
-        if (!path.empty()) names += (names.empty() ? "" : ", ") + printable(fs::path(path).filename().string());
+        const bool isInside = fs::path(path).parent_path() == fs::path(folder + "/").parent_path();
+        if (!path.empty()) names += (names.empty() ? "" : ", ") + printable(isInside ? fs::path(path).filename().string() : path);
     }
     return names;
 }

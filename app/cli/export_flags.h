@@ -46,8 +46,8 @@ Result<Done> checkFolder(const std::string& folder);
 /// Error: a writing flag that changes no file among these.
 Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExport>& wanted);
 
-/// Their names without folders.
-[[nodiscard]] std::string namesText(const std::vector<std::string>& paths);
+/// Their names in the folder; of those elsewhere the paths.
+[[nodiscard]] std::string namesText(const std::vector<std::string>& paths, const std::string& folder);
 /// "a.pcd, standard output".
 [[nodiscard]] std::string placesText(const std::vector<std::string>& paths);
 

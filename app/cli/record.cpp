@@ -12,9 +12,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <thread>
 
@@ -53,9 +56,11 @@ bool finished(const Record& record, const files::LiveStatus& status, std::chrono
     return (record.lines > 0 && status.lines >= record.lines) || (record.seconds > 0 && elapsed.count() >= record.seconds);
 }
 
-// Remarks about sweeps, telegrams and the disk, as sentences.
-std::vector<std::string> remarks(const files::LiveStatus& status, const files::RecordingState& recorded) {
-    std::vector<std::string> all = status.sweep.irregularEver.sentences();
+// Remarks about flags, sweeps, telegrams and the disk, as sentences.
+std::vector<std::string> remarks(const std::vector<std::string>& idle, const files::LiveStatus& status,
+                                 const files::RecordingState& recorded) {
+    std::vector<std::string> all = idle;
+    std::ranges::move(status.sweep.irregularEver.sentences(), std::back_inserter(all));
     if (const std::string assumed = status.sweep.allAssumed(); !assumed.empty()) all.push_back(assumed);
     const auto count = [&](std::uint64_t number, const std::string& what) {
         if (number > 0) all.push_back(std::to_string(number) + what);
@@ -72,7 +77,8 @@ std::vector<std::string> remarks(const files::LiveStatus& status, const files::R
     return all;
 }
 
-/// The mounting that was used to place the lines, and which of its values are assumed. Lines that came with their angles have no step.
+/// The mounting that was used to place the lines, and which of its values are assumed. Lines that came with their angles have neither step
+/// nor start.
 nlohmann::ordered_json mountingReport(const files::LiveStatus& status) {
     const scanner::SweepSettings& sweep = status.settings;
     const bool ownAngles = status.sweep.angleSource == scanner::AngleSource::Stepper;
@@ -80,18 +86,22 @@ nlohmann::ordered_json mountingReport(const files::LiveStatus& status) {
     if (sweep.axisAssumed) assumed.push_back("axis");
     if (sweep.stepAssumed && !ownAngles) assumed.push_back("line_step_deg");
     if (sweep.firstAssumed && !ownAngles) assumed.push_back("line_start_deg");
+    nlohmann::ordered_json axis = nullptr, first = nullptr; // points of a cloud have their places
+    if (!status.wholeClouds) axis = status.sweep.axis == Axis::Spin ? "spin" : "sweep";
+    if (!status.wholeClouds && !ownAngles) first = status.sweep.firstLineDeg;
     if (sweep.degPerLine && !ownAngles) step = *sweep.degPerLine;
     nlohmann::ordered_json lines = nullptr;
     if (sweep.expectedLines > 0) lines = sweep.expectedLines;
-    return {{"axis", status.sweep.axis == Axis::Spin ? "spin" : "sweep"},
+    return {{"axis", axis},
             {"line_step_deg", step},
-            {"line_start_deg", status.sweep.firstLineDeg},
+            {"line_start_deg", first},
             {"stop_and_go", !sweep.continuous},
             {"expected_lines", lines},
             {"assumed", assumed}};
 }
 
-nlohmann::ordered_json summary(const Record& record, const files::LiveStatus& status, const files::RecordingState& recorded) {
+nlohmann::ordered_json summary(const Record& record, const std::vector<std::string>& idle, const files::LiveStatus& status,
+                               const files::RecordingState& recorded) {
     const scanner::TelegramAccount& account = status.sweep.account;
     return {{"output", record.out},
             {"lines", status.lines},
@@ -118,7 +128,7 @@ nlohmann::ordered_json summary(const Record& record, const files::LiveStatus& st
               {"dropped", recorded.dropped},
               {"unsynced_bytes", recorded.unsynced()},
               {"worst_lag_s", std::round(recorded.worstLagSeconds * 100) / 100}}},
-            {"warnings", remarks(status, recorded)}};
+            {"warnings", remarks(idle, status, recorded)}};
 }
 
 int run(const Record& record) {
@@ -129,9 +139,7 @@ int run(const Record& record) {
     const char* ofBridge = !record.topic.empty() ? "--topic" : !record.joint.empty() ? "--joint" : nullptr;
     if (!address->bridge && ofBridge != nullptr)
         return failWith(Error{"only a robot's bridge has topics and joints", ofBridge, "give ws://HOST, or leave it out"}, kWrongUsage);
-    if (record.mounting.lineStepDeg && *record.mounting.lineStepDeg == 0.0)
-        return failWith(Error{"all lines would have one angle", "--line-step", "give the angle from line to line, such as 0.3"},
-                        kWrongUsage);
+    if (const auto right = checkMounting(record.mounting); !right) return failWith(right.error(), kWrongUsage);
     scanner::ConnectionSettings scanner;
     scanner.host = address->host;
     scanner.port = address->port;
@@ -142,6 +150,7 @@ int run(const Record& record) {
     if (!record.axis.empty()) mounting.axis = record.axis == "spin" ? Axis::Spin : Axis::Sweep;
     const Result<scanner::SweepSettings> sweep = sweepOf(mounting);
     if (!sweep) return failWith(sweep.error());
+    if (const auto can = checkOutputs(std::array{record.json}); !can) return failWith(can.error());
     // The last lines are wanted only until the recording has begun.
     files::LiveFeed feed(scanner, *sweep, [] {}, {.lines = record.lines, .keptBytes = kKeptBytes});
     if (const auto started = feed.startRecording(record.out); !started) return failWith(started.error());
@@ -149,8 +158,14 @@ int run(const Record& record) {
     const auto start = std::chrono::steady_clock::now();
     const bool showsProgress = record.progress || isatty(STDERR_FILENO) != 0;
     std::string reported; // why nothing comes, once for each reason
-    while (!finished(record, feed.status(), start)) {
+    std::vector<std::string> idle;
+    while (true) {
         const files::LiveStatus now = feed.status();
+        if (address->bridge && now.lines > 0 && idle.empty()) {
+            idle = idleMounting(mounting, record.joint, now);
+            for (const std::string& sentence : idle) printError(sentence);
+        }
+        if (finished(record, now, start)) break;
         const std::string problem = now.connection.problem ? now.connection.problem->sentence() : std::string();
         if (!problem.empty() && problem != reported) printError(now.connection.sentence + " Ctrl+C ends.");
         reported = problem;
@@ -177,7 +192,7 @@ int run(const Record& record) {
         printError(none);
         return kRefused;
     }
-    const auto written = writeDocument(record.json, document("record", summary(record, status, *closed)), false);
+    const auto written = writeDocument(record.json, document("record", summary(record, idle, status, *closed)), false);
     return written ? kDone : failWith(written.error());
 }
 
@@ -193,7 +208,8 @@ void addRecord(CLI::App& app, int& code) {
         ->check(namedAs("a recording", ".mcap", false))
         ->required();
     addJsonFlag(command, record->json, "Account of the recording, when it has ended").capture_default_str();
-    addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly this number of lines; 0 = until Ctrl+C");
+    addNumber(command, "--lines", record->lines, {0, 1e9},
+              "Record exactly this number of lines, of a bridge this number or some more; 0 = until Ctrl+C");
     addNumber(command, "--seconds", record->seconds, kSeconds, "End after this time [s]; 0 = run on");
     addNumber(command, "--timeout", record->timeoutS, kSeconds, "End if no line has come by this time [s]; 0 = try again until Ctrl+C");
     const char* group = "Mounting of the stepper (what is not given is assumed, reported and marked in the recording)";

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -48,6 +49,9 @@ void waitForNextLine(const scanner::PlayedLine& played, double speed) {
 
 int run(const ReplayWanted& wanted) {
     if (const auto method = checkMethodAndWarn(wanted.method); !method) return failWith(method.error(), kWrongUsage);
+    std::error_code none;
+    if (!std::filesystem::exists(wanted.file, none) && wanted.file.find_first_not_of("0123456789.:") == std::string::npos)
+        return failWith(Error{"this is the address of a scanner and not a file", wanted.file, "record records it"}, kWrongUsage);
     JsonLines json(wanted.json);
     auto scan = files::openScan(wanted.file, wanted.place, [&](const scanner::PlayedLine& played) {
         if (!wanted.quiet) json.add(document("replay-line", lineReport(played)));
@@ -72,7 +76,7 @@ void addReplay(CLI::App& app, int& code) {
     command.add_option("FILE", wanted->file, "Recording (.mcap), or the bag of a laser")->required();
     addNumber(command, "--speed", wanted->speed, {0, 1e6}, "1 = as it was recorded; 0 = as fast as possible");
     command.add_flag("--quiet", wanted->quiet, "Only the edges at the end");
-    addJsonFlag(command, wanted->json, "One JSON object per scan line, then the edges").capture_default_str();
+    addJsonFlag(command, wanted->json, "One JSON object per scan line, then the edges", {"replay-line", "replay"}).capture_default_str();
     addPlaceFlags(command, wanted->place);
     addMethodFlags(command, wanted->method);
     command.callback([wanted, &code] { code = run(*wanted); });

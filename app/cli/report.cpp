@@ -13,6 +13,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/html/scan_page.h"
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -114,6 +115,10 @@ int run(ReportCommand& report) {
     if (const auto rocks = checkRocks(report.rocks); !rocks) return failWith(rocks.error(), kWrongUsage);
     if (!report.withRocks && anyTyped(report.rocks))
         return failWith(Error{"these flags are of rocks, and the report has none", typedFlags(report.rocks), "add --rocks"}, kWrongUsage);
+    if (const auto one = report.before.empty() ? Result<Done>(Done{}) : checkOnePose({report.file, report.before}, report.read); !one)
+        return failWith(one.error(), kWrongUsage);
+    claimInput(report.file);
+    if (const auto can = checkOutputs(std::array{report.out}); !can) return failWith(can.error());
     const auto made = make(report);
     return made ? kDone : failWith(made.error());
 }

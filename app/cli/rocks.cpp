@@ -142,7 +142,7 @@ Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detecti
         printResult(summary(*study, flags.file));
     else if (flags.why.empty() && writesFiles(paths))
         printError(summary(*study, flags.file) + "; written to " + places +
-                   (inFolder ? ": " + namesText({paths.begin() + 1, paths.end()}) : "") + ".");
+                   (inFolder ? ": " + namesText({paths.begin() + 1, paths.end()}, flags.out.folder) : "") + ".");
     if (study->rocks.empty() && !files.empty())
         printError(printable(flags.file) +
                    ": no rock was found, so the files hold none; a smaller --min-cells or another --level finds more.");
@@ -168,13 +168,17 @@ Result<Done> findRocks(const RocksFlags& flags) {
     return writeFiles(flags, *detection, study);
 }
 
+std::vector<std::string> typedOutputs(const RocksFlags& flags) {
+    std::vector<std::string> paths(flags.out.typed.begin(), flags.out.typed.end());
+    paths.push_back(flags.writeEdits);
+    return paths;
+}
+
 // Wrong usage is reported before any file is read.
 Result<Done> checkUsage(RocksFlags& flags) {
     if (auto known = checkExtensions(flags.out); !known) return known;
     if (auto used = checkWriting(flags.write, wantedExports(flags.out, kRocks, "scan", CoordinateFrame::Mine)); !used) return used;
-    std::vector<std::string> paths(flags.out.typed.begin(), flags.out.typed.end());
-    paths.push_back(flags.writeEdits);
-    if (auto distinct = checkDistinct(paths); !distinct) return distinct;
+    if (auto distinct = checkDistinct(typedOutputs(flags)); !distinct) return distinct;
     const bool noPlane = flags.through.empty() && flags.throughRock == 0;
     if (const std::string& section = flags.out.of(exports::exportKind(exports::ExportContent::Section)); noPlane != section.empty())
         return Error{noPlane ? "a section needs a plane" : "the section has no file", "--section",
@@ -184,11 +188,15 @@ Result<Done> checkUsage(RocksFlags& flags) {
     return checkMethod(flags.method);
 }
 
-/// Rocks are found from the steps and folds of the surface, whatever of these is an edge.
+/// Rocks are found from the steps and folds of the surface, whatever of these is an edge. A cloud of rocks has the edges too.
 void warnOfIdleFlags(const RocksFlags& flags) {
-    const auto warn = [](const std::string& flag) {
-        printError(flag + " has no effect: rocks are found from the surface, not from its edges; leave it out.");
+    const auto warn = [](const std::string& flag, const char* why = "rocks are found from the surface, not from its edges") {
+        printError(flag + " has no effect: " + why + "; leave it out.");
     };
+    const auto wanted = wantedExports(flags.out, kRocks, "scan", CoordinateFrame::Mine);
+    if (std::ranges::any_of(wanted, [](const WantedExport& one) { return one.kind->content == exports::ExportContent::RockCloud; })) return;
+    const auto all = settingsOf(flags.method);
+    if (all && all->fillCells > 0 && !all->fillEdges) warn("--fill", "filled cells count only with --fill-edges on");
     const auto ofGray = [](const edges::Settings& settings) { return !edges::reads(settings.method, edges::kReadsSurface); };
     if (const auto preset = presetOf(flags.method); !flags.method.preset.empty() && preset && ofGray(preset->settings) &&
                                                     edges::sameUpTo(edges::Stage::Responses, preset->settings, edges::Settings{}))
@@ -200,7 +208,8 @@ void warnOfIdleFlags(const RocksFlags& flags) {
         edges::Settings ofMethod;
         const bool isMethod = std::string_view(p.key) == "method";
         if (const auto value = edges::parseValue(p, typed); isMethod && value) p.set(ofMethod, *value);
-        const bool used = stage == edges::Stage::Surface || stage == edges::Stage::Responses || (isMethod && !ofGray(ofMethod));
+        const bool used = stage == edges::Stage::Surface || stage == edges::Stage::Responses ||
+                          (isMethod && ofMethod.method == edges::Method::EdgeScanPlus);
         if (!used) warn(edges::flagOf(p) + (isMethod ? " " + typed : ""));
     }
 }
@@ -209,6 +218,7 @@ int run(RocksFlags& flags) {
     if (const Result<Done> usage = checkUsage(flags); !usage) return failWith(usage.error(), kWrongUsage);
     warnOfIdleFlags(flags);
     if (const auto made = makeFolder(flags.out.folder, "give -o a folder that can be written to"); !made) return failWith(made.error());
+    if (const auto can = checkOutputs(typedOutputs(flags)); !can) return failWith(can.error());
     const Result<Done> result = findRocks(flags);
     if (result) return kDone;
     printError(result.error());

@@ -3,9 +3,9 @@
 
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
-#include "core/base/order_statistic.h"
 #include "core/base/physical_limits.h"
 #include "core/base/utc_time.h"
+#include "core/files/formats/range_geometry.h"
 #include "core/files/open_save/check_measured.h"
 #include "core/files/point_tables/point_columns.h"
 #include "core/scan/georef/place_scan.h"
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -113,14 +114,10 @@ void setTimes(Scan& scan, const std::vector<double>& times) {
     scan.acquisition = std::move(acquisition);
 }
 
-/// Numbers that are accepted and seldom meant: no range, angles without an order, metres taken as millimetres, radians as degrees.
+/// Numbers that are accepted and seldom meant: no range, angles without an order, another unit, radians as degrees.
 void warnOfSeldomMeant(Scan& scan, const Arrays& arrays) {
-    constexpr float kNoScannersMm = 100;
-    std::vector<float> ranges;
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] == CellState::Valid) ranges.push_back(scan.rangeMm[k]);
-    }
-    if (ranges.empty()) scan.warnings.emplace_back("No cell of this scan has a range.");
+    if (std::ranges::find(scan.state.cells, CellState::Valid) == scan.state.cells.end())
+        scan.warnings.emplace_back("No cell of this scan has a range.");
     const auto areOrdered = [](const std::vector<double>& degrees) { // also across a whole turn
         bool rise = true, fall = true;
         for (std::size_t n = 1; n < degrees.size(); ++n) {
@@ -135,9 +132,7 @@ void warnOfSeldomMeant(Scan& scan, const Arrays& arrays) {
             scan.warnings.push_back(std::string(name) + " neither rises nor falls throughout, and edges are found between neighbours: " +
                                     "sort these angles and the ranges with them.");
     }
-    const bool near = !ranges.empty() && std::ranges::all_of(ranges, [](float mm) { return mm < kNoScannersMm; });
-    if (arrays.unitMm == 1.0 && near && NumberLimits{1, 60}.hold(static_cast<double>(median(ranges))))
-        scan.warnings.emplace_back("All ranges are below 100 mm, so they may be metres: give unit=\"m\" where they are.");
+    std::ranges::move(files::seldomMeasured(scan, "unit, such as \"mm\" or \"m\""), std::back_inserter(scan.warnings));
     constexpr double kTurn = 6.2832, kWideFan = 1.5;
     constexpr std::size_t kFewestBeams = 16;
     const auto withinTurn = [](const std::vector<double>& angles) {

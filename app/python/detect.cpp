@@ -34,10 +34,12 @@ cli::MethodFlags flagsOf(const Typed& typed, const std::string& preset) {
 }
 
 ResultObject detect(const ScanObject& of, const Typed& typed, const std::string& preset) {
+    const cli::MethodFlags flags = flagsOf(typed, preset);
+    valueOf(cli::checkMethod(flags));
+    for (const std::string& note : cli::methodNotes(flags)) logWarning(note);
     return unlocked([&]() -> ResultObject {
         const BindInputs inputs;
-        const cli::MethodFlags flags = flagsOf(typed, preset);
-        valueOf(cli::checkMethod(flags));
+        claimInput(preset); // if it is a file
         valueOf(edges::checkMemoryFor(edges::Work::Detect, *of.scan));
         return {edges::detectEdges(of.scan, valueOf(cli::settingsFor(flags, *of.scan)))};
     });

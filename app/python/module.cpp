@@ -68,6 +68,10 @@ std::string withKeywords(const std::string& text) {
     return out;
 }
 
+void logWarning(const std::string& sentence) {
+    py::module_::import("logging").attr("getLogger")("edgescan").attr("warning")("%s", nameOf(withKeywords(sentence)));
+}
+
 namespace {
 
 // edgescan.Error with its three parts; the message is the same sentence as on the command line.

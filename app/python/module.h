@@ -81,6 +81,9 @@ py::array vectorArray(const std::vector<T>& values, const std::shared_ptr<Owner>
 /// What the core says, with keywords for flags: "--min-length" is "min_length", and "this flag" is "this keyword". Names of files stay.
 [[nodiscard]] std::string withKeywords(const std::string& text);
 
+/// Warns through the logger "edgescan".
+void logWarning(const std::string& sentence);
+
 /// A whole number; beyond 64 bits the last one on its side.
 [[nodiscard]] std::int64_t wholeOf(const py::int_& number);
 

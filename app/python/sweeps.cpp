@@ -201,8 +201,7 @@ private:
         if (Clock::now() >= end) throw Refused{scanner::noLinesError(session, address_)};
         if (const std::string problem = session.problem ? session.problem->sentence() : std::string(); problem != logged_) {
             logged_ = problem;
-            if (!problem.empty())
-                py::module_::import("logging").attr("getLogger")("edgescan").attr("warning")("%s", nameOf(withKeywords(problem)));
+            if (!problem.empty()) logWarning(problem);
         }
         unlocked([&] { return wait(end); });
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -273,6 +272,7 @@ std::unique_ptr<ConnectionObject> connect(const std::string& address, const std:
                            .expectedLines = static_cast<int>(expectedLines),
                            .stopAndGo = stopAndGo};
     if (axis) mounting.axis = *axis == "spin" ? Axis::Spin : Axis::Sweep;
+    valueOf(cli::checkMounting(mounting));
     auto connection = std::make_unique<ConnectionObject>(address, valueOf(cli::sweepOf(mounting)), record, timeout);
     connection->waitForFirstLine();
     return connection;

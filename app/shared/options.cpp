@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace edgescan::cli {
@@ -115,6 +116,39 @@ void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& 
         .group(group);
     command.add_flag("--stop-and-go", mounting.stopAndGo, "The stepper stops while a line is measured; without this flag it turns on")
         ->group(group);
+}
+
+Result<Done> checkMounting(const Mounting& mounting) {
+    if (mounting.lineStepDeg == 0.0)
+        return Error{"all lines would have one angle", "--line-step", "give the angle from line to line, such as 0.3"};
+    if (mounting.ticksPerDeg == 0.0)
+        return Error{"an encoder without counts gives no angle", "--ticks-per-degree", "give its counts per degree, or leave it out"};
+    return Done{};
+}
+
+std::vector<std::string> idleMounting(const Mounting& mounting, const std::string& joint, const files::LiveStatus& status) {
+    const bool lines = !status.wholeClouds, measured = status.sweep.angleSource == scanner::AngleSource::Stepper;
+    const char* const ofLines = "the bridge gives the angle of each line";
+    struct Flag {
+        const char* name;
+        bool isTyped, isUsed;
+        const char* why;
+    };
+    const std::array flags{
+        Flag{"--axis", mounting.axis.has_value(), lines && mounting.axis == status.sweep.axis, "the bridge says how the laser turns"},
+        Flag{"--line-step", mounting.lineStepDeg.has_value(), lines && !measured, ofLines},
+        Flag{"--line-start", mounting.firstLineDeg.has_value(), lines && !measured, ofLines},
+        Flag{"--ticks-per-degree", mounting.ticksPerDeg.has_value(), false, "a bridge sends no counts of an encoder"},
+        Flag{"--stop-and-go", mounting.stopAndGo, false, "the bridge gives the time of each line"},
+        Flag{"--expected-lines", mounting.expectedLines > 0, lines, ofLines},
+        Flag{"--joint", !joint.empty(), lines, ofLines}};
+    std::vector<std::string> idle;
+    for (const Flag& flag : flags) {
+        if (flag.isTyped && !flag.isUsed)
+            idle.push_back(std::string(flag.name) + " has no effect: " + (lines ? flag.why : "the topic gives whole clouds") +
+                           "; leave it out.");
+    }
+    return idle;
 }
 
 Result<scanner::SweepSettings> sweepOf(const Mounting& mounting) {
@@ -228,6 +262,8 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
 void warnOfIdleWriting(const WriteFlags& flags, const Scan& scan) {
     if (flags.includeAttached && scan.attached.empty())
         printError(printable(scan.name) + ": --include-attached has no effect: no cell of the scan has several points; leave it out.");
+    if (flags.choices.doubles && exportOptions(flags, scan).frame != CoordinateFrame::Mine)
+        printError(printable(scan.name) + ": --doubles has no effect: the coordinates are not those of the mine; leave it out.");
 }
 
 ReadingOptions readingOptions(const ReadFlags& flags) {

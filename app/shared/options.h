@@ -6,6 +6,7 @@
 #include "app/shared/typed_settings.h"
 #include "core/base/result.h"
 #include "core/exports/provenance.h"
+#include "core/files/live_feed/live_feed.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/rocks/selection/preset.h"
 #include "core/scan/grid/scan.h"
@@ -30,6 +31,12 @@ struct Mounting {
 
 /// --expected-lines --ticks-per-degree --stop-and-go, in a group of the help.
 void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& group);
+
+/// Error: a step or counts of 0.
+[[nodiscard]] Result<Done> checkMounting(const Mounting& mounting);
+
+/// The flags without effect on the lines or clouds of a robot's bridge, a sentence each, once the first of them came.
+[[nodiscard]] std::vector<std::string> idleMounting(const Mounting& mounting, const std::string& joint, const files::LiveStatus& status);
 
 /// Flags override the calibration, which gives the axis, the step and the mirror's index angle. Values missing in both are marked as
 /// assumed. Error: the calibration cannot be read.

@@ -3,6 +3,7 @@
 
 #include "app/shared/exits.h"
 #include "core/base/number_text.h"
+#include "core/base/own_kind.h"
 #include "core/base/whole_file.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/sidecar_grid.h"
@@ -49,8 +50,21 @@ Result<Done> writeDocument(const std::string& path, const Json& document, bool i
     return writeWholeFile(path, exports::reportText(document, indented) + "\n");
 }
 
-CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what) {
-    return *command.add_option("--json", path, what + "; - is standard output")->type_name("FILE")->check(namedAs("JSON", ".json"));
+CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what, std::vector<std::string> documents) {
+    if (documents.empty()) documents = {command.get_name()};
+    const auto replaces = [documents](const std::string& file) {
+        std::string refused;
+        for (const std::string& name : documents) {
+            const auto same = checkIsOfKind(file, "edgescan-" + name);
+            if (same) return std::string();
+            refused = file + ": " + same.error().what + "; " + same.error().hint;
+        }
+        return refused;
+    };
+    return *command.add_option("--json", path, what + "; - is standard output")
+                ->type_name("FILE")
+                ->check(namedAs("JSON", ".json"))
+                ->check(CLI::Validator(replaces, ""));
 }
 
 void JsonLines::add(const Json& document) {
@@ -69,7 +83,7 @@ int JsonLines::ended(int code) {
 Result<Done> checkDistinct(std::span<const std::string> outputs) {
     std::set<fs::path> taken;
     for (const std::string& path : outputs) {
-        if (path.empty() || (isDevice(path) && !isStandardOutput(path))) continue;
+        if (path.empty() || (isDevice(path) && !isStandardOutput(path)) || whole(path).empty()) continue; // empty: too long a name
         if (!taken.insert(whole(path)).second) return Error{"two results cannot have one file", path, "give each a name of its own"};
     }
     for (const std::string& path : outputs) {
@@ -77,6 +91,19 @@ Result<Done> checkDistinct(std::span<const std::string> outputs) {
             return Error{"another result has the name of the record next to this file", path, "give it a name of its own"};
     }
     return Done{};
+}
+
+Result<Done> checkOutputs(std::span<const std::string> outputs) {
+    for (const std::string& path : outputs) {
+        if (path.empty()) continue;
+        if (auto can = checkCanBeWritten(path); !can) return can;
+    }
+    return Done{};
+}
+
+std::string replacedMark(const std::string& path) {
+    std::error_code none;
+    return !isStreamOrDevice(path) && fs::is_regular_file(path, none) ? " (replaced)" : "";
 }
 
 CLI::Validator namedAs(const char* kind, const char* extension, bool orStream) {

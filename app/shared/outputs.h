@@ -23,8 +23,9 @@ namespace edgescan::cli {
 /// Writes a document as a whole file; "-" is standard output. Indented, or on one line.
 [[nodiscard]] Result<Done> writeDocument(const std::string& path, const nlohmann::ordered_json& document, bool indented = true);
 
-/// Adds --json FILE, which has one meaning in every command. `what`: what the JSON holds.
-CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what);
+/// Adds --json FILE, which has one meaning in every command. `what`: what the JSON holds. `documents`: the names given to document(), if
+/// not that of the command; a file that is neither is not replaced.
+CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what, std::vector<std::string> documents = {});
 
 /// The documents of several files in one output, a line each: on standard output at once, in a file when all are there.
 class JsonLines {
@@ -41,6 +42,12 @@ private:
 /// Error if two of the paths are the same file, however they are spelled, or if one is the provenance record or sidecar of another
 /// (core/files/open_save/sidecar_grid.h). Empty paths and devices are ignored; standard output takes only one result.
 Result<Done> checkDistinct(std::span<const std::string> outputs);
+
+/// Error if one of them cannot be written, as far as this is known before the work begins: no folder, an input, a name that is too long.
+Result<Done> checkOutputs(std::span<const std::string> outputs);
+
+/// " (replaced)" if there is a file of this name, before it is written.
+[[nodiscard]] std::string replacedMark(const std::string& path);
 
 /// Refuses other names than of this kind ("a picture", ".png"). `orStream`: standard output and devices have any.
 [[nodiscard]] CLI::Validator namedAs(const char* kind, const char* extension, bool orStream = true);

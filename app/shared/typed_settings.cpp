@@ -171,6 +171,15 @@ const char* idleWriting(const WriteFlags& flags, std::span<const WantedExport> w
     const auto isText = [&](const WantedExport& one) {
         return holdsPoints(one) && (extensionOf(one) == ".pcd" || extensionOf(one) == ".ply");
     };
+    const auto holdsCoordinates = [&](const WantedExport& one) {
+        using File = exports::ExportFile;
+        if (extensionOf(one).empty()) // standard output
+            return std::ranges::any_of(one.kind->files, [](const File& file) { return file.coordinates != File::Coordinates::None; });
+        return exports::frameOfFile(one.kind->content, one.path, {.frame = CoordinateFrame::Mine}).has_value();
+    };
+    if (flags.frame != "auto" && changesNone(holdsCoordinates)) return "frame";
+    if (!flags.operatorName.empty() && wanted.empty()) return "operator";
+    if (!flags.role.empty() && wanted.empty()) return "role";
     if (flags.ascii && changesNone(isText)) return "ascii";
     if (flags.includeAttached && changesNone(holdsPoints)) return "include-attached";
     for (const files::WritingChoice& choice : files::kWritingChoices) {

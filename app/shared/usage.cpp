@@ -256,7 +256,10 @@ Result<Done> checkFlags(const CLI::App& app, std::vector<std::string>& words) {
         if (flag.size() == 3 && optionOf(flag) == nullptr) flag.erase(0, 1); // of one letter
         if (optionOf(flag) != nullptr) return Error{"this begins with a long dash", words[n], "write " + flag};
         const CLI::Option* option = optionOf(words[n]);
-        if (option == nullptr || words[n].find('=') != std::string::npos) continue;
+        const std::size_t equals = words[n].find('=');
+        if (!isFlag(words[n]) && equals != std::string::npos && !isThere(words[n]) && optionOf("--" + words[n]) != nullptr)
+            return Error{"this is neither a file nor a flag", words[n], "write --" + words[n]};
+        if (option == nullptr || equals != std::string::npos) continue;
         const int values = option->get_delimiter() == '\0' ? option->get_items_expected_min() : 1;
         for (int value = 0; value < values && n + 1 < words.size(); ++value) {
             ++n;

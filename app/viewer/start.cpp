@@ -34,11 +34,19 @@ Start::Start(ui::MainWindow& window, const CommandLine& wanted, const ParsedComm
             [this](const QString& stage, double fraction) { progress_ = stage.toStdString() + std::to_string(fraction); });
     connect(&window, &ui::MainWindow::pictureShown, this, [this] {
         if (std::exchange(first_, false)) pinAndCompare();
+        if (const auto status = window_.viewer().live.scanner().status(); understood_.scanner && understood_.scanner->bridge && status)
+            warnOfIdle(*status);
     });
     connect(&look_, &QTimer::timeout, this, &Start::look);
     if (asked_) look_.start(kLookMs);
     still_.start();
     if (wanted.quitAfter > 0) QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), this, &Start::quit);
+}
+
+void Start::warnOfIdle(const files::LiveStatus& status) {
+    if (status.lines == 0 || std::exchange(warned_, true)) return;
+    for (const std::string& sentence : cli::idleMounting(understood_.mounting, wanted_.read.options.joint, status))
+        cli::printError(sentence);
 }
 
 void Start::pinAndCompare() {

@@ -25,6 +25,8 @@ public:
 
 private:
     void pinAndCompare();
+    /// Of flags that a bridge has no use for, once.
+    void warnOfIdle(const files::LiveStatus& status);
     void look();
     void refuse(const std::string& sentence);
     /// Exit code 1, because something is missing.
@@ -49,7 +51,7 @@ private:
     const ParsedCommandLine& understood_;
     const bool asked_;  // for a scan
     bool first_ = true; // no picture was shown yet
-    bool refused_ = false;
+    bool refused_ = false, warned_ = false;
     std::string progress_; // of the opening
     State last_;
     QElapsedTimer still_; // since the last change

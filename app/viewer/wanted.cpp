@@ -20,14 +20,14 @@
 namespace edgescan::viewer {
 namespace {
 
-Result<scanner::SweepSettings> sweepOf(const CommandLine& wanted) {
+cli::Mounting mountingOf(const CommandLine& wanted) {
     const ReadingOptions options = cli::readingOptions(wanted.read);
     cli::Mounting mounting = wanted.mounting;
     mounting.axis = options.axis;
     mounting.lineStepDeg = options.lineStepDeg;
     mounting.firstLineDeg = options.lineStartDeg;
     mounting.calibration = options.calibration;
-    return cli::sweepOf(mounting);
+    return mounting;
 }
 
 Result<std::vector<cli::TypedCell>> pinsOf(const std::vector<std::string>& typed) {
@@ -103,7 +103,14 @@ std::optional<Refusal> understandScanner(const CommandLine& wanted, ParsedComman
     const Result<scanner::HostPort> scanner = scanner::hostPort(wanted.live);
     if (!scanner) return Refusal{scanner.error(), cli::kWrongUsage};
     understood.scanner = *scanner;
-    const Result<scanner::SweepSettings> sweep = sweepOf(wanted);
+    understood.mounting = mountingOf(wanted);
+    if (const auto right = cli::checkMounting(understood.mounting); !right) return Refusal{right.error(), cli::kWrongUsage};
+    const int expected = wanted.mounting.expectedLines;
+    if (expected > 0 && wanted.screenshotLines > expected)
+        return Refusal{Error{"a sweep of " + std::to_string(expected) + " lines never has so many",
+                             "--screenshot-lines " + std::to_string(wanted.screenshotLines), "give fewer, or more --expected-lines"},
+                       cli::kWrongUsage};
+    const Result<scanner::SweepSettings> sweep = cli::sweepOf(understood.mounting);
     if (!sweep) return Refusal{sweep.error(), cli::kRefused};
     understood.sweep = *sweep;
     return std::nullopt;

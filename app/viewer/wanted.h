@@ -38,7 +38,8 @@ struct ParsedCommandLine {
     std::vector<cli::TypedCell> pins; ///< cells of the first picture
     std::optional<edges::Settings> settings;
     std::optional<scanner::HostPort> scanner;
-    scanner::SweepSettings sweep; ///< of the live scanner
+    cli::Mounting mounting;       ///< of the live scanner
+    scanner::SweepSettings sweep; ///< likewise
 };
 
 /// The reason why the viewer does not start, and the exit code.

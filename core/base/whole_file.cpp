@@ -5,6 +5,7 @@
 #include "core/base/file_lock.h"
 #include "core/base/inputs.h"
 #include "core/base/memory.h"
+#include "core/base/own_kind.h"
 #include "core/base/stop.h"
 #include "core/base/temporary_file.h"
 
@@ -49,10 +50,10 @@ Error readError(const fs::path& path, int code) {
     }
 }
 
-/// Error if writing `path`, which leads to `target`, would replace a folder or a read-only file.
+/// Error if writing `path`, which leads to `target`, would replace a folder or a read-only file, or the name is too long.
 Result<Done> checkMayBeReplaced(const fs::path& path, const fs::path& target) {
     struct stat old {};
-    if (::stat(target.c_str(), &old) != 0) return Done{};
+    if (::stat(target.c_str(), &old) != 0) return errno == ENAMETOOLONG ? Result<Done>(writeError(path, errno)) : Done{};
     if (S_ISDIR(old.st_mode)) return writeError(path, EISDIR);
     constexpr mode_t kAnyWriter = 0222; // root may write everything
     const bool own = old.st_uid == ::geteuid() || ::geteuid() == 0;
@@ -268,8 +269,19 @@ Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
     for (const FileContent& file : files) {
         if (isDevice(file.path)) continue;
         if (auto other = checkIsNoInput(file.path); !other) return other;
+        if (auto same = checkIsOfKind(file.path, ownKind(textOf(file.bytes))); !same) return same;
     }
     return writeAll(files);
+}
+
+Result<Done> checkCanBeWritten(const fs::path& path) {
+    if (isDevice(path)) return Done{};
+    if (auto other = checkIsNoInput(path); !other) return other;
+    const auto target = finalTarget(path);
+    if (!target) return target.error();
+    if (auto may = checkMayBeReplaced(path, *target); !may) return may;
+    const fs::path folder = target->has_parent_path() ? target->parent_path() : fs::path(".");
+    return ::access((folder / "").c_str(), W_OK | X_OK) == 0 ? Result<Done>(Done{}) : writeError(path, errno);
 }
 
 Result<Done> changeWholeFile(const fs::path& path, std::uint64_t most, const FileChange& change) {

@@ -23,11 +23,15 @@ struct FileContent {
 
 /// Writes the file: a temporary file is written, synced and read back before it takes the name. On an Error (no such folder, not allowed,
 /// disk full ...) the old file is unchanged and no temporary file remains. Several programs may write the same file: each content appears
-/// whole, and the last one stays. A file that was read as an input is never replaced (core/base/inputs.h), nor is a read-only file. A link
-/// is followed unless it belongs to a user other than this one and root. A device or pipe (/dev/stdout) is written to directly; a program
-/// must open the pipe for reading within seconds and read all of it within half a minute. New files get the mode of the umask.
+/// whole, and the last one stays. A file that was read as an input is never replaced (core/base/inputs.h), nor is a read-only file, nor
+/// JSON of EdgeScan by a file of another kind (core/base/own_kind.h). A link is followed unless it belongs to a user other than this one
+/// and root. A device or pipe (/dev/stdout) is written to directly; a program must open the pipe for reading within seconds and read all of
+/// it within half a minute. New files get the mode of the umask.
 Result<Done> writeWholeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<Done> writeWholeFile(const std::filesystem::path& path, const std::string& text);
+
+/// The same errors before the work on the content begins, where they are known without it.
+Result<Done> checkCanBeWritten(const std::filesystem::path& path);
 
 /// The file that a path leads to through its links; it need not exist. Error: a folder, a circle, a link of another user.
 Result<std::filesystem::path> finalTarget(const std::filesystem::path& path);

@@ -2098,6 +2098,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n bytes</source><translation>%n bytes</translation></message>
 <message><source>needs %1 of memory, %2 are free</source><translation>necesita %1 de memoria, hay %2 libres</translation></message>
 <message><source>close other programs or open a smaller file</source><translation>cierre otros programas o abra un archivo más pequeño</translation></message>
+<message><source>this is not a file of the kind %1, so it was not replaced</source><translation>este no es un archivo de la clase %1, por eso no se ha sustituido</translation></message>
+<message><source>this is a file of the kind %1, so it was not replaced</source><translation>este es un archivo de la clase %1, por eso no se ha sustituido</translation></message>
 <message><source>no scanner reaches farther than 1,000 km</source><translation>ningún escáner alcanza más de 1,000 km</translation></message>
 <message><source>unit of counts and numbers</source><translation>unidad de las cuentas y los números</translation></message>
 <message><source>from a nanometre to a kilometre</source><translation>de un nanómetro a un kilómetro</translation></message>
@@ -2604,6 +2606,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>cells hold %1 in the numbers of the file</source><translation>celdas contienen %1 en los números del archivo</translation></message>
 <message><source>give %1</source><translation>indique %1</translation></message>
 <message><source>: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>: donde no se dieron se tomaron los de un LMS511 (haces desde -5 grados cada 1/6 de grado, líneas desde 0 cada 0.18 grados, eje spin).</translation></message>
+<message><source>The ranges reach %1 km: check %2.</source><translation>Las distancias llegan a %1 km: revise %2.</translation></message>
+<message><source>All ranges are below 100 mm, so they may be metres: check %1.</source><translation>Todas las distancias están por debajo de 100 mm, así que pueden ser metros: revise %1.</translation></message>
+<message><source>All %1 lines are at one angle: check the step from line to line.</source><translation>Las %1 líneas están todas en un mismo ángulo: revise el paso de línea a línea.</translation></message>
 <message><source>a table of %1 per line does not say its angles</source><translation>una tabla de %1 por línea no dice sus ángulos</translation></message>
 <message><source>The table does not say its angles</source><translation>La tabla no dice sus ángulos</translation></message>
 <message><source>a picture of %1 per line does not say its angles</source><translation>una imagen de %1 por línea no dice sus ángulos</translation></message>
@@ -2618,7 +2623,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>"axis" is missing</source><translation>falta "axis"</translation></message>
 <message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>añádalo al archivo .json, o indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>"%1" is not a key of a raw grid and was not used: check its spelling.</source><translation>"%1" no es una clave de una cuadrícula en bruto y no se usó: revise su ortografía.</translation></message>
-<message><source>The ranges reach %1 km: check unit_mm, the millimetres per count.</source><translation>Las distancias llegan a %1 km: revise unit_mm, los milímetros por cuenta.</translation></message>
+<message><source>the file names the counts of missing returns</source><translation>el archivo indica las cuentas de los retornos que faltan</translation></message>
 <message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta el archivo de datos %1; en su lugar se leyó %2.</translation></message>
 <message><source>counts alone are not a raw grid</source><translation>unas cuentas solas no son una cuadrícula sin procesar</translation></message>
 <message><source>give the description before them</source><translation>indique la descripción antes que ellas</translation></message>
@@ -3272,6 +3277,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>must be in the order of time</source><translation>debe estar en el orden del tiempo</translation></message>
 <message><source>comes before "scan_start"</source><translation>viene antes de "scan_start"</translation></message>
 <message><source>; a scanner that hangs has "viewing": "down" in its calibration</source><translation>; un escáner que cuelga tiene "viewing": "down" en su calibración</translation></message>
+<message><source>this is a pose of 3DTK and not of EdgeScan</source><translation>esta es una pose de 3DTK y no de EdgeScan</translation></message>
+<message><source>give a pose file as in docs/reference/coordinates.md</source><translation>indique un archivo de pose como en docs/reference/coordinates.md</translation></message>
 <message><source>write easting, northing and level, such as 498765.432; 5150123.456; 287.654</source><translation>escriba este, norte y nivel, como 498765.432; 5150123.456; 287.654</translation></message>
 <message><source>the line holds %1 and a place has three, with a heading four, with pitch and roll six</source><translation>la línea contiene %1 y un lugar tiene tres, con rumbo cuatro, con cabeceo y alabeo seis</translation></message>
 <message><source>the line is empty</source><translation>la línea está vacía</translation></message>

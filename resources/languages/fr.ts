@@ -2098,6 +2098,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n bytes</source><translation>%n octets</translation></message>
 <message><source>needs %1 of memory, %2 are free</source><translation>demande %1 de mémoire, %2 sont libres</translation></message>
 <message><source>close other programs or open a smaller file</source><translation>fermez d'autres programmes ou ouvrez un fichier plus petit</translation></message>
+<message><source>this is not a file of the kind %1, so it was not replaced</source><translation>ce n'est pas un fichier du genre %1, il n'a donc pas été remplacé</translation></message>
+<message><source>this is a file of the kind %1, so it was not replaced</source><translation>c'est un fichier du genre %1, il n'a donc pas été remplacé</translation></message>
 <message><source>no scanner reaches farther than 1,000 km</source><translation>aucun scanner ne porte à plus de 1,000 km</translation></message>
 <message><source>unit of counts and numbers</source><translation>unité des comptes et des nombres</translation></message>
 <message><source>from a nanometre to a kilometre</source><translation>d'un nanomètre à un kilomètre</translation></message>
@@ -2604,6 +2606,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>cells hold %1 in the numbers of the file</source><translation>cellules contiennent %1 dans les nombres du fichier</translation></message>
 <message><source>give %1</source><translation>indiquez %1</translation></message>
 <message><source>: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation> : là où ils manquaient, ceux d'un LMS511 ont été pris (faisceaux à partir de -5 degrés par 1/6 de degré, lignes à partir de 0 par 0.18 degré, axe spin).</translation></message>
+<message><source>The ranges reach %1 km: check %2.</source><translation>Les distances atteignent %1 km : vérifiez %2.</translation></message>
+<message><source>All ranges are below 100 mm, so they may be metres: check %1.</source><translation>Toutes les distances sont inférieures à 100 mm, ce sont donc peut-être des mètres : vérifiez %1.</translation></message>
+<message><source>All %1 lines are at one angle: check the step from line to line.</source><translation>Les %1 lignes sont toutes au même angle : vérifiez le pas de ligne à ligne.</translation></message>
 <message><source>a table of %1 per line does not say its angles</source><translation>un tableau de %1 par ligne ne dit pas ses angles</translation></message>
 <message><source>The table does not say its angles</source><translation>Le tableau ne dit pas ses angles</translation></message>
 <message><source>a picture of %1 per line does not say its angles</source><translation>une image de %1 par ligne ne dit pas ses angles</translation></message>
@@ -2618,7 +2623,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>"axis" is missing</source><translation>"axis" manque</translation></message>
 <message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>ajoutez-le au fichier .json, ou indiquez --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>"%1" is not a key of a raw grid and was not used: check its spelling.</source><translation>"%1" n'est pas une clé d'une grille brute et n'a pas été utilisé : vérifiez son orthographe.</translation></message>
-<message><source>The ranges reach %1 km: check unit_mm, the millimetres per count.</source><translation>Les distances atteignent %1 km : vérifiez unit_mm, les millimètres par pas.</translation></message>
+<message><source>the file names the counts of missing returns</source><translation>le fichier indique les comptes des retours manquants</translation></message>
 <message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Le fichier de données %1 manque ; %2 a été lu à sa place.</translation></message>
 <message><source>counts alone are not a raw grid</source><translation>des comptes seuls ne sont pas une grille brute</translation></message>
 <message><source>give the description before them</source><translation>donnez la description avant eux</translation></message>
@@ -3272,6 +3277,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>must be in the order of time</source><translation>doit être dans l'ordre du temps</translation></message>
 <message><source>comes before "scan_start"</source><translation>vient avant "scan_start"</translation></message>
 <message><source>; a scanner that hangs has "viewing": "down" in its calibration</source><translation> ; un scanner suspendu a "viewing": "down" dans son étalonnage</translation></message>
+<message><source>this is a pose of 3DTK and not of EdgeScan</source><translation>c'est une pose de 3DTK et non d'EdgeScan</translation></message>
+<message><source>give a pose file as in docs/reference/coordinates.md</source><translation>indiquez un fichier de pose comme dans docs/reference/coordinates.md</translation></message>
 <message><source>write easting, northing and level, such as 498765.432; 5150123.456; 287.654</source><translation>écrivez est, nord et niveau, comme 498765.432; 5150123.456; 287.654</translation></message>
 <message><source>the line holds %1 and a place has three, with a heading four, with pitch and roll six</source><translation>la ligne contient %1 et un lieu en a trois, avec un cap quatre, avec tangage et roulis six</translation></message>
 <message><source>the line is empty</source><translation>la ligne est vide</translation></message>

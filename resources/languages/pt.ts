@@ -2098,6 +2098,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n bytes</source><translation>%n bytes</translation></message>
 <message><source>needs %1 of memory, %2 are free</source><translation>precisa de %1 de memória, há %2 livres</translation></message>
 <message><source>close other programs or open a smaller file</source><translation>feche outros programas ou abra um arquivo menor</translation></message>
+<message><source>this is not a file of the kind %1, so it was not replaced</source><translation>este não é um arquivo do tipo %1, por isso não foi substituído</translation></message>
+<message><source>this is a file of the kind %1, so it was not replaced</source><translation>este é um arquivo do tipo %1, por isso não foi substituído</translation></message>
 <message><source>no scanner reaches farther than 1,000 km</source><translation>nenhum scanner alcança mais de 1,000 km</translation></message>
 <message><source>unit of counts and numbers</source><translation>unidade das contagens e dos números</translation></message>
 <message><source>from a nanometre to a kilometre</source><translation>de um nanômetro a um quilômetro</translation></message>
@@ -2604,6 +2606,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>cells hold %1 in the numbers of the file</source><translation>células contêm %1 nos números do arquivo</translation></message>
 <message><source>give %1</source><translation>indique %1</translation></message>
 <message><source>: those of an LMS511 were taken where none were given (beams from -5 degrees by 1/6 degree, lines from 0 by 0.18 degree, axis spin).</source><translation>: onde não foram dados, foram tomados os de um LMS511 (feixes desde -5 graus a cada 1/6 de grau, linhas desde 0 a cada 0.18 graus, eixo spin).</translation></message>
+<message><source>The ranges reach %1 km: check %2.</source><translation>As distâncias chegam a %1 km: verifique %2.</translation></message>
+<message><source>All ranges are below 100 mm, so they may be metres: check %1.</source><translation>Todas as distâncias estão abaixo de 100 mm, portanto podem ser metros: verifique %1.</translation></message>
+<message><source>All %1 lines are at one angle: check the step from line to line.</source><translation>Todas as %1 linhas estão em um só ângulo: verifique o passo de linha a linha.</translation></message>
 <message><source>a table of %1 per line does not say its angles</source><translation>uma tabela de %1 por linha não diz seus ângulos</translation></message>
 <message><source>The table does not say its angles</source><translation>A tabela não diz seus ângulos</translation></message>
 <message><source>a picture of %1 per line does not say its angles</source><translation>uma imagem de %1 por linha não diz seus ângulos</translation></message>
@@ -2618,7 +2623,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>"axis" is missing</source><translation>falta "axis"</translation></message>
 <message><source>add it to the .json file, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>acrescente-o ao arquivo .json, ou indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>"%1" is not a key of a raw grid and was not used: check its spelling.</source><translation>"%1" não é uma chave de uma grade bruta e não foi usada: verifique a ortografia.</translation></message>
-<message><source>The ranges reach %1 km: check unit_mm, the millimetres per count.</source><translation>As distâncias chegam a %1 km: verifique unit_mm, os milímetros por contagem.</translation></message>
+<message><source>the file names the counts of missing returns</source><translation>o arquivo indica as contagens dos retornos ausentes</translation></message>
 <message><source>The data file %1 is missing; %2 was read in its place.</source><translation>Falta o arquivo de dados %1; em seu lugar foi lido %2.</translation></message>
 <message><source>counts alone are not a raw grid</source><translation>contagens sozinhas não são uma grade bruta</translation></message>
 <message><source>give the description before them</source><translation>dê a descrição antes delas</translation></message>
@@ -3272,6 +3277,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>must be in the order of time</source><translation>deve estar na ordem do tempo</translation></message>
 <message><source>comes before "scan_start"</source><translation>vem antes de "scan_start"</translation></message>
 <message><source>; a scanner that hangs has "viewing": "down" in its calibration</source><translation>; um scanner pendurado tem "viewing": "down" em sua calibração</translation></message>
+<message><source>this is a pose of 3DTK and not of EdgeScan</source><translation>esta é uma pose do 3DTK e não do EdgeScan</translation></message>
+<message><source>give a pose file as in docs/reference/coordinates.md</source><translation>indique um arquivo de pose como em docs/reference/coordinates.md</translation></message>
 <message><source>write easting, northing and level, such as 498765.432; 5150123.456; 287.654</source><translation>escreva este, norte e nível, como 498765.432; 5150123.456; 287.654</translation></message>
 <message><source>the line holds %1 and a place has three, with a heading four, with pitch and roll six</source><translation>a linha contém %1 e um lugar tem três, com rumo quatro, com arfagem e rolagem seis</translation></message>
 <message><source>the line is empty</source><translation>a linha está vazia</translation></message>

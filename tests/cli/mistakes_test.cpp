@@ -33,14 +33,20 @@ void fill(const fs::path& folder, const fs::path& bell) {
     changed("keys.json", "\"no_return\"", "\"no_retrun\"");
     changed("nodata.json", "BELL.u16", "NOPE.u16");
     changed("far.json", "\"unit_mm\": 1.0", "\"unit_mm\": 100.0");
+    changed("near.json", "\"unit_mm\": 1.0", "\"unit_mm\": 0.001");
+    changed("flat.json", "\"step\": 4.5", "\"step\": 0");
+    std::ofstream(folder / "key.json") << R"({"format": "edgescan-preset/1", "settings": {"crease": 20}, "jump": 50})";
     std::ofstream(folder / "plain.json") << R"({"format": "edgescan-preset/1"})";
     const auto preset = [&](const char* name, const std::string& settings) {
         std::ofstream(folder / name) << R"({"format": "edgescan-preset/1", "settings": {)" << settings << "}}";
     };
+    preset("nothing.json", "");
+    preset("null.json", R"("jump": null)");
     preset("jump.json", R"("jump": 50)");
     preset("gray.json", R"("method": "edgescan+", "lower": 20, "kernel": 5)");
     preset("both.json", R"("sensitivity": 2, "edge-strength": 3)");
     preset("typo.json", R"("jmp": 50)");
+    std::ofstream(folder / "scan000.pose") << "0 0 0\n0 0 0\n";
     std::ofstream(folder / "comma.json") << "{\"format\": \"edgescan-pose/1\",\n \"heading_deg\": 217,4}\n";
     Calibration robot = test::exampleCalibration();
     robot.axis = Eigen::Vector3d::UnitX();

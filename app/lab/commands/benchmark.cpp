@@ -101,14 +101,15 @@ void addBenchmark(CLI::App& app, int& code) {
     auto asked = std::make_shared<Benchmark>();
     CLI::App& command = *app.add_subcommand("benchmark", "Runs every method of the thesis, the PCL peers and EdgeScan+ on one scan");
     command.add_option("SCAN", asked->file, "Scan")->required();
-    command.add_option("--truth", asked->truth, "Folder with ground truth of simulate --truth: also scores")->type_name("DIR");
+    CLI::Option* truth =
+        command.add_option("--truth", asked->truth, "Folder with ground truth of simulate --truth: also scores")->type_name("DIR");
     command
         .add_option("--pictures", asked->pictures,
                     "Folder for a labelled sheet (comparison.png), with truth one of cells found, missed and false (truth.png), and one "
                     "mask per method")
         ->type_name("DIR");
     lab::ComparisonSettings& settings = asked->compared.settings;
-    addNumber(command, "--tolerance", settings.tolerance, {0, 20}, "How far a detection may lie from a true edge [cells]");
+    addNumber(command, "--tolerance", settings.tolerance, {0, 20}, "How far a detection may lie from a true edge [cells]").needs(truth);
     command.add_flag("--best", settings.bestThreshold, "With truth: also each method's score at its best threshold for this scan");
     addNumber(command, "--repeats", settings.repeats, {1, 1000},
               "Runs of each of our methods, interleaved; medians of thread CPU time are reported");

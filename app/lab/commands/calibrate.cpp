@@ -95,6 +95,7 @@ Result<Done> checkTogether(const Calibrate& asked) {
     if (asked.backlash && !(asked.out.empty() && asked.base.empty() && asked.picture.empty() && asked.seam.empty()))
         return Error{"the backlash is reported only; a calibration file does not hold it", "--backlash",
                      "leave -o, --base, --picture and --seam out; --json writes it"};
+    if (auto one = checkOnePose(asked.files, asked.read); !one) return one;
     if (!asked.backlash && asked.out.empty()) return Error{"no name for the calibration file", "-o", "give -o CALIBRATION.json"};
     return checkDistinct(std::array{asked.out, asked.picture, asked.seam, asked.json});
 }
@@ -119,6 +120,8 @@ Result<Opened> openedScans(const Calibrate& asked) {
 }
 
 Result<Done> calibrate(const Calibrate& asked) {
+    for (const std::string& file : asked.files) claimInput(file);
+    if (auto can = checkOutputs(std::array{asked.out, asked.picture, asked.seam, asked.json}); !can) return can;
     const Result<Opened> opened = openedScans(asked);
     if (!opened) return opened.error();
     const auto& [scans, sources] = *opened;
@@ -172,7 +175,7 @@ void addCalibrate(CLI::App& app, int& code) {
     command.add_option("--seam", asked->seam, "New PNG: the edges of both views in one picture, before and after")
         ->type_name("FILE")
         ->check(namedAs("a picture", ".png"));
-    addJsonFlag(command, asked->json, "All figures, instead of the table");
+    addJsonFlag(command, asked->json, "All figures, instead of the table", {"calibrate", "backlash"});
     addReadFlags(command, asked->read);
     command.callback([asked, &code] {
         const Result<Done> together = checkTogether(*asked);

@@ -14,14 +14,16 @@ namespace edgescan::cli {
 
 void addComparedFlags(CLI::App& command, ComparedFlags& flags) {
     addJsonFlag(command, flags.json, "All figures");
-    addNumber(command, "--radius", flags.settings.pclLimits.radiusM, {0.001, 10}, "Radius of PCL's BoundaryEstimation [m]");
-    addNumber(command, "--peer-seconds", flags.settings.pclLimits.seconds, {0, 1e6},
-              "A PCL peer that works point by point stops after this time [s]");
-    command.add_flag("--slow", flags.slow, "Let every PCL peer end, however long it takes");
-    command.add_option("--only", flags.settings.only, "Only these of our methods, and no peers: thesis,edgescan+")
-        ->delimiter(',')
-        ->type_name("NAME,...");
-    command.add_flag("--no-peers", flags.noPeers, "Leave the PCL peers out");
+    CLI::Option& radius =
+        addNumber(command, "--radius", flags.settings.pclLimits.radiusM, {0.001, 10}, "Radius of PCL's BoundaryEstimation [m]");
+    CLI::Option& seconds = addNumber(command, "--peer-seconds", flags.settings.pclLimits.seconds, {0, 1e6},
+                                     "A PCL peer that works point by point stops after this time [s]");
+    CLI::Option* slow = command.add_flag("--slow", flags.slow, "Let every PCL peer end, however long it takes");
+    CLI::Option* only = command.add_option("--only", flags.settings.only, "Only these of our methods, and no peers: thesis,edgescan+")
+                            ->delimiter(',')
+                            ->type_name("NAME,...");
+    CLI::Option* none = command.add_flag("--no-peers", flags.noPeers, "Leave the PCL peers out");
+    for (CLI::Option* ofPeers : {&radius, &seconds, slow}) ofPeers->excludes(only)->excludes(none);
     addReadFlags(command, flags.read);
 }
 

@@ -13,6 +13,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -80,6 +82,10 @@ Result<Emulated> start(const Emulate& emulate) {
 }
 
 int run(const Emulate& emulate) {
+    const scanner::ScannerFaults& f = emulate.settings.faults;
+    const std::array each{f.loseEvery, f.duplicateEvery, f.garbageEvery, f.corruptEvery, f.stallEvery, f.dropEvery, f.narrowEvery};
+    if (f.byChance && std::ranges::all_of(each, [](int every) { return every == 0; }))
+        return failWith(Error{"no fault comes by chance", "--by-chance", "give one too, such as --lose-every 100"}, kWrongUsage);
     const auto emulated = start(emulate);
     if (!emulated) return failWith(emulated.error());
     catchInterrupt();
@@ -124,22 +130,33 @@ void addEmulate(CLI::App& app, int& code) {
     constexpr NumberLimits kCount{0, 1e9};
     command.add_flag("--split-sends", s.faults.splitSends, "Telegrams go out in pieces of random length")->group(faults);
     command.add_flag("--merge-sends", s.faults.mergeSends, "Several telegrams go out at once")->group(faults);
-    addNumber(command, "--lose-every", s.faults.loseEvery, kCount, "Every n-th telegram is not sent").group(faults);
-    addNumber(command, "--lose-burst", s.faults.loseBurst, kCount, "How many in a row").group(faults);
+    CLI::Option* lose = addNumber(command, "--lose-every", s.faults.loseEvery, kCount, "Every n-th telegram is not sent").group(faults);
+    addNumber(command, "--lose-burst", s.faults.loseBurst, kCount, "How many in a row").needs(lose)->group(faults);
     addNumber(command, "--duplicate-every", s.faults.duplicateEvery, kCount, "Every n-th telegram is sent twice").group(faults);
     addNumber(command, "--garbage-every", s.faults.garbageEvery, kCount, "Random bytes before every n-th telegram").group(faults);
     addNumber(command, "--corrupt-every", s.faults.corruptEvery, kCount, "One bit of every n-th telegram is wrong").group(faults);
-    addNumber(command, "--stall-every", s.faults.stallEvery, kCount, "Silence before every n-th telegram").group(faults);
-    addNumber(command, "--stall-seconds", s.faults.stallS, {0, 3600}, "Length of each silence [s]").group(faults);
+    CLI::Option* stall =
+        addNumber(command, "--stall-every", s.faults.stallEvery, kCount, "Silence before every n-th telegram").group(faults);
+    CLI::Option* silence = addNumber(command, "--stall-seconds", s.faults.stallS, {0, 3600}, "Length of each silence [s]").group(faults);
+    stall->needs(silence);
+    silence->needs(stall);
     addNumber(command, "--drop-every", s.faults.dropEvery, kCount, "All connections are closed at every n-th telegram").group(faults);
     addNumber(command, "--narrow-every", s.faults.narrowEvery, kCount, "Every n-th telegram has half of its beams").group(faults);
     addNumber(command, "--counter-step", s.faults.counterStep, {0, 65535}, "Step of both counters from line to line").group(faults);
     addNumber(command, "--clock-rate", s.faults.clockRate, {-1000, 1000}, "Rate of the device clock; 0 stops it, -1 runs it backward")
         .group(faults);
-    command.add_flag("--by-chance", s.faults.byChance, "Each fault once in n telegrams by chance, instead of at every n-th")->group(faults);
-    addNumber(command, "--fault-seed", s.faults.seed, {0, 4294967295}, "Seed of the chance").group(faults);
+    CLI::Option* byChance =
+        command.add_flag("--by-chance", s.faults.byChance, "Each fault once in n telegrams by chance, instead of at every n-th")
+            ->group(faults);
+    addNumber(command, "--fault-seed", s.faults.seed, {0, 4294967295}, "Seed of the chance").needs(byChance)->group(faults);
     command.add_flag("--contamination-warning", s.contaminationWarning, "Report a dirty window")->group(faults);
     command.add_flag("--contamination-error", s.contaminationError, "Report a window that is too dirty")->group(faults);
+#ifdef EDGESCAN_ROBOTS
+    for (const char* ofScanner :
+         {"--dialect", "--remission", "--contamination-warning", "--contamination-error", "--split-sends", "--merge-sends", "--lose-burst",
+          "--narrow-every", "--counter-step", "--clock-rate", "--by-chance", "--fault-seed"})
+        command.get_option(ofScanner)->excludes(bridge);
+#endif
     addReadFlags(command, emulate->read);
     command.callback([emulate, &code] { code = run(*emulate); });
 }

@@ -256,7 +256,7 @@ void addEvaluate(CLI::App& app, int& code) {
                     "Thresholds of the sweep, ascending, instead of the usual ones; within the limits of the method's threshold")
         ->delimiter(',')
         ->type_name("NUMBER,...");
-    addJsonFlag(command, evaluate->json, "All figures");
+    addJsonFlag(command, evaluate->json, "All figures", {"evaluate", "evaluate-rocks"});
     const char* rocks = "Rocks";
     command.add_flag("--rocks", evaluate->rocks, "Scores the rocks found in simulated scans instead of the edges")->group(rocks);
     const auto level =

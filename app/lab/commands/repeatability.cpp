@@ -87,7 +87,8 @@ void addRepeatability(CLI::App& app, int& code) {
             code = kWrongUsage;
             return;
         }
-        const Result<Done> result = repeatability(*asked);
+        const Result<Done> one = checkOnePose(asked->files, asked->compared.read);
+        const Result<Done> result = one ? repeatability(*asked) : one;
         code = result ? kDone : kRefused;
         if (!result) printError(result.error());
     });

@@ -4,6 +4,7 @@
 #include "app/lab/sim/truth/truth_files.h"
 #include "app/lab/sim/wall_kinds.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/files/formats/formats.h"
@@ -65,11 +66,12 @@ int run(const Simulate& simulate) {
     }
     const Result<sim::Simulation> simulation = edgescan::sim::simulate(settings, progress);
     if (!simulation) return failWith(simulation.error(), kWrongUsage);
+    const std::string replaced = replacedMark(simulate.out);
     Result<Done> saved = files::saveScan(simulation->scan, simulate.out);
     if (saved && settings.truth) saved = sim::writeTruth(*simulation, settings, simulate.truth);
     const Scan& scan = simulation->scan;
     printError(saved ? std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams; written to " +
-                           (isStreamOrDevice(simulate.out) ? "standard output" : printable(simulate.out)) +
+                           (isStreamOrDevice(simulate.out) ? "standard output" : printable(simulate.out)) + replaced +
                            (settings.truth ? ", the truth to " + printable(simulate.truth) : "") + "."
                      : saved.error().sentence());
     return saved ? kDone : kRefused;

@@ -181,6 +181,8 @@ std::optional<Error> idleIn(const std::string& scene, const std::function<bool(c
         for (const std::string& name : scenes) names += (names.empty() ? "" : ", ") + name;
         return Error{"the scene " + scene + " does not use this flag", "--" + *idle, "leave it out, or choose --scene " + names};
     }
+    if (given("rock-lump-size") && !given("rock-lumps"))
+        return Error{"rocks without lumps have no size of them", "--rock-lump-size", "give --rock-lumps too"};
     return std::nullopt;
 }
 

@@ -349,6 +349,8 @@ Result<Settings> settingsFromJson(const nlohmann::json& object, Settings setting
             text = value.get<bool>() ? "on" : "off";
         else if (value.is_number())
             text = shortestText(value.get<double>());
+        else
+            return Error{key + ": this is neither a number nor a text", where, "write it like 12.5, or like \"jump,convex\""};
         const Result<double> parsed = parseValue(*parameter, text);
         if (!parsed) return Error{key + ": " + parsed.error().what, where, parsed.error().hint};
         parameter->set(settings, *parsed);

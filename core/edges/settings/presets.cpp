@@ -120,8 +120,12 @@ Result<Preset> findPreset(const std::string& nameOrPath) {
     if (!json->is_object() || json->value("format", nlohmann::json()) != kFormat)
         return Error{std::string("this is not a preset: it has no \"format\": \"") + kFormat + "\"", nameOrPath,
                      "save one from the viewer"};
-    if (!json->contains("settings"))
-        return Error{"the preset has no \"settings\"", nameOrPath, "add this key, or save one from the viewer"};
+    for (const auto& [key, value] : json->items()) {
+        if (key != "format" && key != "name" && key != "settings")
+            return Error{"a preset has no key \"" + key + "\"", nameOrPath, "put settings into \"settings\", and leave other keys out"};
+    }
+    if (!json->contains("settings") || (*json)["settings"].empty())
+        return Error{"the preset has no \"settings\"", nameOrPath, "add this key with a setting, or save one from the viewer"};
     Result<Settings> settings = settingsFromJson((*json)["settings"], cannySettings(), nameOrPath);
     if (!settings) return settings.error();
     // Files of version 1.0 hold every setting of that time: they keep its masks.

@@ -141,4 +141,19 @@ Result<AssumedAngles> assumedAngles(std::size_t lines, std::size_t beams, const 
     return angles;
 }
 
+std::vector<std::string> seldomMeasured(const Scan& scan, const std::string& unit) {
+    constexpr float kFarMm = 1e6F, kNearMm = 100;
+    std::vector<std::string> doubts;
+    const RangeLimits limits = rangeLimits(scan);
+    if (limits.maxMm > kFarMm)
+        doubts.push_back(withValues("The ranges reach %1 km: check %2.", {fixedText(limits.maxMm / kFarMm, 1), unit}));
+    else if (limits.maxMm > 0 && limits.maxMm < kNearMm)
+        doubts.push_back(withValues("All ranges are below 100 mm, so they may be metres: check %1.", {unit}));
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr || polar->lineDeg.size() < 2) return doubts;
+    if (const auto [least, most] = std::ranges::minmax(polar->lineDeg); least == most)
+        doubts.push_back(withValues("All %1 lines are at one angle: check the step from line to line.", {polar->lineDeg.size()}));
+    return doubts;
+}
+
 } // namespace edgescan::files

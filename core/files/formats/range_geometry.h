@@ -45,4 +45,8 @@ Result<Scan> scanFromRanges(BareRanges ranges, const WithoutAngles& what, const 
 /// A number that means "no range" in tables: -1, or -9 and less.
 [[nodiscard]] constexpr bool isNoRangeMark(double number) { return number == -1 || number == -0.001 || number <= -9; }
 
+/// Sentences about numbers that are accepted and seldom meant, where the unit and the angles are given and not found: ranges that no
+/// scanner measures, lines at one angle. `unit`: where the unit is given.
+[[nodiscard]] std::vector<std::string> seldomMeasured(const Scan& scan, const std::string& unit);
+
 } // namespace edgescan::files

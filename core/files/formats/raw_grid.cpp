@@ -11,6 +11,7 @@
 #include "core/base/simd.h"
 #include "core/base/translated_text.h"
 #include "core/base/whole_file.h"
+#include "core/files/formats/range_geometry.h"
 #include "core/files/point_tables/description.h"
 #include "core/scan/grid/count_states.h"
 
@@ -19,6 +20,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <system_error>
 
 namespace edgescan::files {
@@ -68,16 +70,9 @@ EDGESCAN_INLINE void rangesOfCounts(const std::uint16_t* counts, int beams, doub
 
 /// What a hand may have written wrong: names of keys, and the unit.
 void warnOfDescription(Scan& scan, const GridDescription& grid) {
-    constexpr float kFarMm = 1e6F;
     for (const std::string& key : grid.unknownKeys)
         scan.warnings.push_back(withValues("\"%1\" is not a key of a raw grid and was not used: check its spelling.", {printable(key)}));
-    float most = 0;
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] == CellState::Valid) most = std::max(most, scan.rangeMm[k]);
-    }
-    if (most > kFarMm)
-        scan.warnings.push_back(
-            withValues("The ranges reach %1 km: check unit_mm, the millimetres per count.", {fixedText(most / kFarMm, 1)}));
+    std::ranges::move(seldomMeasured(scan, "unit_mm"), std::back_inserter(scan.warnings));
 }
 
 Result<Scan> readPair(const GridDescription& grid, const Source& source, const fs::path& countsPath, std::span<const std::byte> counts) {
@@ -90,6 +85,9 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
     ReadingOptions file;
     file.unitMm = grid.unitMm;
     scan.warnings = replacedByOptions(*source.options, file);
+    constexpr std::array<std::string_view, 1> kIdle{"keep-repeated"};
+    std::ranges::move(idleOptions(*source.options, kIdle, "the file names the counts of missing returns"),
+                      std::back_inserter(scan.warnings));
     const CountStates states = countStates(grid.noReturnCodes, grid.statusCodes);
     scan.rangeMm = Grid<float>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));
     scan.state = Grid<CellState>(static_cast<int>(grid.lines), static_cast<int>(grid.beams));

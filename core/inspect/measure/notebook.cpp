@@ -243,7 +243,8 @@ Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& sca
     const auto object = parseJson(text, where, kSettingsJson);
     if (!object) return object.error();
     if (!object->is_object() || !object->contains("format") || (*object)["format"] != kNotebookFormat)
-        return Error{std::string("these are not targets (") + kNotebookFormat + ")", where, kNotebookHint};
+        return Error{std::string("these are not targets (") + kNotebookFormat + ")", where,
+                     "give the file of targets that the viewer wrote"};
     JsonFields fields(*object, where, kNotebookHint);
     (void)fields.text("format");
     if (auto same = checkScan(fields.object("scan"), scan, where); !same) return same.error();

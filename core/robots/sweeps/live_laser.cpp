@@ -205,7 +205,7 @@ void LiveLaser::pushLine(LaserLine line, scanner::SweepAssembler& to) {
         idealNs_ = ns;
         if (!firstNs_) {
             scanner::SweepSettings settings = sweepOfLaser(asked_, line);
-            if (motion_ && settings.axisAssumed) {
+            if (motion_ && (settings.axisAssumed || !motion_->axisAssumed)) { // transforms say more than who asks
                 settings.axis = motion_->axis;
                 settings.axisAssumed = motion_->axisAssumed;
             }

@@ -32,6 +32,22 @@ constexpr std::array kRockParameters{
                   2, EDGESCAN_NUMBER(RockSettings, oversizeM)},
 };
 
+/// Whether two sides of the polygon cross, so that which cells are inside is not what was drawn.
+bool crosses(std::span<const RegionCorner> corners) {
+    const auto side = [](const RegionCorner& a, const RegionCorner& b, const RegionCorner& c) {
+        const std::int64_t turn = std::int64_t{b.line - a.line} * (c.beam - a.beam) - std::int64_t{b.beam - a.beam} * (c.line - a.line);
+        return turn > 0 ? 1 : turn < 0 ? -1 : 0;
+    };
+    const auto corner = [&](std::size_t n) { return corners[n % corners.size()]; };
+    for (std::size_t m = 0; m < corners.size(); ++m) {
+        for (std::size_t n = m + 2; n < corners.size(); ++n) {
+            const RegionCorner a = corner(m), b = corner(m + 1), c = corner(n), d = corner(n + 1);
+            if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 std::span<const RockParameter> rockParameters() { return kRockParameters; }
@@ -64,6 +80,9 @@ Result<std::vector<RegionCorner>> parseRegion(std::string_view text) {
     };
     if (same(&RegionCorner::line) || same(&RegionCorner::beam))
         return Error{"the region \"" + std::string(text) + "\" has no area", "--region", "give corners on several lines and beams"};
+    if (crosses(corners))
+        return Error{"the sides of the region \"" + std::string(text) + "\" cross", "--region",
+                     "give the corners in their order around it"};
     return corners;
 }
 

@@ -105,6 +105,8 @@ Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
 Result<PoseTrack> openPoses(const std::filesystem::path& path) {
     const auto bytes = readInput(path);
     if (!bytes) return bytes.error();
+    if (path.extension() == ".pose" && textOf(*bytes).find('{') == std::string_view::npos)
+        return Error{"this is a pose of 3DTK and not of EdgeScan", path.string(), "give a pose file as in docs/reference/coordinates.md"};
     return parsePoses(textOf(*bytes), path.string());
 }
 

@@ -36,6 +36,7 @@ public:
     std::optional<int> useSweep(const scanner::SweepSettings& sweep);
     [[nodiscard]] bool connected() const { return feed_ != nullptr; }
     [[nodiscard]] scanner::ConnectionState connection() const { return feed_ ? feed_->status().connection : scanner::ConnectionState{}; }
+    [[nodiscard]] std::optional<files::LiveStatus> status() const { return feed_ ? std::optional(feed_->status()) : std::nullopt; }
     /// Topics of a robot's bridge; empty: not connected to one, or not known yet.
     [[nodiscard]] std::vector<files::OfferedTopic> topics() const { return feed_ ? feed_->offered() : std::vector<files::OfferedTopic>(); }
     [[nodiscard]] bool recording() const { return recording_; }

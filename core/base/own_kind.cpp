@@ -1,0 +1,47 @@
+// Looks for the mark among the keys of the outermost object; damaged text has the mark that comes before the damage.
+#include "core/base/own_kind.h"
+
+#include "core/base/translated_text.h"
+#include "core/base/whole_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace edgescan {
+namespace {
+
+constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U; // of JSON that is read
+
+} // namespace
+
+std::string ownKind(std::string_view text) {
+    constexpr std::string_view kMark = "edgescan-";
+    if (!text.starts_with('{')) return {};
+    std::string key, kind;
+    const auto note = [&](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& value) {
+        if (depth == 1 && event == nlohmann::json::parse_event_t::key) key = value.get<std::string>();
+        const bool isMark = depth == 1 && event == nlohmann::json::parse_event_t::value && (key == "format" || key == "schema");
+        if (isMark && kind.empty() && value.is_string() && value.get_ref<const std::string&>().starts_with(kMark))
+            kind = value.get<std::string>();
+        return depth <= 1;
+    };
+    const auto ignored = nlohmann::json::parse(text, note, false);
+    static_cast<void>(ignored); // only its mark counts
+    return kind.substr(0, kind.find('/'));
+}
+
+Result<Done> checkIsOfKind(const std::filesystem::path& path, const std::string& kind) {
+    if (isDevice(path)) return Done{};
+    const int first = std::ifstream(path).peek(); // most files are not JSON
+    if (first == std::ifstream::traits_type::eof() || (kind.empty() && first != '{')) return Done{};
+    const auto bytes = readWholeFile(path, kMostBytes);
+    if (!bytes) return Done{}; // whether it may be replaced is checked elsewhere
+    const std::string before = ownKind(textOf(*bytes));
+    if (before == kind) return Done{};
+    return Error{before.empty() ? withValues("this is not a file of the kind %1, so it was not replaced", {kind})
+                                : withValues("this is a file of the kind %1, so it was not replaced", {before}),
+                 path.string(), "choose another name"};
+}
+
+} // namespace edgescan
