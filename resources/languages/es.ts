@@ -409,26 +409,20 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>En una pantalla estrecha solo las rocas de la tabla tienen sus números.</translation></message>
 <message><source>Completeness</source><translation>Integridad</translation></message>
 <message><source>INCOMPLETE</source><translation>INCOMPLETO</translation></message>
-<message><source>%1 of %2 lines.</source><translation>%1 de %2 líneas.</translation></message>
-<message><source>Cells</source><translation>Celdas</translation></message>
-<message><source>Number</source><translation>Número</translation></message>
-<message><source>Share</source><translation>Parte</translation></message>
+<message><source>%1 of %2 lines, %3 cells.</source><translation>%1 de %2 líneas, %3 celdas.</translation></message>
 <message><source>measured</source><translation>medidas</translation></message>
 <message><source>status of the scanner</source><translation>estado del escáner</translation></message>
 <message><source>outside the range window</source><translation>fuera de la ventana de distancias</translation></message>
 <message><source>lost line</source><translation>línea perdida</translation></message>
-<message><source>all</source><translation>todas</translation></message>
 <message><source>Settings</source><translation>Ajustes</translation></message>
-<message><source>Parameter</source><translation>Parámetro</translation></message>
-<message><source>Value</source><translation>Valor</translation></message>
+<message><source>File and program</source><translation>Archivo y programa</translation></message>
 <message><source>auto: %1</source><translation>auto: %1</translation></message>
 <message><source>%1 cells</source><translation>%1 celdas</translation></message>
 <message><source>%1 steps</source><translation>%1 pasos</translation></message>
 <message><source>%1 % of range</source><translation>%1 % de la distancia</translation></message>
 <message><source>%1 % of high</source><translation>%1 % del alto</translation></message>
 <message><source>changed from the default</source><translation>distinto del valor usual</translation></message>
-<message><source>Made again</source><translation>Hacerlo de nuevo</translation></message>
-<message><source>The command that makes this report as a page for browsers:</source><translation>La orden que hace este informe como página para navegadores:</translation></message>
+<message><source>The command that makes this report as a page for browsers</source><translation>La orden que hace este informe como página para navegadores</translation></message>
 <message><source>SHA-256 of the file</source><translation>SHA-256 del archivo</translation></message>
 <message><source>SHA-256 of the grid</source><translation>SHA-256 de la rejilla</translation></message>
 <message><source>SHA-256 of the edge mask</source><translation>SHA-256 de la máscara de bordes</translation></message>
@@ -473,10 +467,10 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>; %1 % over the site's %2 m</source><translation>; %1 % sobre los %2 m del lugar</translation></message>
 <message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>por número de rocas visibles; por las partes ocultas es más fina que la pila, en un 40 % y más</translation></message>
 <message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Rocas como caras, las inciertas rayadas. Los colores solo separan vecinas. Los números son los de la tabla, el dibujo y los archivos.</translation></message>
-<message><source>The same on the points.</source><translation>Lo mismo sobre los puntos.</translation></message>
+<message><source>The rocks on the points.</source><translation>Las rocas sobre los puntos.</translation></message>
 <message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 números de rocas menores no caben y faltan.</translation></message>
-<message><source>The %1 largest (visible width b) of %2 rocks;</source><translation>Las %1 mayores (ancho visible b) de %2 rocas;</translation></message>
-<message><source>lists all.</source><translation>las lista todas.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; the export of rocks as a table lists all.</source><translation>Las %1 mayores (ancho visible b) de %2 rocas; la exportación de las rocas como tabla las tiene todas.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; %3 more are over the site's %4; the export of rocks as a table lists all.</source><translation>Las %1 mayores (ancho visible b) de %2 rocas; otras %3 superan los %4 del lugar; la exportación de las rocas como tabla las tiene todas.</translation></message>
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL: media de los puntos visibles, en la rejilla de la mina</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z: media de los puntos visibles, en el sistema del escáner.</translation></message>
 <message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a y b: luces visibles transversales a la línea de visión; las partes ocultas no cuentan. Distancia: mediana de sus distancias. Área: visible, transversal a los haces. Delante: parte del contorno donde la roca es el lado más cercano. Contactos y altura libre: al menos. Arco: mayor ángulo en la roca entre dos que toca; ↓ cuelga bajo la línea entre ellas. p: probabilidad de que el contorno sea correcto; ▲ menor que 0,85, rayado.</translation></message>
@@ -984,6 +978,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Líneas de escaneo</translation></message>
 <message><source>Beams</source><translation>Haces</translation></message>
+<message><source>Cells</source><translation>Celdas</translation></message>
 <message><source>with a range</source><translation>con distancia</translation></message>
 <message><source>Ranges [m]</source><translation>Distancias [m]</translation></message>
 <message><source>smallest</source><translation>la menor</translation></message>

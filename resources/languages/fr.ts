@@ -409,26 +409,20 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>Sur un écran étroit seules les roches du tableau ont leurs numéros.</translation></message>
 <message><source>Completeness</source><translation>Complétude</translation></message>
 <message><source>INCOMPLETE</source><translation>INCOMPLET</translation></message>
-<message><source>%1 of %2 lines.</source><translation>%1 lignes sur %2.</translation></message>
-<message><source>Cells</source><translation>Cellules</translation></message>
-<message><source>Number</source><translation>Nombre</translation></message>
-<message><source>Share</source><translation>Part</translation></message>
+<message><source>%1 of %2 lines, %3 cells.</source><translation>%1 lignes sur %2, %3 cellules.</translation></message>
 <message><source>measured</source><translation>mesurées</translation></message>
 <message><source>status of the scanner</source><translation>état du scanner</translation></message>
 <message><source>outside the range window</source><translation>hors de la fenêtre de distances</translation></message>
 <message><source>lost line</source><translation>ligne perdue</translation></message>
-<message><source>all</source><translation>toutes</translation></message>
 <message><source>Settings</source><translation>Réglages</translation></message>
-<message><source>Parameter</source><translation>Paramètre</translation></message>
-<message><source>Value</source><translation>Valeur</translation></message>
+<message><source>File and program</source><translation>Fichier et programme</translation></message>
 <message><source>auto: %1</source><translation>auto : %1</translation></message>
 <message><source>%1 cells</source><translation>%1 cellules</translation></message>
 <message><source>%1 steps</source><translation>%1 pas</translation></message>
 <message><source>%1 % of range</source><translation>%1 % de la distance</translation></message>
 <message><source>%1 % of high</source><translation>%1 % du haut</translation></message>
 <message><source>changed from the default</source><translation>différent de la valeur usuelle</translation></message>
-<message><source>Made again</source><translation>Le refaire</translation></message>
-<message><source>The command that makes this report as a page for browsers:</source><translation>La commande qui fait ce rapport comme page pour navigateurs :</translation></message>
+<message><source>The command that makes this report as a page for browsers</source><translation>La commande qui fait ce rapport comme page pour navigateurs</translation></message>
 <message><source>SHA-256 of the file</source><translation>SHA-256 du fichier</translation></message>
 <message><source>SHA-256 of the grid</source><translation>SHA-256 de la grille</translation></message>
 <message><source>SHA-256 of the edge mask</source><translation>SHA-256 du masque de bords</translation></message>
@@ -473,10 +467,10 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>; %1 % over the site's %2 m</source><translation> ; %1 % au-dessus des %2 m du site</translation></message>
 <message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>par nombre de roches visibles ; à cause des parties cachées elle est plus fine que le tas, de 40 % et plus</translation></message>
 <message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Roches en faces, les incertaines hachurées. Les couleurs séparent seulement les voisines. Les numéros sont ceux du tableau, du dessin et des fichiers.</translation></message>
-<message><source>The same on the points.</source><translation>De même sur les points.</translation></message>
+<message><source>The rocks on the points.</source><translation>Les roches sur les points.</translation></message>
 <message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 numéros de roches plus petites manquent, faute de place.</translation></message>
-<message><source>The %1 largest (visible width b) of %2 rocks;</source><translation>Les %1 plus grandes (largeur visible b) de %2 roches ;</translation></message>
-<message><source>lists all.</source><translation>les liste toutes.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; the export of rocks as a table lists all.</source><translation>Les %1 plus grandes (largeur visible b) de %2 roches ; l'export des roches en tableau les a toutes.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; %3 more are over the site's %4; the export of rocks as a table lists all.</source><translation>Les %1 plus grandes (largeur visible b) de %2 roches ; %3 autres dépassent les %4 du site ; l'export des roches en tableau les a toutes.</translation></message>
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL : moyenne des points visibles, dans la grille de la mine</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z : moyenne des points visibles, dans le repère du scanner.</translation></message>
 <message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a et b : étendues visibles en travers de la ligne de visée ; les parties cachées ne comptent pas. Distance : médiane de ses distances. Aire : visible, en travers des faisceaux. Devant : part du contour où la roche est le côté le plus proche. Contacts et hauteur libre : au moins. Arc : plus grand angle à la roche entre deux qu'elle touche ; ↓ elle pend sous la ligne entre elles. p : chance que le contour soit juste ; ▲ inférieure à 0,85, hachuré.</translation></message>
@@ -984,6 +978,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Lignes de scan</translation></message>
 <message><source>Beams</source><translation>Faisceaux</translation></message>
+<message><source>Cells</source><translation>Cellules</translation></message>
 <message><source>with a range</source><translation>avec une distance</translation></message>
 <message><source>Ranges [m]</source><translation>Distances [m]</translation></message>
 <message><source>smallest</source><translation>la plus petite</translation></message>

@@ -409,26 +409,20 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>Em uma tela estreita só as rochas da tabela têm seus números.</translation></message>
 <message><source>Completeness</source><translation>Completude</translation></message>
 <message><source>INCOMPLETE</source><translation>INCOMPLETO</translation></message>
-<message><source>%1 of %2 lines.</source><translation>%1 de %2 linhas.</translation></message>
-<message><source>Cells</source><translation>Células</translation></message>
-<message><source>Number</source><translation>Número</translation></message>
-<message><source>Share</source><translation>Parte</translation></message>
+<message><source>%1 of %2 lines, %3 cells.</source><translation>%1 de %2 linhas, %3 células.</translation></message>
 <message><source>measured</source><translation>medidas</translation></message>
 <message><source>status of the scanner</source><translation>estado do scanner</translation></message>
 <message><source>outside the range window</source><translation>fora da janela de distâncias</translation></message>
 <message><source>lost line</source><translation>linha perdida</translation></message>
-<message><source>all</source><translation>todas</translation></message>
 <message><source>Settings</source><translation>Ajustes</translation></message>
-<message><source>Parameter</source><translation>Parâmetro</translation></message>
-<message><source>Value</source><translation>Valor</translation></message>
+<message><source>File and program</source><translation>Arquivo e programa</translation></message>
 <message><source>auto: %1</source><translation>auto: %1</translation></message>
 <message><source>%1 cells</source><translation>%1 células</translation></message>
 <message><source>%1 steps</source><translation>%1 passos</translation></message>
 <message><source>%1 % of range</source><translation>%1 % da distância</translation></message>
 <message><source>%1 % of high</source><translation>%1 % do alto</translation></message>
 <message><source>changed from the default</source><translation>diferente do valor usual</translation></message>
-<message><source>Made again</source><translation>Fazer de novo</translation></message>
-<message><source>The command that makes this report as a page for browsers:</source><translation>O comando que faz este relatório como página para navegadores:</translation></message>
+<message><source>The command that makes this report as a page for browsers</source><translation>O comando que faz este relatório como página para navegadores</translation></message>
 <message><source>SHA-256 of the file</source><translation>SHA-256 do arquivo</translation></message>
 <message><source>SHA-256 of the grid</source><translation>SHA-256 da grade</translation></message>
 <message><source>SHA-256 of the edge mask</source><translation>SHA-256 da máscara de bordas</translation></message>
@@ -473,10 +467,10 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>; %1 % over the site's %2 m</source><translation>; %1 % acima dos %2 m do local</translation></message>
 <message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>por número de rochas visíveis; pelas partes ocultas é mais fina que a pilha, em 40 % e mais</translation></message>
 <message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Rochas como faces, as incertas hachuradas. As cores só separam vizinhas. Os números são os da tabela, do desenho e dos arquivos.</translation></message>
-<message><source>The same on the points.</source><translation>O mesmo sobre os pontos.</translation></message>
+<message><source>The rocks on the points.</source><translation>As rochas sobre os pontos.</translation></message>
 <message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 números de rochas menores não cabem e faltam.</translation></message>
-<message><source>The %1 largest (visible width b) of %2 rocks;</source><translation>As %1 maiores (largura visível b) de %2 rochas;</translation></message>
-<message><source>lists all.</source><translation>lista todas.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; the export of rocks as a table lists all.</source><translation>As %1 maiores (largura visível b) de %2 rochas; a exportação das rochas como tabela tem todas.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; %3 more are over the site's %4; the export of rocks as a table lists all.</source><translation>As %1 maiores (largura visível b) de %2 rochas; outras %3 passam dos %4 do local; a exportação das rochas como tabela tem todas.</translation></message>
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL: média dos pontos visíveis, na grade da mina</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z: média dos pontos visíveis, no referencial do scanner.</translation></message>
 <message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a e b: extensões visíveis transversais à linha de visada; as partes ocultas não contam. Distância: mediana de suas distâncias. Área: visível, transversal aos feixes. Na frente: parte do contorno onde a rocha é o lado mais próximo. Contatos e altura livre: no mínimo. Arco: maior ângulo na rocha entre duas que ela toca; ↓ ela pende abaixo da linha entre elas. p: chance de o contorno estar certo; ▲ menor que 0,85, hachurado.</translation></message>
@@ -984,6 +978,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Linhas da varredura</translation></message>
 <message><source>Beams</source><translation>Feixes</translation></message>
+<message><source>Cells</source><translation>Células</translation></message>
 <message><source>with a range</source><translation>com distância</translation></message>
 <message><source>Ranges [m]</source><translation>Distâncias [m]</translation></message>
 <message><source>smallest</source><translation>a menor</translation></message>
