@@ -190,7 +190,7 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("QObject", "no pose: lined up by their surfaces"),
     QT_TRANSLATE_NOOP("QObject", "lined up by their poses"),
     QT_TRANSLATE_NOOP("QObject", "one scan with two settings"),
-    QT_TRANSLATE_NOOP("QObject", "; other cells: points moved to the grid of the later scan"),
+    QT_TRANSLATE_NOOP("QObject", "; other cells: points of one moved to the grid of the other"),
     QT_TRANSLATE_NOOP("QObject", "edges: %1 + gained, %2 - lost, %3 kept, %4 not seen by the other"),
     QT_TRANSLATE_NOOP("QObject", "cells: %1 nearer, %2 farther, %3 same, %4 no range now, %5 no range before"),
     QT_TRANSLATE_NOOP("QObject", "median difference"),
