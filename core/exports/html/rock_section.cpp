@@ -114,7 +114,6 @@ constexpr int kFacePixels = 900;                             // along a side
 constexpr int kRockCloudWidth = 800, kRockCloudHeight = 512; // px
 
 std::string twoDecimals(double m) { return fixedText(m, 2); }
-bool isDoubtful(const rocks::Rock& rock) { return rock.confidence < rocks::kSureConfidence; }
 
 std::size_t overSite(const rocks::Study& study) {
     const double limit = study.settings.oversizeM;
@@ -179,7 +178,7 @@ std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook
 }
 
 std::string countsOf(const rocks::Study& study, const rocks::SizeCurve& curve) {
-    const auto uncertain = std::ranges::count_if(study.rocks, isDoubtful);
+    const auto uncertain = std::ranges::count_if(study.rocks, rocks::isDoubtful);
     std::string html =
         "<p><strong>" + std::to_string(study.rocks.size()) + " rocks, each a " + htmlText(rocks::kRockCaveat) + ".</strong> " +
         std::to_string(uncertain) + (uncertain == 1 ? " has" : " have") + " an uncertain outline (hatched); " +
@@ -271,7 +270,7 @@ Json rockFaceData(const rocks::Study& study) {
     for (const Rgb& colour : rocks::kRockFaceColours) colours.push_back({colour.red, colour.green, colour.blue});
     const std::vector<std::uint8_t> places = rocks::rockColours(study.map);
     for (const rocks::Rock& rock : study.rocks)
-        rocks[rock.label - 1] = {places[rock.label], isDoubtful(rock) ? 1 : 0,
+        rocks[rock.label - 1] = {places[rock.label], rocks::isDoubtful(rock) ? 1 : 0,
                                  "visible " + twoDecimals(rock.longestCaliperM) + " x " + twoDecimals(rock.shortestCaliperM) + " m, ± " +
                                      twoDecimals(shownTolerance(rock.toleranceM, 2)) + " m, at " + twoDecimals(rock.distanceM) + " m; " +
                                      rocks::kRockCaveat};
