@@ -26,7 +26,7 @@ public:
     void showResult(const edges::Detection& detection);
     void showColours(const EdgeColours& colours);
     void showByClass(bool on);
-    /// The number of cells of each strength, while the views draw edges by strength. `leastPercent`: less likely ones are no edges.
+    /// The number of cells of each strength, while the views draw edges by strength. `leastPercent`: less likely ones are left out.
     void showStrengths(const std::optional<std::array<std::size_t, kEdgeStrengths>>& cells, int leastPercent = 0);
     void showEdges(bool on);
     /// On: rocks are drawn over the edges of the cloud; the counts then refer to the images, and the switch draws the edges over the rocks.
