@@ -17,6 +17,7 @@
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/source.h"
 #include "core/rocks/attributes/study.h"
+#include "core/rocks/attributes/visible_surface.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
 
@@ -118,7 +119,7 @@ Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, co
     if (kind.counts != ExportKind::Counts::Rocks || !options.rocks) return box;
     const Scan& scan = *detection.scan;
     const FramePoints points(scan, frame);
-    const Grid<std::uint32_t> labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);
+    const Grid<std::uint32_t> labels = rocks::visibleSurfaces(*options.rocks->segmentation, options.rocks->map); // as their outlines
     std::vector<std::uint8_t> isListed(options.rocks->map.rocks + std::size_t{1});
     for (const rocks::Rock* rock : rocks::rocksToList(*options.rocks)) isListed[rock->label] = 1;
     for (std::uint32_t k = 0; k < scan.cells(); ++k) {

@@ -113,7 +113,7 @@ std::string dxfOutlines(const rocks::Study& study, const FramePoints& points, co
     drawing.begin(box, kRockLayers);
     for (const rocks::Rock* listed : rocks::rocksToList(study)) {
         const rocks::Rock& rock = *listed;
-        const char* layer = rock.confidence < rocks::kSureConfidence && !rock.byHand ? kDoubtfulLayer : kSureLayer;
+        const char* layer = rocks::isDoubtful(rock) && !rock.byHand ? kDoubtfulLayer : kSureLayer;
         for (const Places& line : outlines[rock.label]) {
             drawing.beginLine(layer, true);
             for (const Eigen::Vector3d& place : line) drawing.vertex(layer, place);

@@ -35,7 +35,7 @@
 <message><source>recording %1 MB</source><translation>grabación %1 MB</translation></message>
 <message><source>RECORDING ENDED: %1</source><translation>GRABACIÓN TERMINADA: %1</translation></message>
 <message><source>RECORDING HAS GAPS: %1</source><translation>LA GRABACIÓN TIENE HUECOS: %1</translation></message>
-<message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; otras celdas: puntos llevados a la cuadrícula del escaneo posterior</translation></message>
+<message><source>%1; other cells: points of one moved to the grid of the other</source><translation>%1; otras celdas: puntos de uno llevados a la cuadrícula del otro</translation></message>
 <message><source>one scan with two settings</source><translation>un escaneo con dos ajustes</translation></message>
 <message><source>lined up by their poses</source><translation>alineados por sus poses</translation></message>
 <message><source>lined up by given positions of the scanner, not in the mine grid</source><translation>alineados por posiciones dadas del escáner, no en la cuadrícula de la mina</translation></message>
@@ -409,26 +409,20 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>En una pantalla estrecha solo las rocas de la tabla tienen sus números.</translation></message>
 <message><source>Completeness</source><translation>Integridad</translation></message>
 <message><source>INCOMPLETE</source><translation>INCOMPLETO</translation></message>
-<message><source>%1 of %2 lines.</source><translation>%1 de %2 líneas.</translation></message>
-<message><source>Cells</source><translation>Celdas</translation></message>
-<message><source>Number</source><translation>Número</translation></message>
-<message><source>Share</source><translation>Parte</translation></message>
+<message><source>%1 of %2 lines, %3 cells.</source><translation>%1 de %2 líneas, %3 celdas.</translation></message>
 <message><source>measured</source><translation>medidas</translation></message>
 <message><source>status of the scanner</source><translation>estado del escáner</translation></message>
 <message><source>outside the range window</source><translation>fuera de la ventana de distancias</translation></message>
 <message><source>lost line</source><translation>línea perdida</translation></message>
-<message><source>all</source><translation>todas</translation></message>
 <message><source>Settings</source><translation>Ajustes</translation></message>
-<message><source>Parameter</source><translation>Parámetro</translation></message>
-<message><source>Value</source><translation>Valor</translation></message>
+<message><source>File and program</source><translation>Archivo y programa</translation></message>
 <message><source>auto: %1</source><translation>auto: %1</translation></message>
 <message><source>%1 cells</source><translation>%1 celdas</translation></message>
 <message><source>%1 steps</source><translation>%1 pasos</translation></message>
 <message><source>%1 % of range</source><translation>%1 % de la distancia</translation></message>
 <message><source>%1 % of high</source><translation>%1 % del alto</translation></message>
 <message><source>changed from the default</source><translation>distinto del valor usual</translation></message>
-<message><source>Made again</source><translation>Hacerlo de nuevo</translation></message>
-<message><source>The command that makes this report as a page for browsers:</source><translation>La orden que hace este informe como página para navegadores:</translation></message>
+<message><source>The command that makes this report as a page for browsers</source><translation>La orden que hace este informe como página para navegadores</translation></message>
 <message><source>SHA-256 of the file</source><translation>SHA-256 del archivo</translation></message>
 <message><source>SHA-256 of the grid</source><translation>SHA-256 de la rejilla</translation></message>
 <message><source>SHA-256 of the edge mask</source><translation>SHA-256 de la máscara de bordes</translation></message>
@@ -473,10 +467,10 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>; %1 % over the site's %2 m</source><translation>; %1 % sobre los %2 m del lugar</translation></message>
 <message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>por número de rocas visibles; por las partes ocultas es más fina que la pila, en un 40 % y más</translation></message>
 <message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Rocas como caras, las inciertas rayadas. Los colores solo separan vecinas. Los números son los de la tabla, el dibujo y los archivos.</translation></message>
-<message><source>The same on the points.</source><translation>Lo mismo sobre los puntos.</translation></message>
+<message><source>The rocks on the points.</source><translation>Las rocas sobre los puntos.</translation></message>
 <message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 números de rocas menores no caben y faltan.</translation></message>
-<message><source>The %1 largest (visible width b) of %2 rocks;</source><translation>Las %1 mayores (ancho visible b) de %2 rocas;</translation></message>
-<message><source>lists all.</source><translation>las lista todas.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; the export of rocks as a table lists all.</source><translation>Las %1 mayores (ancho visible b) de %2 rocas; la exportación de las rocas como tabla las tiene todas.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; %3 more are over the site's %4; the export of rocks as a table lists all.</source><translation>Las %1 mayores (ancho visible b) de %2 rocas; otras %3 superan los %4 del lugar; la exportación de las rocas como tabla las tiene todas.</translation></message>
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL: media de los puntos visibles, en la rejilla de la mina</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z: media de los puntos visibles, en el sistema del escáner.</translation></message>
 <message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a y b: luces visibles transversales a la línea de visión; las partes ocultas no cuentan. Distancia: mediana de sus distancias. Área: visible, transversal a los haces. Delante: parte del contorno donde la roca es el lado más cercano. Contactos y altura libre: al menos. Arco: mayor ángulo en la roca entre dos que toca; ↓ cuelga bajo la línea entre ellas. p: probabilidad de que el contorno sea correcto; ▲ menor que 0,85, rayado.</translation></message>
@@ -485,7 +479,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Los objetivos por sus números, y lo que se midió. Negro es cerca, o nada volvió.</translation></message>
 <message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valor no cabe en la imagen; la tabla los tiene todos.</translation></message>
 <message><source>%1 values have no room in the picture; the table has all.</source><translation>%1 valores no caben en la imagen; la tabla los tiene todos.</translation></message>
-<message><source>; other cells: points moved to the grid of the later scan</source><translation>; otras celdas: puntos llevados a la rejilla del escaneo posterior</translation></message>
+<message><source>; other cells: points of one moved to the grid of the other</source><translation>; otras celdas: puntos de uno llevados a la rejilla del otro</translation></message>
 <message><source>edges: %1 + gained, %2 - lost, %3 kept, %4 not seen by the other</source><translation>bordes: %1 + ganados, %2 - perdidos, %3 conservados, %4 no vistos por el otro</translation></message>
 <message><source>cells: %1 nearer, %2 farther, %3 same, %4 no range now, %5 no range before</source><translation>celdas: %1 más cerca, %2 más lejos, %3 iguales, %4 sin distancia ahora, %5 sin distancia antes</translation></message>
 <message><source>median difference</source><translation>diferencia mediana</translation></message>
@@ -551,6 +545,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>%1 was moved or removed. Its picture stays on the screen.</source><translation>%1 se movió o se eliminó. Su imagen queda en la pantalla.</translation></message>
 <message><source>%1 was written again. The picture shows what was in it before.</source><translation>%1 se escribió de nuevo. La imagen muestra lo que contenía antes.</translation></message>
 <message><source>Read again</source><translation>Leer de nuevo</translation></message>
+<message><source>%1, a pose of 3DTK, is not read with the scan: type the place of the scanner at Scan &gt; Pose and Mounting.</source><translation>%1, una pose de 3DTK, no se lee con el escaneo: escriba el lugar del escáner en Escaneo &gt; Pose y montaje.</translation></message>
 <message><source>Straighten beams</source><translation>Enderezar los haces</translation></message>
 <message><source>Keep as measured</source><translation>Conservar como medido</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Ningún archivo todavía; las demos no figuran aquí</translation></message>
@@ -791,6 +786,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>rock %1</source><translation>roca %1</translation></message>
 <message><source>end %1 is target %2</source><translation>el extremo %1 es el objetivo %2</translation></message>
 <message><source>moved here from line %1, beam %2</source><translation>movido aquí desde línea %1, haz %2</translation></message>
+<message><source>up is assumed</source><translation>se supone dónde es arriba</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
@@ -856,6 +852,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>surface nearer</source><translation>superficie más cerca</translation></message>
 <message><source>surface farther</source><translation>superficie más lejos</translation></message>
 <message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A tiene %1 celdas de borde: %2 perdidas, %3 junto a bordes de B, %4 sin punto de B</translation></message>
+<message><source>B has %1 edge cells: %2 gained, %3 kept, %4 without a point of A</source><translation>B tiene %1 celdas de borde: %2 nuevas, %3 conservadas, %4 sin punto de A</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ FUERA DE TOLERANCIA</translation></message>
 <message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
 <message><source>cells</source><translation>celdas</translation></message>
@@ -886,9 +883,11 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Folds the legend</source><translation>Pliega la leyenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Despliega la leyenda</translation></message>
 <message><source>Changes: %1</source><translation>Cambios: %1</translation></message>
-<message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
+<message><source>A, after: %1</source><translation>A, después: %1</translation></message>
+<message><source>A, before: %1</source><translation>A, antes: %1</translation></message>
+<message><source>B, before: %1</source><translation>B, antes: %1</translation></message>
+<message><source>B, after: %1</source><translation>B, después: %1</translation></message>
 <message><source>A: %1</source><translation>A: %1</translation></message>
-<message><source>B: %1</source><translation>B: %1</translation></message>
 <message><source>at all of them</source><translation>con todos</translation></message>
 <message><source>below %1 %</source><translation>menos de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % y más</translation></message>
@@ -984,6 +983,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Líneas de escaneo</translation></message>
 <message><source>Beams</source><translation>Haces</translation></message>
+<message><source>Cells</source><translation>Celdas</translation></message>
 <message><source>with a range</source><translation>con distancia</translation></message>
 <message><source>Ranges [m]</source><translation>Distancias [m]</translation></message>
 <message><source>smallest</source><translation>la menor</translation></message>
@@ -1051,6 +1051,16 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>El veredicto en los términos del método, los puntos a través de la celda y los números</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
+<message><source>stones boulders fragments sizes</source><translation>piedras bloques bolos fragmentos tamaños</translation></message>
+<message><source>export csv table list of rocks dxf outlines</source><translation>exportar csv tabla lista de rocas dxf contornos</translation></message>
+<message><source>wider widest biggest boulder oversize</source><translation>más ancha mayor bolo sobretamaño</translation></message>
+<message><source>export csv table edge list points</source><translation>exportar csv tabla lista de bordes puntos</translation></message>
+<message><source>export csv table all points las</source><translation>exportar csv tabla todos los puntos las</translation></message>
+<message><source>export csv table pins measurements</source><translation>exportar csv tabla marcas medidas</translation></message>
+<message><source>print pdf paper page</source><translation>imprimir pdf papel página</translation></message>
+<message><source>picture image of the window</source><translation>imagen captura de la ventana</translation></message>
+<message><source>refresh read again</source><translation>actualizar leer de nuevo</translation></message>
+<message><source>compare before after change difference</source><translation>comparar antes después cambio diferencia</translation></message>
 <message><source>on</source><translation>activado</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
 <message><source>Letters outside a field are keys; these changed: %1.</source><translation>Las letras fuera de un campo son teclas; estas cambiaron: %1.</translation></message>
@@ -1323,7 +1333,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
 <message><source>Without %1:</source><translation>Sin %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sin %1 clases:</translation></message>
-<message><source>other classes take the cells</source><translation>otras clases toman las celdas</translation></message>
+<message><source>other classes take some of its cells, and chains get shorter: fewer edges, here and in files</source><translation>otras clases toman parte de sus celdas y las cadenas se acortan: menos bordes, aquí y en archivos</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
 <message><source>How likely an edge is the border of a rock; where that is unknown, it is drawn like one.</source><translation>La probabilidad de que un borde sea el contorno de una roca; donde se desconoce, se dibuja como un contorno.</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
@@ -1333,8 +1343,9 @@ RL %3 m</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
-<message><source>Rock border, 70 % and more: %1</source><translation>Contorno de roca, 70 % y más: %1</translation></message>
-<message><source>Perhaps, 30 to 69 %: %1</source><translation>Quizá, 30 a 69 %: %1</translation></message>
+<message><source>Rock border, %1 % and more: %2</source><translation>Contorno de roca, %1 % y más: %2</translation></message>
+<message><source>Perhaps, %1 to 69 %: %2</source><translation>Quizá, %1 a 69 %: %2</translation></message>
+<message><source>Fold in a rock, %1 to 29 %: %2</source><translation>Pliegue en una roca, %1 a 29 %: %2</translation></message>
 <message><source>Fold in a rock, below 30 %: %1</source><translation>Pliegue en una roca, menos de 30 %: %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Rayas violetas en las imágenes: sin retorno, fuera de la ventana de distancias o enmascarado. La barra de estado cuenta cada caso.</translation></message>
 <message><source>Dark red stripes in the images: the scanner sent a status code in place of a range.</source><translation>Rayas rojo oscuro en las imágenes: el escáner envió un código de estado en lugar de una distancia.</translation></message>
@@ -1605,6 +1616,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Save…</source><translation>&amp;Guardar…</translation></message>
 <message><source>&amp;Edges</source><translation>&amp;Bordes</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Bloquear superior = 3 × inferior</translation></message>
+<message><source>&amp;Only Rock Borders</source><translation>S&amp;olo contornos de roca</translation></message>
 <message><source>This &amp;Is an Edge</source><translation>Esto &amp;es un borde</translation></message>
 <message><source>This Is &amp;Not an Edge</source><translation>Esto &amp;no es un borde</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>

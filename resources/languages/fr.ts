@@ -35,7 +35,7 @@
 <message><source>recording %1 MB</source><translation>enregistrement %1 Mo</translation></message>
 <message><source>RECORDING ENDED: %1</source><translation>ENREGISTREMENT TERMINÉ : %1</translation></message>
 <message><source>RECORDING HAS GAPS: %1</source><translation>L'ENREGISTREMENT A DES TROUS : %1</translation></message>
-<message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; autres cellules : points déplacés sur la grille du scan le plus récent</translation></message>
+<message><source>%1; other cells: points of one moved to the grid of the other</source><translation>%1; autres cellules : points de l'un déplacés sur la grille de l'autre</translation></message>
 <message><source>one scan with two settings</source><translation>un scan avec deux réglages</translation></message>
 <message><source>lined up by their poses</source><translation>alignés par leurs poses</translation></message>
 <message><source>lined up by given positions of the scanner, not in the mine grid</source><translation>alignés par des positions données du scanner, pas dans la grille de la mine</translation></message>
@@ -409,26 +409,20 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>Sur un écran étroit seules les roches du tableau ont leurs numéros.</translation></message>
 <message><source>Completeness</source><translation>Complétude</translation></message>
 <message><source>INCOMPLETE</source><translation>INCOMPLET</translation></message>
-<message><source>%1 of %2 lines.</source><translation>%1 lignes sur %2.</translation></message>
-<message><source>Cells</source><translation>Cellules</translation></message>
-<message><source>Number</source><translation>Nombre</translation></message>
-<message><source>Share</source><translation>Part</translation></message>
+<message><source>%1 of %2 lines, %3 cells.</source><translation>%1 lignes sur %2, %3 cellules.</translation></message>
 <message><source>measured</source><translation>mesurées</translation></message>
 <message><source>status of the scanner</source><translation>état du scanner</translation></message>
 <message><source>outside the range window</source><translation>hors de la fenêtre de distances</translation></message>
 <message><source>lost line</source><translation>ligne perdue</translation></message>
-<message><source>all</source><translation>toutes</translation></message>
 <message><source>Settings</source><translation>Réglages</translation></message>
-<message><source>Parameter</source><translation>Paramètre</translation></message>
-<message><source>Value</source><translation>Valeur</translation></message>
+<message><source>File and program</source><translation>Fichier et programme</translation></message>
 <message><source>auto: %1</source><translation>auto : %1</translation></message>
 <message><source>%1 cells</source><translation>%1 cellules</translation></message>
 <message><source>%1 steps</source><translation>%1 pas</translation></message>
 <message><source>%1 % of range</source><translation>%1 % de la distance</translation></message>
 <message><source>%1 % of high</source><translation>%1 % du haut</translation></message>
 <message><source>changed from the default</source><translation>différent de la valeur usuelle</translation></message>
-<message><source>Made again</source><translation>Le refaire</translation></message>
-<message><source>The command that makes this report as a page for browsers:</source><translation>La commande qui fait ce rapport comme page pour navigateurs :</translation></message>
+<message><source>The command that makes this report as a page for browsers</source><translation>La commande qui fait ce rapport comme page pour navigateurs</translation></message>
 <message><source>SHA-256 of the file</source><translation>SHA-256 du fichier</translation></message>
 <message><source>SHA-256 of the grid</source><translation>SHA-256 de la grille</translation></message>
 <message><source>SHA-256 of the edge mask</source><translation>SHA-256 du masque de bords</translation></message>
@@ -473,10 +467,10 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>; %1 % over the site's %2 m</source><translation> ; %1 % au-dessus des %2 m du site</translation></message>
 <message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>par nombre de roches visibles ; à cause des parties cachées elle est plus fine que le tas, de 40 % et plus</translation></message>
 <message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Roches en faces, les incertaines hachurées. Les couleurs séparent seulement les voisines. Les numéros sont ceux du tableau, du dessin et des fichiers.</translation></message>
-<message><source>The same on the points.</source><translation>De même sur les points.</translation></message>
+<message><source>The rocks on the points.</source><translation>Les roches sur les points.</translation></message>
 <message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 numéros de roches plus petites manquent, faute de place.</translation></message>
-<message><source>The %1 largest (visible width b) of %2 rocks;</source><translation>Les %1 plus grandes (largeur visible b) de %2 roches ;</translation></message>
-<message><source>lists all.</source><translation>les liste toutes.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; the export of rocks as a table lists all.</source><translation>Les %1 plus grandes (largeur visible b) de %2 roches ; l'export des roches en tableau les a toutes.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; %3 more are over the site's %4; the export of rocks as a table lists all.</source><translation>Les %1 plus grandes (largeur visible b) de %2 roches ; %3 autres dépassent les %4 du site ; l'export des roches en tableau les a toutes.</translation></message>
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL : moyenne des points visibles, dans la grille de la mine</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z : moyenne des points visibles, dans le repère du scanner.</translation></message>
 <message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a et b : étendues visibles en travers de la ligne de visée ; les parties cachées ne comptent pas. Distance : médiane de ses distances. Aire : visible, en travers des faisceaux. Devant : part du contour où la roche est le côté le plus proche. Contacts et hauteur libre : au moins. Arc : plus grand angle à la roche entre deux qu'elle touche ; ↓ elle pend sous la ligne entre elles. p : chance que le contour soit juste ; ▲ inférieure à 0,85, hachuré.</translation></message>
@@ -485,7 +479,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Les cibles par leurs numéros, et ce qui a été mesuré. Noir est proche, ou rien n'est revenu.</translation></message>
 <message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valeur n'a pas de place dans l'image ; le tableau les a toutes.</translation></message>
 <message><source>%1 values have no room in the picture; the table has all.</source><translation>%1 valeurs n'ont pas de place dans l'image ; le tableau les a toutes.</translation></message>
-<message><source>; other cells: points moved to the grid of the later scan</source><translation> ; autres cellules : points portés sur la grille du scan le plus récent</translation></message>
+<message><source>; other cells: points of one moved to the grid of the other</source><translation> ; autres cellules : points de l'un portés sur la grille de l'autre</translation></message>
 <message><source>edges: %1 + gained, %2 - lost, %3 kept, %4 not seen by the other</source><translation>bords : %1 + gagnés, %2 - perdus, %3 conservés, %4 non vus par l'autre</translation></message>
 <message><source>cells: %1 nearer, %2 farther, %3 same, %4 no range now, %5 no range before</source><translation>cellules : %1 plus proches, %2 plus loin, %3 égales, %4 sans distance maintenant, %5 sans distance avant</translation></message>
 <message><source>median difference</source><translation>différence médiane</translation></message>
@@ -551,6 +545,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>%1 was moved or removed. Its picture stays on the screen.</source><translation>%1 a été déplacé ou supprimé. Son image reste à l'écran.</translation></message>
 <message><source>%1 was written again. The picture shows what was in it before.</source><translation>%1 a été réécrit. L'image montre ce qu'il contenait avant.</translation></message>
 <message><source>Read again</source><translation>Relire</translation></message>
+<message><source>%1, a pose of 3DTK, is not read with the scan: type the place of the scanner at Scan &gt; Pose and Mounting.</source><translation>%1, une pose de 3DTK, n'est pas lue avec le scan : saisissez la place du scanner dans Scan &gt; Pose et montage.</translation></message>
 <message><source>Straighten beams</source><translation>Redresser les faisceaux</translation></message>
 <message><source>Keep as measured</source><translation>Garder comme mesuré</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Aucun fichier pour l'instant ; les démos ne figurent pas ici</translation></message>
@@ -791,6 +786,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>rock %1</source><translation>bloc %1</translation></message>
 <message><source>end %1 is target %2</source><translation>l'extrémité %1 est la cible %2</translation></message>
 <message><source>moved here from line %1, beam %2</source><translation>déplacée ici depuis ligne %1, faisceau %2</translation></message>
+<message><source>up is assumed</source><translation>le haut est supposé</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
@@ -856,6 +852,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>surface nearer</source><translation>surface plus proche</translation></message>
 <message><source>surface farther</source><translation>surface plus loin</translation></message>
 <message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A a %1 cellules d'arête : %2 perdues, %3 près d'arêtes de B, %4 sans point de B</translation></message>
+<message><source>B has %1 edge cells: %2 gained, %3 kept, %4 without a point of A</source><translation>B a %1 cellules d'arête : %2 gagnées, %3 gardées, %4 sans point de A</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ HORS TOLÉRANCE</translation></message>
 <message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
 <message><source>cells</source><translation>cellules</translation></message>
@@ -886,9 +883,11 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Folds the legend</source><translation>Replie la légende</translation></message>
 <message><source>Unfolds the legend</source><translation>Déplie la légende</translation></message>
 <message><source>Changes: %1</source><translation>Changements : %1</translation></message>
-<message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
+<message><source>A, after: %1</source><translation>A, après : %1</translation></message>
+<message><source>A, before: %1</source><translation>A, avant : %1</translation></message>
+<message><source>B, before: %1</source><translation>B, avant : %1</translation></message>
+<message><source>B, after: %1</source><translation>B, après : %1</translation></message>
 <message><source>A: %1</source><translation>A : %1</translation></message>
-<message><source>B: %1</source><translation>B : %1</translation></message>
 <message><source>at all of them</source><translation>avec tous</translation></message>
 <message><source>below %1 %</source><translation>moins de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % et plus</translation></message>
@@ -984,6 +983,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Lignes de scan</translation></message>
 <message><source>Beams</source><translation>Faisceaux</translation></message>
+<message><source>Cells</source><translation>Cellules</translation></message>
 <message><source>with a range</source><translation>avec une distance</translation></message>
 <message><source>Ranges [m]</source><translation>Distances [m]</translation></message>
 <message><source>smallest</source><translation>la plus petite</translation></message>
@@ -1051,6 +1051,16 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>Le verdict dans les termes de la méthode, les points en travers de la cellule et les nombres</translation></message>
 <message><source>Less</source><translation>Moins</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
+<message><source>stones boulders fragments sizes</source><translation>pierres blocs fragments tailles</translation></message>
+<message><source>export csv table list of rocks dxf outlines</source><translation>exporter csv tableau liste des roches dxf contours</translation></message>
+<message><source>wider widest biggest boulder oversize</source><translation>plus large plus grosse bloc hors gabarit</translation></message>
+<message><source>export csv table edge list points</source><translation>exporter csv tableau liste des arêtes points</translation></message>
+<message><source>export csv table all points las</source><translation>exporter csv tableau tous les points las</translation></message>
+<message><source>export csv table pins measurements</source><translation>exporter csv tableau repères mesures</translation></message>
+<message><source>print pdf paper page</source><translation>imprimer pdf papier page</translation></message>
+<message><source>picture image of the window</source><translation>image capture de la fenêtre</translation></message>
+<message><source>refresh read again</source><translation>actualiser relire</translation></message>
+<message><source>compare before after change difference</source><translation>comparer avant après changement différence</translation></message>
 <message><source>on</source><translation>activé</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
 <message><source>Letters outside a field are keys; these changed: %1.</source><translation>Les lettres hors d'un champ sont des touches ; celles-ci ont changé : %1.</translation></message>
@@ -1323,7 +1333,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
 <message><source>Without %1:</source><translation>Sans %1 :</translation></message>
 <message><source>Without %1 classes:</source><translation>Sans %1 classes :</translation></message>
-<message><source>other classes take the cells</source><translation>d'autres classes prennent les cellules</translation></message>
+<message><source>other classes take some of its cells, and chains get shorter: fewer edges, here and in files</source><translation>d'autres classes prennent une partie de ses cellules et les chaînes raccourcissent : moins d'arêtes, ici et dans les fichiers</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>How likely an edge is the border of a rock; where that is unknown, it is drawn like one.</source><translation>La probabilité qu'une arête soit le contour d'une roche ; où elle est inconnue, l'arête est dessinée comme un contour.</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
@@ -1333,8 +1343,9 @@ RL %3 m</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
-<message><source>Rock border, 70 % and more: %1</source><translation>Contour de roche, 70 % et plus : %1</translation></message>
-<message><source>Perhaps, 30 to 69 %: %1</source><translation>Peut-être, 30 à 69 % : %1</translation></message>
+<message><source>Rock border, %1 % and more: %2</source><translation>Contour de roche, %1 % et plus : %2</translation></message>
+<message><source>Perhaps, %1 to 69 %: %2</source><translation>Peut-être, %1 à 69 % : %2</translation></message>
+<message><source>Fold in a rock, %1 to 29 %: %2</source><translation>Pli dans une roche, %1 à 29 % : %2</translation></message>
 <message><source>Fold in a rock, below 30 %: %1</source><translation>Pli dans une roche, moins de 30 % : %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Rayures violettes dans les images : sans retour, hors de la fenêtre de distance, ou masqué. La barre d'état compte chaque cas.</translation></message>
 <message><source>Dark red stripes in the images: the scanner sent a status code in place of a range.</source><translation>Rayures rouge foncé dans les images : le scanner a envoyé un code d'état à la place d'une distance.</translation></message>
@@ -1605,6 +1616,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Save…</source><translation>&amp;Enregistrer…</translation></message>
 <message><source>&amp;Edges</source><translation>A&amp;rêtes</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Verrouiller haut = 3 × bas</translation></message>
+<message><source>&amp;Only Rock Borders</source><translation>Contours de roche seulemen&amp;t</translation></message>
 <message><source>This &amp;Is an Edge</source><translation>Ceci &amp;est une arête</translation></message>
 <message><source>This Is &amp;Not an Edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Réglages pour ces &amp;marques…</translation></message>

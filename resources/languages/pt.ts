@@ -35,7 +35,7 @@
 <message><source>recording %1 MB</source><translation>gravação %1 MB</translation></message>
 <message><source>RECORDING ENDED: %1</source><translation>GRAVAÇÃO TERMINADA: %1</translation></message>
 <message><source>RECORDING HAS GAPS: %1</source><translation>A GRAVAÇÃO TEM FALHAS: %1</translation></message>
-<message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; outras células: pontos levados para a grade da varredura posterior</translation></message>
+<message><source>%1; other cells: points of one moved to the grid of the other</source><translation>%1; outras células: pontos de uma levados para a grade da outra</translation></message>
 <message><source>one scan with two settings</source><translation>uma varredura com dois ajustes</translation></message>
 <message><source>lined up by their poses</source><translation>alinhados pelas suas poses</translation></message>
 <message><source>lined up by given positions of the scanner, not in the mine grid</source><translation>alinhados por posições dadas do scanner, não na grade da mina</translation></message>
@@ -409,26 +409,20 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>Em uma tela estreita só as rochas da tabela têm seus números.</translation></message>
 <message><source>Completeness</source><translation>Completude</translation></message>
 <message><source>INCOMPLETE</source><translation>INCOMPLETO</translation></message>
-<message><source>%1 of %2 lines.</source><translation>%1 de %2 linhas.</translation></message>
-<message><source>Cells</source><translation>Células</translation></message>
-<message><source>Number</source><translation>Número</translation></message>
-<message><source>Share</source><translation>Parte</translation></message>
+<message><source>%1 of %2 lines, %3 cells.</source><translation>%1 de %2 linhas, %3 células.</translation></message>
 <message><source>measured</source><translation>medidas</translation></message>
 <message><source>status of the scanner</source><translation>estado do scanner</translation></message>
 <message><source>outside the range window</source><translation>fora da janela de distâncias</translation></message>
 <message><source>lost line</source><translation>linha perdida</translation></message>
-<message><source>all</source><translation>todas</translation></message>
 <message><source>Settings</source><translation>Ajustes</translation></message>
-<message><source>Parameter</source><translation>Parâmetro</translation></message>
-<message><source>Value</source><translation>Valor</translation></message>
+<message><source>File and program</source><translation>Arquivo e programa</translation></message>
 <message><source>auto: %1</source><translation>auto: %1</translation></message>
 <message><source>%1 cells</source><translation>%1 células</translation></message>
 <message><source>%1 steps</source><translation>%1 passos</translation></message>
 <message><source>%1 % of range</source><translation>%1 % da distância</translation></message>
 <message><source>%1 % of high</source><translation>%1 % do alto</translation></message>
 <message><source>changed from the default</source><translation>diferente do valor usual</translation></message>
-<message><source>Made again</source><translation>Fazer de novo</translation></message>
-<message><source>The command that makes this report as a page for browsers:</source><translation>O comando que faz este relatório como página para navegadores:</translation></message>
+<message><source>The command that makes this report as a page for browsers</source><translation>O comando que faz este relatório como página para navegadores</translation></message>
 <message><source>SHA-256 of the file</source><translation>SHA-256 do arquivo</translation></message>
 <message><source>SHA-256 of the grid</source><translation>SHA-256 da grade</translation></message>
 <message><source>SHA-256 of the edge mask</source><translation>SHA-256 da máscara de bordas</translation></message>
@@ -473,10 +467,10 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>; %1 % over the site's %2 m</source><translation>; %1 % acima dos %2 m do local</translation></message>
 <message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>por número de rochas visíveis; pelas partes ocultas é mais fina que a pilha, em 40 % e mais</translation></message>
 <message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Rochas como faces, as incertas hachuradas. As cores só separam vizinhas. Os números são os da tabela, do desenho e dos arquivos.</translation></message>
-<message><source>The same on the points.</source><translation>O mesmo sobre os pontos.</translation></message>
+<message><source>The rocks on the points.</source><translation>As rochas sobre os pontos.</translation></message>
 <message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 números de rochas menores não cabem e faltam.</translation></message>
-<message><source>The %1 largest (visible width b) of %2 rocks;</source><translation>As %1 maiores (largura visível b) de %2 rochas;</translation></message>
-<message><source>lists all.</source><translation>lista todas.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; the export of rocks as a table lists all.</source><translation>As %1 maiores (largura visível b) de %2 rochas; a exportação das rochas como tabela tem todas.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; %3 more are over the site's %4; the export of rocks as a table lists all.</source><translation>As %1 maiores (largura visível b) de %2 rochas; outras %3 passam dos %4 do local; a exportação das rochas como tabela tem todas.</translation></message>
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL: média dos pontos visíveis, na grade da mina</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z: média dos pontos visíveis, no referencial do scanner.</translation></message>
 <message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a e b: extensões visíveis transversais à linha de visada; as partes ocultas não contam. Distância: mediana de suas distâncias. Área: visível, transversal aos feixes. Na frente: parte do contorno onde a rocha é o lado mais próximo. Contatos e altura livre: no mínimo. Arco: maior ângulo na rocha entre duas que ela toca; ↓ ela pende abaixo da linha entre elas. p: chance de o contorno estar certo; ▲ menor que 0,85, hachurado.</translation></message>
@@ -485,7 +479,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Os alvos por seus números, e o que foi medido. Preto é perto, ou nada voltou.</translation></message>
 <message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valor não cabe na imagem; a tabela tem todos.</translation></message>
 <message><source>%1 values have no room in the picture; the table has all.</source><translation>%1 valores não cabem na imagem; a tabela tem todos.</translation></message>
-<message><source>; other cells: points moved to the grid of the later scan</source><translation>; outras células: pontos levados à grade da varredura posterior</translation></message>
+<message><source>; other cells: points of one moved to the grid of the other</source><translation>; outras células: pontos de uma levados à grade da outra</translation></message>
 <message><source>edges: %1 + gained, %2 - lost, %3 kept, %4 not seen by the other</source><translation>bordas: %1 + ganhas, %2 - perdidas, %3 mantidas, %4 não vistas pela outra</translation></message>
 <message><source>cells: %1 nearer, %2 farther, %3 same, %4 no range now, %5 no range before</source><translation>células: %1 mais perto, %2 mais longe, %3 iguais, %4 sem distância agora, %5 sem distância antes</translation></message>
 <message><source>median difference</source><translation>diferença mediana</translation></message>
@@ -551,6 +545,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>%1 was moved or removed. Its picture stays on the screen.</source><translation>%1 foi movido ou removido. Sua imagem fica na tela.</translation></message>
 <message><source>%1 was written again. The picture shows what was in it before.</source><translation>%1 foi gravado de novo. A imagem mostra o que havia nele antes.</translation></message>
 <message><source>Read again</source><translation>Ler de novo</translation></message>
+<message><source>%1, a pose of 3DTK, is not read with the scan: type the place of the scanner at Scan &gt; Pose and Mounting.</source><translation>%1, uma pose de 3DTK, não é lida com a varredura: digite o lugar do scanner em Varredura &gt; Pose e montagem.</translation></message>
 <message><source>Straighten beams</source><translation>Endireitar os feixes</translation></message>
 <message><source>Keep as measured</source><translation>Manter como medido</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Nenhum arquivo ainda; as demos não constam aqui</translation></message>
@@ -791,6 +786,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>rock %1</source><translation>rocha %1</translation></message>
 <message><source>end %1 is target %2</source><translation>a ponta %1 é o alvo %2</translation></message>
 <message><source>moved here from line %1, beam %2</source><translation>movido para cá desde linha %1, feixe %2</translation></message>
+<message><source>up is assumed</source><translation>supõe-se onde é acima</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
@@ -856,6 +852,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>surface nearer</source><translation>superfície mais perto</translation></message>
 <message><source>surface farther</source><translation>superfície mais longe</translation></message>
 <message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A tem %1 células de borda: %2 perdidas, %3 junto a bordas de B, %4 sem ponto de B</translation></message>
+<message><source>B has %1 edge cells: %2 gained, %3 kept, %4 without a point of A</source><translation>B tem %1 células de borda: %2 novas, %3 mantidas, %4 sem ponto de A</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ FORA DE TOLERÂNCIA</translation></message>
 <message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
 <message><source>cells</source><translation>células</translation></message>
@@ -886,9 +883,11 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Folds the legend</source><translation>Recolhe a legenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Expande a legenda</translation></message>
 <message><source>Changes: %1</source><translation>Mudanças: %1</translation></message>
-<message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
+<message><source>A, after: %1</source><translation>A, depois: %1</translation></message>
+<message><source>A, before: %1</source><translation>A, antes: %1</translation></message>
+<message><source>B, before: %1</source><translation>B, antes: %1</translation></message>
+<message><source>B, after: %1</source><translation>B, depois: %1</translation></message>
 <message><source>A: %1</source><translation>A: %1</translation></message>
-<message><source>B: %1</source><translation>B: %1</translation></message>
 <message><source>at all of them</source><translation>com todos</translation></message>
 <message><source>below %1 %</source><translation>menos de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % e mais</translation></message>
@@ -984,6 +983,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Linhas da varredura</translation></message>
 <message><source>Beams</source><translation>Feixes</translation></message>
+<message><source>Cells</source><translation>Células</translation></message>
 <message><source>with a range</source><translation>com distância</translation></message>
 <message><source>Ranges [m]</source><translation>Distâncias [m]</translation></message>
 <message><source>smallest</source><translation>a menor</translation></message>
@@ -1051,6 +1051,16 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>O veredito nos termos do método, os pontos através da célula e os números</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
+<message><source>stones boulders fragments sizes</source><translation>pedras blocos matacões fragmentos tamanhos</translation></message>
+<message><source>export csv table list of rocks dxf outlines</source><translation>exportar csv tabela lista de rochas dxf contornos</translation></message>
+<message><source>wider widest biggest boulder oversize</source><translation>mais larga maior matacão acima do tamanho</translation></message>
+<message><source>export csv table edge list points</source><translation>exportar csv tabela lista de bordas pontos</translation></message>
+<message><source>export csv table all points las</source><translation>exportar csv tabela todos os pontos las</translation></message>
+<message><source>export csv table pins measurements</source><translation>exportar csv tabela marcas medidas</translation></message>
+<message><source>print pdf paper page</source><translation>imprimir pdf papel página</translation></message>
+<message><source>picture image of the window</source><translation>imagem captura da janela</translation></message>
+<message><source>refresh read again</source><translation>atualizar ler de novo</translation></message>
+<message><source>compare before after change difference</source><translation>comparar antes depois mudança diferença</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
 <message><source>Letters outside a field are keys; these changed: %1.</source><translation>As letras fora de um campo são teclas; estas mudaram: %1.</translation></message>
@@ -1323,7 +1333,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
 <message><source>Without %1:</source><translation>Sem %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sem %1 classes:</translation></message>
-<message><source>other classes take the cells</source><translation>outras classes tomam as células</translation></message>
+<message><source>other classes take some of its cells, and chains get shorter: fewer edges, here and in files</source><translation>outras classes ficam com parte das suas células e as cadeias encurtam: menos bordas, aqui e nos arquivos</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>How likely an edge is the border of a rock; where that is unknown, it is drawn like one.</source><translation>A probabilidade de uma borda ser o contorno de uma rocha; onde é desconhecida, desenha-se como um contorno.</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sem uma classe, os outros números também mudam: uma célula tem uma só classe, e uma célula fraca conta onde continua uma forte de qualquer classe.</translation></message>
@@ -1333,8 +1343,9 @@ RL %3 m</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
-<message><source>Rock border, 70 % and more: %1</source><translation>Contorno de rocha, 70 % ou mais: %1</translation></message>
-<message><source>Perhaps, 30 to 69 %: %1</source><translation>Talvez, 30 a 69 %: %1</translation></message>
+<message><source>Rock border, %1 % and more: %2</source><translation>Contorno de rocha, %1 % ou mais: %2</translation></message>
+<message><source>Perhaps, %1 to 69 %: %2</source><translation>Talvez, %1 a 69 %: %2</translation></message>
+<message><source>Fold in a rock, %1 to 29 %: %2</source><translation>Dobra numa rocha, %1 a 29 %: %2</translation></message>
 <message><source>Fold in a rock, below 30 %: %1</source><translation>Dobra numa rocha, menos de 30 %: %1</translation></message>
 <message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Listras violetas nas imagens: sem retorno, fora da janela de distâncias ou mascarado. A barra de status conta cada caso.</translation></message>
 <message><source>Dark red stripes in the images: the scanner sent a status code in place of a range.</source><translation>Listras vermelho-escuras nas imagens: o scanner enviou um código de estado no lugar de uma distância.</translation></message>
@@ -1605,6 +1616,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Save…</source><translation>&amp;Salvar…</translation></message>
 <message><source>&amp;Edges</source><translation>&amp;Bordas</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Bloquear superior = 3 × inferior</translation></message>
+<message><source>&amp;Only Rock Borders</source><translation>S&amp;ó contornos de rocha</translation></message>
 <message><source>This &amp;Is an Edge</source><translation>Isto &amp;é uma borda</translation></message>
 <message><source>This Is &amp;Not an Edge</source><translation>Isto &amp;não é uma borda</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>

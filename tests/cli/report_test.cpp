@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <regex>
@@ -98,7 +99,7 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
     for (const std::string& phrase :
          {std::string("&lt;b&gt;key &amp; stone"), std::string("line 25, beam 40"), std::string("distance: 5.1 m"),
           std::string("<h2>Where</h2>"), std::string("<dt>Position</dt><dd>not known: no pose"),
-          std::string(" measured; gray levels from "), std::string("<td>Jump</td><td>auto: "), std::string("Edge: no edge"),
+          std::string(" measured; gray levels from "), std::string("<dt>Jump</dt><dd>auto: "), std::string("Edge: no edge"),
           inspect::measureText(*measured), std::string("Before and after"), std::string("OUT OF SPEC"), largest})
         EXPECT_NE(text.find(phrase), std::string::npos) << phrase;
     EXPECT_EQ(text.find("<b>key"), std::string::npos);
@@ -216,6 +217,12 @@ TEST(CliReport, ItsViewTurnsAndPicksInARealBrowser) {
     EXPECT_EQ(std::stod(match[3]), std::round(scan.rangeMm.at(std::stoi(match[1]), std::stoi(match[2])))) << picked;
 }
 
+// The 25 largest, and all over the oversize, up to 100.
+std::size_t rowsFor(const json& rocks, double oversizeM) {
+    const auto over = std::ranges::count_if(rocks, [&](const json& rock) { return rock["visible_wide_m"].get<double>() > oversizeM; });
+    return std::min(rocks.size(), std::clamp<std::size_t>(static_cast<std::size_t>(over), 25, 100));
+}
+
 TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
     const test::TemporaryFolder folder;
     const fs::path scan = folder / "bell.json", page = folder / "s.html";
@@ -227,11 +234,10 @@ TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
     ASSERT_GT(rocks["rock_count"], 10);
     EXPECT_NE(text.find(std::to_string(rocks["rock_count"].get<int>()) + " rocks, each a candidate - geometry only, one viewpoint"),
               std::string::npos);
-    EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 5U);
+    EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 4U);
     const std::size_t table = text.find("<table id=\"rocks\">");
     ASSERT_NE(table, std::string::npos);
-    EXPECT_EQ(countOf(text.substr(table, text.find("</table>", table) - table), "<tr>"),
-              1 + std::min<std::size_t>(25, rocks["rocks"].size()));
+    EXPECT_EQ(countOf(text.substr(table, text.find("</table>", table) - table), "<tr>"), 1 + rowsFor(rocks["rocks"], 0.6));
     double longest = 0;
     for (const json& rock : rocks["rocks"]) longest = std::max(longest, rock["visible_long_m"].get<double>());
     const std::string name = "data-name=\"visible length a [m]\">";
@@ -240,6 +246,16 @@ TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
     EXPECT_NE(text.find("over 0.60 m"), std::string::npos);
     EXPECT_NE(text.find("40 % and more"), std::string::npos);
     EXPECT_NE(text.find("--rocks --level 0.5 --oversize 0.6"), std::string::npos);
+    // All over the oversize are in the table, or the page says how many are not.
+    for (const auto& [oversize, said] :
+         {std::pair{"0.3", "the export of rocks as a table lists all"}, {"0.05", " more are over the site&#39;s 0.05 m"}}) {
+        ASSERT_EQ(runCli("report " + scan.string() + " -o " + page.string() + " --rocks --level -4 --oversize " + oversize).code, 0);
+        const std::string other = fileText(page);
+        const json all = json::parse(runCli("rocks " + scan.string() + " --level -4 --oversize " + oversize + " --json -").out)["rocks"];
+        EXPECT_EQ(countOf(other, "data-name=\"Rock\""), rowsFor(all, std::stod(oversize)));
+        EXPECT_EQ(other.find(said) != std::string::npos, all.size() > rowsFor(all, std::stod(oversize))) << all.size();
+    }
+    ASSERT_EQ(runCli("report " + scan.string() + " -o " + page.string() + " --rocks --level 0.5 --oversize 0.6").code, 0);
     EXPECT_EQ(runCli("report " + scan.string() + " -o " + page.string() + " --level 1").code, 2);
     if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed (apt-get install chromium)";
     const std::string found = inBrowser(folder.path(), page, R"JS(
@@ -311,7 +327,7 @@ TEST_F(PlacedReport, SaysWhereEachRockIsAndWhenTheScanWasMade) {
         EXPECT_NEAR(value(row, "RL [m]"), rock["elevation_m"].get<double>(), 0.006);
         ++rows;
     }
-    EXPECT_EQ(rows, 25U);
+    EXPECT_EQ(rows, rowsFor(rocks, 0.6));
     for (const char* phrase :
          {"<dt>Scanned</dt><dd>2026-11-20 10:00:00 UTC to 2026-11-20 10:00:40 UTC (as the pose says)</dd>",
           "<dt>Robot</dt><dd translate=\"no\">Mule 7</dd>",
@@ -352,7 +368,7 @@ TEST_F(PlacedReport, ShowsEveryColumnAndNumberAtEveryWidthInARealBrowser) {
               if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) found.covered++;
             }); });)JS"));
         EXPECT_FALSE(found["wide"].get<bool>());
-        EXPECT_EQ(found["cells"], 25 * 14);
+        EXPECT_EQ(found["cells"], rowsFor(rocks, 0.6) * 14);
         EXPECT_EQ(found["outside"], 0);
         EXPECT_EQ(found["named"], 14);
         EXPECT_EQ(found["tables"], 0);

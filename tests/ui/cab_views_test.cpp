@@ -385,8 +385,8 @@ private slots:
         QCOMPARE(placeOf(*fold).bottom(), bottom);
         // It stays open when the comparison is made again, of the next sweep.
         const auto made = on.viewer.comparing.comparison();
-        legend.showKept("A", {}, nullptr, true, false);
-        legend.showKept("A", {}, &*made, false, false);
+        legend.showKept({"A", {}}, nullptr, true, false);
+        legend.showKept({"A", {}}, &*made, false, false);
         QVERIFY(!fold->isChecked() && legend.row(ChangeRow::Nearer)->isVisible());
         for (const Language& language : kLanguages) { // in the narrowest view
             QVERIFY(useLanguage(language.code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
@@ -394,7 +394,7 @@ private slots:
             view.resize(416, 383);
             ChangeLegend narrow(&view);
             narrow.setBrief(true);
-            narrow.showKept("A", {}, &*made, false, false);
+            narrow.showKept({"A", {}}, &*made, false, false);
             narrow.show();
             view.show();
             QVERIFY(QTest::qWaitForWindowExposed(&view));

@@ -104,9 +104,11 @@ private slots:
         std::vector<std::size_t> numbers;
         static const QRegularExpression digits("[0-9][0-9,]*");
         for (auto each = digits.globalMatch(legend.sumText()); each.hasNext();) numbers.push_back(numberIn(each.next().captured()));
-        QCOMPARE(numbers.size(), std::size_t(4));
+        QCOMPARE(numbers.size(), std::size_t(8));
         QCOMPARE(numbers[0], all);
         QCOMPARE(numbers[1] + numbers[2] + numbers[3], all);
+        QCOMPARE(numbers[4], on.picture().detection->edges->size());
+        QCOMPARE(numberIn(legend.counted(ChangeRow::Gained)) + numberIn(legend.counted(ChangeRow::Unchanged)) + numbers[7], numbers[4]);
         QCOMPARE(numbers[1], numberIn(legend.counted(ChangeRow::Lost)));
         on.window.cab().set(true);
         on.window.resize(1280, 800);
@@ -166,6 +168,8 @@ private slots:
         QVERIFY(on.viewer.legend.isVisible());
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
         QVERIFY(on.viewer.views.scene().instead != nullptr);
+        // Their names say which is which; over B alone the name is that of B.
+        QCOMPARE(legend.titleText(), QString("A, before: Default\nB, after: Method Canny"));
         // A, difference or B by buttons that stay where they are.
         const auto choose = [&](int n) {
             auto* button = legend.findChild<QToolButton*>(QString("change-shown-%1").arg(n));
@@ -177,6 +181,7 @@ private slots:
         on.viewer.notice.showHint(LinkedViews::onlyOfB());
         QVERIFY(choose(2) && !on.viewer.views.flipped() && !on.viewer.views.scene().instead);
         QVERIFY2(!on.viewer.notice.isVisible(), "it is possible again");
+        QVERIFY2(legend.titleText().startsWith("On the screen: B, after: "), qPrintable(legend.titleText()));
         QVERIFY(!action(on, "Show What Changed")->isChecked());
         QVERIFY(choose(1) && !on.viewer.views.flipped() && on.viewer.views.scene().instead);
         QVERIFY(action(on, "Show What Changed")->isChecked());
@@ -196,7 +201,7 @@ private slots:
         const std::shared_ptr<const Picture> b = on.viewer.engine.picture();
         // Both scans have a name in the legend, each after its letter.
         const QStringList heads = on.viewer.changeLegend.titleText().split('\n');
-        QVERIFY2(heads.size() == 2 && heads[0].startsWith("A: " + QString("before")) && heads[1].startsWith("B: " + QString("after")),
+        QVERIFY2(heads.size() == 2 && heads[0].startsWith("A, before: before") && heads[1].startsWith("B, after: after"),
                  qPrintable(heads.join('|')));
         LinkedViews& views = on.viewer.views;
         CloudView& cloud = views.cloud();
@@ -259,9 +264,9 @@ private slots:
         // While another comparison is made, the counts of this one are gray.
         const auto* count = legend.findChild<QLabel*>("change-count-0");
         QVERIFY(count != nullptr && count->isEnabled());
-        on.viewer.changeLegend.showKept("A", "B", &comparison, true, false);
+        on.viewer.changeLegend.showKept({"A", "B"}, &comparison, true, false);
         QVERIFY(!count->isEnabled() && legend.howText().contains("Gray counts are older"));
-        on.viewer.changeLegend.showKept("A", "B", &comparison, false, false);
+        on.viewer.changeLegend.showKept({"A", "B"}, &comparison, false, false);
         QVERIFY(count->isEnabled());
         // Neither scan has a pose: reported here and above the views.
         QVERIFY2(legend.howText().contains("OUT OF SPEC"), qPrintable(legend.howText()));

@@ -89,6 +89,16 @@ private slots:
                  QFileInfo(QString::fromStdString(before->detection->scan->path)).fileName() + " - EdgeScan"); // with its ending
     }
 
+    // A pose of 3DTK in the folder of its scan is named: the window does not read it.
+    void aPoseOf3dtkIsNamed() {
+        const auto from = test::sharedFolder() / "data/lms200_corridor";
+        if (!std::filesystem::exists(from / "scan000.pose")) QSKIP("needs the corridor of 3DTK");
+        for (const char* name : {"scan000.3d", "scan000.pose"}) std::filesystem::copy_file(from / name, folder_ / name);
+        WindowFixture on;
+        QVERIFY(on.showWith((folder_ / "scan000.3d").string()));
+        QTRY_VERIFY2(on.viewer.notice.text().contains("scan000.pose, a pose of 3DTK, is not read"), qPrintable(on.viewer.notice.text()));
+    }
+
     // Only what EdgeScan opens: records, poses and edits next to a scan are not listed, and are not the next scan of the folder.
     void theDialogOfOpenListsScans() {
         const std::filesystem::path folder = folder_ / "listed";

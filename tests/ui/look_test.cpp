@@ -508,6 +508,32 @@ private slots:
         QVERIFY(!format->isVisible());
     }
 
+    /// Two or three, with nothing in their right margins, and none but the last is half empty.
+    void hasFullPages(const char* name) {
+        constexpr int kInkLevel = 200;
+        constexpr double kRightMargin = 196.0 / 210.0, kFull = 0.6; // of the width and the height; the number of the page is below 0.9
+        QProcess painter;
+        painter.start("pdftoppm", {"-gray", "-r", "30", QString::fromStdString((folder_ / name).string()),
+                                   QString::fromStdString((folder_ / name).string())});
+        if (!painter.waitForFinished()) return;
+        const QDir folder(QString::fromStdString(folder_.path().string()));
+        const QStringList pages = folder.entryList({QString(name) + "-*.pgm"}, QDir::Files, QDir::Name);
+        QVERIFY2(pages.size() >= 2 && pages.size() <= 3, qPrintable(pages.join(' ')));
+        for (const QString& each : pages) {
+            const QImage page(folder.filePath(each));
+            int lowest = 0, outside = 0;
+            for (int y = 0; y < page.height() * 0.9; ++y) {
+                for (int x = 0; x < page.width(); ++x) {
+                    if (qGray(page.pixel(x, y)) > kInkLevel) continue;
+                    lowest = y;
+                    outside += x > page.width() * kRightMargin ? 1 : 0;
+                }
+            }
+            QVERIFY2(outside == 0, qPrintable(each + ": over the margin"));
+            QVERIFY2(each == pages.last() || lowest > page.height() * kFull, qPrintable(each + ": half empty"));
+        }
+    }
+
     void theReportSaysWhatTheFormWasGivenAndIsAlsoAPdf() {
         const std::string logo = (folder_ / "logo.png").string();
         QImage picture(40, 20, QImage::Format_RGB32);
@@ -551,6 +577,10 @@ private slots:
             const QString text = QString::fromUtf8(reader.readAllStandardOutput());
             for (const char* joined : {R"([0-9] m[0-9])", R"([0-9] mequal)", R"(Pictures\s*\f)"})
                 QVERIFY2(!QRegularExpression(joined).match(text).hasMatch(), qPrintable(text));
+            // The values of facts are next to their names. Flags and paths are not for paper.
+            for (const char* row : {R"(Site +Panel 3 <west>)", R"(Report by +B\. Miner)"})
+                QVERIFY2(QRegularExpression(row).match(text).hasMatch(), qPrintable(text));
+            QVERIFY2(!text.contains("--") && !text.contains(QString::fromStdString(folder_.path().string())), qPrintable(text));
             QVERIFY2(!QRegularExpression("\\f\\s*(Gray levels:|Edges\\. Across)").match(text).hasMatch(), "a caption without its picture");
         }
         QProcess images; // the gray ramp, and the bar of the cloud's scale
@@ -576,6 +606,11 @@ private slots:
         ReportWords bare = words;
         bare.rocks = false;
         QVERIFY(made("with.html", words).find("id=\"rocks\"") != std::string::npos);
+        QVERIFY(made("rocks.pdf", words).starts_with("%PDF-"));
+        QVERIFY(useTexts("es"));
+        QVERIFY(made("rocas.pdf", words).starts_with("%PDF-"));
+        QVERIFY(useTexts("en"));
+        for (const char* name : {"report.pdf", "rocks.pdf", "rocas.pdf"}) hasFullPages(name);
         // Their table has the names of the targets on them.
         on.viewer.views.pin(on.viewer.rocks.picture()->study.rocks.front().cell);
         on.viewer.targets.rename(on.viewer.targets.active()->number, "Berta <1>");

@@ -190,6 +190,12 @@ const std::vector<LiveState> kLive{
     {"held", 300, held},
     {"another picture", 300, [](Desk& desk) { return record(desk) && desk.on.open(desk.after); }},
     {"stopped", 300, stopped},
+    {"lost", 300,
+     [](Desk& desk) {
+         if (!connectTo(desk)) return false;
+         desk.emulated.reset();
+         return eventually([&] { return desk.on.viewer.live.scanner().health().liveness == files::Liveness::Lost; });
+     }},
     {"played", 300,
      [](Desk& desk) {
          return stopped(desk) && eventually([&] { return desk.on.viewer.live.scanner().recordingClosed(); }) &&
@@ -237,6 +243,10 @@ QStringList faultsNow(Desk& desk, QSize size) {
         lowest = std::max(lowest, box->isVisible() ? box->geometry().bottom() : 0);
     if (desk.cab && lowest > 0 && desk.on.viewer.legend.height() - lowest >= 36) faults << "the legend has an empty row";
     faults << faultsIn(window);
+    const auto* corner = window.findChild<QWidget*>("cab-corner");
+    const auto* overlay = desk.on.viewer.cloud.findChild<CloudOverlay*>();
+    if (desk.cab && corner->isVisible() && overlay->warning().intersects(corner->geometry()))
+        faults << "the small picture covers a warning";
     if (const QDialog* dialog = dialogOf(window)) {
         for (const QString& fault : faultsIn(*dialog)) faults << "dialog: " + fault;
     }

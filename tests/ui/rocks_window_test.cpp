@@ -1,4 +1,5 @@
 // Rocks in the real window with real events: faces in all views, slider, pointing, table, the operator's edits, undo, a growing sweep.
+#include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "tests/support/simulated_bell.h"
 #include "tests/ui/sized_window.h"
@@ -40,6 +41,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -410,6 +412,21 @@ private slots:
         QVERIFY(on.viewer.rocks.edits().empty());
     }
 
+    // What the table shows as 1.00 is at least 1.00, and what it shows as 0.85 is not below 0.85.
+    void limitsAreThoseOfTheNumbersThatAreShown() {
+        rocks::Rock rock;
+        rock.shortestCaliperM = 0.9953;
+        QVERIFY((RockFilter{1.0, false}.shows(rock)));
+        rock.shortestCaliperM = 0.9949;
+        QVERIFY(!(RockFilter{1.0, false}.shows(rock)));
+        for (const auto& [p, text, doubtful] :
+             {std::tuple{0.8497, "0.85", false}, {0.8493, "0.84", true}, {1.0, "1.00", false}, {0.9, "0.90", false}}) {
+            rock.confidence = p;
+            QCOMPARE(rocks::confidenceText(rock), std::string(text));
+            QCOMPARE(rocks::isDoubtful(rock), doubtful);
+        }
+    }
+
     void theTableSortsFiltersAndJumps() {
         WindowFixture on;
         QVERIFY(showRocks(on));
@@ -442,13 +459,13 @@ private slots:
         rocks.smallest()->setValue(0.5);
         const std::vector<double> wide = column(2);
         QVERIFY(!wide.empty() && static_cast<int>(wide.size()) < all);
-        QVERIFY(*std::min_element(wide.begin(), wide.end()) >= 0.5);
+        QVERIFY(*std::min_element(wide.begin(), wide.end()) >= 0.495); // the table has 0.50
         QVERIFY2(rocks.remark().contains(QString("%1 of %2 rocks").arg(wide.size()).arg(all)), qPrintable(rocks.remark()));
         QTRY_COMPARE(picture(on).filter.smallestM, 0.5); // the views colour what the table lists
         for (const rocks::Rock& rock : picture(on).study.rocks) {
             const auto place = on.viewer.views.placeOf(rock.cell);
             if (rocks::isRockBorder(picture(on).labels, place.y(), place.x())) continue;
-            QCOMPARE(qAlpha(picture(on).faces->pixel(place)) > 0, rock.shortestCaliperM >= 0.5);
+            QCOMPARE(qAlpha(picture(on).faces->pixel(place)) > 0, rounded(rock.shortestCaliperM, 100) >= 0.5);
         }
         QTest::mouseClick(rocks.sureOnly(), Qt::LeftButton, Qt::NoModifier, QPoint(8, rocks.sureOnly()->height() / 2));
         for (const double p : column(10)) QVERIFY(p >= rocks::kSureConfidence);
@@ -1752,6 +1769,33 @@ private slots:
     }
 
     // The rocks were hidden before the next scan was opened.
+    // A scan that is read again keeps the steps of its rocks; the steps of a closed scan go, those of its settings too.
+    void undoAfterReadingAgainIsOfThisScan() {
+        WindowFixture on;
+        const std::string other = (folder_ / "undone.json").string();
+        QVERIFY(files::saveScan(scan_, other));
+        QVERIFY(on.showWith(other));
+        on.viewer.tuning.setParameter("sensitivity", 1.4);
+        QVERIFY(on.settled());
+        on.viewer.tuning.reset({});
+        QVERIFY(on.settled() && on.viewer.undo.canUndo());
+        QVERIFY(on.open(bell_));
+        QTRY_VERIFY2(!on.viewer.undo.canUndo(), qPrintable(on.viewer.undo.undoText()));
+        on.viewer.rocks.setShown(true);
+        QVERIFY(eventually([&] { return !on.viewer.rocks.behind() && on.viewer.rocks.picture() != nullptr; }));
+        click(on, 2);
+        QTest::keyClick(&on.window, Qt::Key_N);
+        QVERIFY(eventually([&] { return !on.viewer.rocks.behind() && on.viewer.rocks.edits().size() == 1; }));
+        const QString step = on.viewer.undo.undoText();
+        on.viewer.files.reload();
+        QVERIFY(on.settled() && eventually([&] { return !on.viewer.rocks.behind(); }));
+        QApplication::processEvents();
+        QCOMPARE(static_cast<int>(on.viewer.rocks.edits().size()), 1);
+        QCOMPARE(on.viewer.undo.undoText(), step);
+        on.viewer.undo.undo();
+        QVERIFY(on.viewer.rocks.edits().empty());
+    }
+
     void theEditsOfAClosedScanStayInTheirFile() {
         const std::filesystem::path sidecar = rocks::rockPresetPath(bell_);
         std::string written;

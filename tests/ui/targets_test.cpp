@@ -1094,6 +1094,7 @@ private slots:
             const double shown = lengthIn(label).replace(QChar(0xb0), ' ').section(' ', 0, 0).toDouble();
             QVERIFY2(std::abs(shown - value) < (kind == inspect::MeasureKind::Angle ? 0.06 : 0.006), qPrintable(label));
             QVERIFY2(label.contains("±"), qPrintable(label));
+            QCOMPARE(label.endsWith("up is assumed"), kind == inspect::MeasureKind::Vertical); // the scan has no pose
             QVERIFY(gray.marks() == on.viewer.views.cloud().marks());
             ++made;
         }
@@ -1361,6 +1362,12 @@ private slots:
         QTest::keyClicks(palette.words(), "zzz");
         QVERIFY(none->isVisible() && none->text().startsWith("No command has these words"));
         QVERIFY(palette.list()->viewport()->rect().contains(none->geometry()));
+        // Everyday words find commands too.
+        for (const char* typed : {"rock borders", "export csv", "edge list", "measure", "pdf", "boulders", "oversize", "before after"}) {
+            palette.words()->setText(typed);
+            QVERIFY2(none->isHidden(), typed);
+        }
+        palette.words()->setText("zzz");
         QTest::keyClick(palette.words(), Qt::Key_Return);
         QVERIFY(palette.isVisible() && palette.chosen() == nullptr);
         palette.words()->clear();

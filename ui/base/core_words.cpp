@@ -62,7 +62,7 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "RECORDING ENDED: %1"),
     QT_TRANSLATE_NOOP("QObject", "RECORDING HAS GAPS: %1"),
     // How two scans were lined up.
-    QT_TRANSLATE_NOOP("QObject", "%1; other cells: points moved to the grid of the later scan"),
+    QT_TRANSLATE_NOOP("QObject", "%1; other cells: points of one moved to the grid of the other"),
     QT_TRANSLATE_NOOP("QObject", "one scan with two settings"),
     QT_TRANSLATE_NOOP("QObject", "lined up by their poses"),
     QT_TRANSLATE_NOOP("QObject", "lined up by given positions of the scanner, not in the mine grid"),

@@ -35,32 +35,45 @@ void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QS
 
 namespace {
 
-QRect drawPlate(QPainter& painter, const QRect& place, const PictureFrame& frame) {
-    constexpr int kFlags = static_cast<int>(Qt::AlignHCenter | Qt::AlignTop) | Qt::TextWordWrap;
+struct Plate {
+    QRect words, more, box;
+};
+
+constexpr int kPlateFlags = static_cast<int>(Qt::AlignHCenter | Qt::AlignTop) | Qt::TextWordWrap;
+
+Plate plateIn(QPainter& painter, const QRect& place, const PictureFrame& frame, const QFont& large) {
+    constexpr int kAround = 12, kAbove = 6; // px
     const QFont usual = painter.font();
-    QFont large = usual;
+    const QRect room = place.adjusted(kAround, 0, -kAround, 0);
+    painter.setFont(large);
+    Plate plate{painter.boundingRect(room, kPlateFlags, frame.words), {}, {}};
+    painter.setFont(usual);
+    if (!frame.more.isEmpty()) plate.more = painter.boundingRect(room, kPlateFlags, frame.more);
+    plate.words.moveTop(place.center().y() - (plate.words.height() + plate.more.height()) / 2);
+    plate.more.moveTop(plate.words.bottom() + 1);
+    plate.box = (plate.more.isEmpty() ? plate.words : plate.words.united(plate.more)).adjusted(-kAround, -kAbove, kAround, kAbove);
+    return plate;
+}
+
+QRect drawPlate(QPainter& painter, const QRect& place, const PictureFrame& frame, const QRect& avoided) {
+    QFont large = painter.font();
     large.setBold(true);
     large.setPointSizeF(large.pointSizeF() * 2.0);
-    painter.setFont(large);
-    QRect words = painter.boundingRect(place, kFlags, frame.words);
-    painter.setFont(usual);
-    QRect more = frame.more.isEmpty() ? QRect() : painter.boundingRect(place, kFlags, frame.more);
-    words.moveTop(place.center().y() - (words.height() + more.height()) / 2);
-    more.moveTop(words.bottom() + 1);
+    Plate plate = plateIn(painter, place, frame, large);
+    if (plate.box.intersects(avoided)) plate = plateIn(painter, place.adjusted(0, 0, avoided.left() - place.right() - 1, 0), frame, large);
     painter.setPen(QPen(frame.colour, 2.0));
     painter.setBrush(QColor(27, 29, 31));
-    const QRect plate = (more.isEmpty() ? words : words.united(more)).adjusted(-12, -6, 12, 6);
-    painter.drawRect(plate);
+    painter.drawRect(plate.box);
     painter.setPen(Qt::white);
-    painter.drawText(more, kFlags, frame.more);
+    painter.drawText(plate.more, kPlateFlags, frame.more);
     painter.setFont(large);
-    painter.drawText(words, kFlags, frame.words);
-    return plate;
+    painter.drawText(plate.words, kPlateFlags, frame.words);
+    return plate.box;
 }
 
 } // namespace
 
-QRect drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame) {
+QRect drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame, const QRect& avoided) {
     if (!frame.colour.isValid()) return {};
     constexpr int kBorder = 4, kHatch = 32; // px
     painter.save();
@@ -75,7 +88,7 @@ QRect drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame
     }
     painter.setPen(QPen(frame.colour, kBorder, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter.drawRect(place.adjusted(kBorder / 2, kBorder / 2, -kBorder / 2, -kBorder / 2));
-    const QRect plate = frame.words.isEmpty() ? QRect() : drawPlate(painter, place, frame);
+    const QRect plate = frame.words.isEmpty() ? QRect() : drawPlate(painter, place, frame, avoided);
     painter.restore();
     return plate;
 }

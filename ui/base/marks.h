@@ -30,7 +30,7 @@ struct PictureFrame {
     QString more{};  ///< below them in usual letters
     bool operator==(const PictureFrame&) const = default;
 };
-/// Returns the box with the words; null if there are none.
-QRect drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame);
+/// Returns the box with the words; null if there are none. It avoids what is over the right side of the place.
+QRect drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame, const QRect& avoided = {});
 
 } // namespace edgescan::ui

@@ -1,6 +1,9 @@
 // Keeps a picture, compares with it, flips between both.
 #include "ui/controllers/comparing.h"
 
+#include "core/base/utc_time.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
 #include "core/scan/grid/acquisition.h"
 #include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
@@ -12,6 +15,7 @@
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/engine/worker_bridge/works.h"
 #include "ui/panels/change/change_legend.h"
+#include "ui/panels/tuning/edges_panel.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 
@@ -35,6 +39,31 @@ QString headOf(const Picture& picture, const Picture& other) {
     const auto& measured = picture.detection->scan->acquisition;
     const QString time = measured ? timeWords(measured->startUtc) : QString();
     return shownApart(nameOf(picture), nameOf(other), kLongestName) + (time.isEmpty() ? QString() : " · " + time);
+}
+
+/// One of two settings of a scan: its preset, or the values that the other has not.
+QString headOf(const edges::Settings& settings, const edges::Settings& other) {
+    for (const edges::Preset& preset : edges::builtInPresets()) {
+        if (preset.settings == settings) return presetName(preset.name);
+    }
+    QStringList values;
+    for (const edges::Parameter& parameter : edges::parameters()) {
+        const std::string value = edges::choiceLabel(parameter, settings);
+        if (value != edges::choiceLabel(parameter, other)) values << QObject::tr(parameter.label) + ' ' + QObject::tr(value.c_str());
+    }
+    return shownName(values.join(", "), kLongestName);
+}
+
+NamesOfTwo namesOf(const Picture& a, const Picture* b) {
+    if (b == nullptr || b->detection == a.detection) return {shownName(nameOf(a), kLongestName), {}};
+    if (a.detection->scan == b->detection->scan)
+        return {headOf(a.detection->settings, b->detection->settings), headOf(b->detection->settings, a.detection->settings)};
+    const auto startOf = [](const Picture& picture) {
+        const auto& measured = picture.detection->scan->acquisition;
+        return measured ? parseUtc(measured->startUtc) : std::nullopt;
+    };
+    const auto first = startOf(a), second = startOf(*b);
+    return {headOf(a, *b), headOf(*b, a), first && second && *second < *first};
 }
 
 bool isTyping(const QWidget* widget) {
@@ -382,10 +411,7 @@ void Comparing::showLegend() {
     legend_.setVisible(pictureA_ != nullptr);
     legend_.setRowsShown(shown_);
     if (!pictureA_) return;
-    const auto& now = engine_.picture();
-    const bool two = now && now->detection->scan != pictureA_->detection->scan;
-    legend_.showKept(two ? headOf(*pictureA_, *now) : shownName(nameOf(*pictureA_), kLongestName),
-                     two ? headOf(*now, *pictureA_) : QString(), comparison_.get(), comparer_.behind(), refused_);
+    legend_.showKept(namesOf(*pictureA_, engine_.picture().get()), comparison_.get(), comparer_.behind(), refused_);
 }
 
 void Comparing::flip(bool on) {

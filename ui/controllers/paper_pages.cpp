@@ -47,8 +47,7 @@ struct Part {
     Extent extent;
 
     [[nodiscard]] bool leads() const { // to what follows it; empty ones are around tables
-        const bool picture = block.text().contains(QChar::ObjectReplacementCharacter);
-        return table == nullptr && (block.blockFormat().headingLevel() > 0 || picture || block.text().trimmed().isEmpty());
+        return table == nullptr && (block.blockFormat().headingLevel() > 0 || block.text().trimmed().isEmpty());
     }
 };
 
@@ -114,7 +113,9 @@ bool moveOne(const QTextDocument& document) {
         const Part& part = parts[n];
         const int page = pageOf(document, part.extent.top), last = pageOf(document, part.extent.bottom - 1);
         const double length = part.extent.bottom - part.extent.top;
-        const bool split = page != last && length < (part.table != nullptr ? high : high / 2);
+        const bool flows = part.table != nullptr && part.table->format().headerRowCount() > 0 && length > high / 4; // its head is repeated
+        const double room = (page + 1) * high - part.extent.top;
+        const bool split = page != last && (flows ? room < high / 8 : length < (part.table != nullptr ? high : high / 2));
         const bool alone = part.leads() && n + 1 < parts.size() && page != pageOf(document, parts[n + 1].extent.top) && length < high / 2 &&
                            !beginsPage(parts[n + 1]);
         if (split || alone) {

@@ -25,10 +25,11 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kMarginMm = 15;
-constexpr int kWide = 660, kHigh = 385; // px of 1/96 inch: two pictures with their heading, legends and captions fill a page
-constexpr int kNumberedHigh = 780;      // one with numbers, which must be read, has a page of its own
+constexpr int kWide = 676, kHigh = 385; // px of 1/96 inch: a page is as wide
+constexpr int kNumberedHigh = 500;      // one with numbers, which must be read
+constexpr int kLegibleWide = 1200;      // px of such a picture, at least
 constexpr int kLogoHigh = 90;
-constexpr int kInnerMargin = 24; // px of 1/96 inch: the page number is in it
+constexpr int kNumberMargin = 24; // px of 1/96 inch, below: for the page number
 constexpr int kResolution = 300;
 
 /// Removes each part from `begin` to `end`, both included.
@@ -77,9 +78,57 @@ void drawSizes(QString& html) {
     html.replace(from, drawing.size(), "<p>" + elementOf(imageOfDrawing(drawing, kScale)) + "</p>");
 }
 
+bool isWithin(const QString& html, int at, const QString& begin, const QString& end) {
+    const int from = static_cast<int>(html.lastIndexOf(begin, at));
+    return from >= 0 && html.indexOf(end, from) > at;
+}
+
+const QString kPlain = QStringLiteral(" width=\"100%\" cellpadding=\"0\" cellspacing=\"0\">");
+const QString kHalf = QStringLiteral("<td width=\"50%\">"), kWider = QStringLiteral("<td width=\"64%\">"),
+              kSmaller = QStringLiteral("<td width=\"36%\">"); // the drawing of the sizes, and the rocks on the points
+
+/// The facts, which a browser shows in columns, two in each row of a table.
+void tabulateFacts(QString& html) {
+    static const QRegularExpression list(R"(<dl class="facts">(.*?)</dl>)", QRegularExpression::DotMatchesEverythingOption),
+        fact("<div><dt>(.*?)</dt><dd[^>]*>(.*?)</dd></div>");
+    for (auto found = list.match(html); found.hasMatch(); found = list.match(html)) {
+        QString rows;
+        bool isLeft = true;
+        for (auto all = fact.globalMatch(found.captured(1)); all.hasNext(); isLeft = !isLeft) {
+            const auto each = all.next();
+            rows += QString(isLeft ? "<tr>" : "") + "<td class=\"name\" width=\"18%\">" + each.captured(1) + "</td><td width=\"32%\">" +
+                    each.captured(2) + "</td>" + (isLeft ? "" : "</tr>");
+        }
+        html.replace(found.capturedStart(), found.capturedLength(), "<table" + kPlain + rows + (isLeft ? "" : "</tr>") + "</table>");
+    }
+}
+
+/// Two pictures in a row, or one: with its legend and its caption in one cell, which is on one page.
+void tabulateFigures(QString& html) {
+    const QString begin = "<section class=\"pictures\">", end = "</section>", figure = "<figure class=\"picture\">";
+    for (int from = static_cast<int>(html.indexOf(begin)); from >= 0; from = static_cast<int>(html.indexOf(begin, from))) {
+        const int to = static_cast<int>(html.indexOf(end, from));
+        QString pair = html.mid(from + begin.size(), to - from - begin.size());
+        pair.replace(figure, kHalf)
+            .replace("<figure class=\"picture sizes\">", kWider)
+            .replace("<figure class=\"picture second\">", kSmaller);
+        html.replace(from, to + end.size() - from, "<table" + kPlain + "<tr>" + pair.replace("</figure>", "</td>") + "</tr></table>");
+    }
+    html.replace(figure, "<table" + kPlain + "<tr><td>").replace("</figure>", "</td></tr></table>");
+    html.replace("<figcaption>", "<p class=\"note\">").replace("</figcaption>", "</p>");
+}
+
+/// The width that the picture at `at` may have.
+int widthFor(const QString& html, int at) {
+    for (const auto& [cell, percent] : {std::pair{kHalf, 49}, {kWider, 62}, {kSmaller, 35}}) {
+        if (isWithin(html, at, cell, "</td>")) return kWide * percent / 100;
+    }
+    return kWide;
+}
+
 /// The pictures become resources of the document, no larger than the page.
 QString withResources(const QString& html, QTextDocument& document) {
-    const QString begin = "src=\"data:image/png;base64,", logo = "<p class=\"logo\">";
+    const QString begin = "src=\"data:image/png;base64,";
     QString made;
     int from = 0, number = 0;
     double pictureWide = kWide; // of the last picture, px: a bar below it belongs to it
@@ -89,13 +138,16 @@ QString withResources(const QString& html, QTextDocument& document) {
         QImage image = QImage::fromData(QByteArray::fromBase64(html.mid(data, end - data).toLatin1()), "PNG");
         // "...">\n<svg class="numbers" ...": the numbers of the picture are drawn on it, and the drawing goes.
         const bool numbered = html.indexOf("<svg class=\"numbers\"", end) == end + 3;
-        if (numbered) drawOver(image, html.mid(end + 3, html.indexOf("</svg>", end) + 6 - (end + 3)));
-        const bool isLogo = html.lastIndexOf(logo, at) >= 0 && html.indexOf("</p>", html.lastIndexOf(logo, at)) > at;
+        if (numbered && image.width() > 0) image = image.scaledToWidth(image.width() * (1 + kLegibleWide / image.width())); // whole pixels
+        if (numbered && !isWithin(html, at, kSmaller, "</td>"))
+            drawOver(image, html.mid(end + 3, html.indexOf("</svg>", end) + 6 - (end + 3)));
+        const bool isLogo = isWithin(html, at, "<p class=\"logo\">", "</p>");
         const int high = isLogo ? kLogoHigh : numbered ? kNumberedHigh : kHigh;
         const bool isBar = html.mid(at - kBar.size(), kBar.size()) == kBar;
-        const double scale = image.isNull() ? 1.0
-                             : isBar        ? pictureWide / kWide
-                                     : std::min(static_cast<double>(kWide) / image.width(), static_cast<double>(high) / image.height());
+        const double scale =
+            image.isNull() ? 1.0
+            : isBar        ? pictureWide / kWide
+                           : std::min(static_cast<double>(widthFor(html, at)) / image.width(), static_cast<double>(high) / image.height());
         if (!isBar) pictureWide = scale * image.width();
         const QString name = QString("picture-%1").arg(number++);
         document.addResource(QTextDocument::ImageResource, QUrl(name), image);
@@ -114,7 +166,8 @@ void print(QTextDocument& document, QPdfWriter& writer) {
     QAbstractTextDocumentLayout& layout = *document.documentLayout();
     layout.setPaintDevice(&writer);
     QTextFrameFormat edge = document.rootFrame()->frameFormat();
-    edge.setMargin(kInnerMargin);
+    edge.setMargin(2); // what rises above its line
+    edge.setBottomMargin(kNumberMargin);
     document.rootFrame()->setFrameFormat(edge);
     const QSizeF page(writer.width(), writer.height());
     document.setPageSize(page);
@@ -142,21 +195,18 @@ QByteArray laidOut(const std::string& html) {
     drawBars(page);
     cut(page, "<section class=\"onscreen\">", "</section>");
     cut(page, "<details class=\"onscreen\">", "</details>");
-    // Columns of facts become rows of a table, which paper can show.
-    page.replace("<dl class=\"facts\">", "<table class=\"facts\" cellpadding=\"2\">").replace("</dl>", "</table>");
-    page.replace("<div><dt>", "<tr><td class=\"name\">").replace("</dt><dd>", "</td><td>").replace("</dd></div>", "</td></tr>");
+    for (const char* kind : {"narrow", "onscreen"}) cut(page, QString("<span class=\"%1\">").arg(kind), "</span>");
     page.replace("\"></i>", "\">&nbsp;&nbsp;&nbsp;</i>&nbsp;");
     page.replace("</span><span", "</span>&nbsp;&nbsp; <span");
-    // A table of one cell holds a picture, its legend and its caption on one page.
-    page.replace("<figure class=\"picture\">", "<table width=\"100%\"><tr><td class=\"figure\">")
-        .replace("</figure>", "</td></tr></table>");
-    page.replace("<figcaption>", "<p class=\"note\">").replace("</figcaption>", "</p>");
+    tabulateFacts(page);
+    tabulateFigures(page);
     QTextDocument document;
     QFont font("Noto Sans");
     font.setPointSize(9);
     document.setDefaultFont(font);
     document.setDefaultStyleSheet(
-        "h1 { font-size: 16pt; } h2 { font-size: 12pt; } td, th { padding: 2px 8px 2px 0px; text-align: left; }"
+        "h1 { font-size: 16pt; } h2 { font-size: 12pt; margin-top: 10px; margin-bottom: 4px; } p { margin-top: 4px; margin-bottom: 4px; } "
+        "td, th { padding: 2px 8px 2px 0px; text-align: left; }"
         " #rocks td, #rocks th { font-size: 6pt; padding: 1px 0px 1px 3px; } #rocks td { white-space: nowrap; }" // whole numbers
         " #rocks th { font-size: 5.5pt; font-weight: normal; } #targets td, #measures td { font-size: 7.5pt; }"
         " td.name, .note { color: #5b6268; } .warning { background-color: #fff3d6; }"

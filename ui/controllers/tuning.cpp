@@ -109,7 +109,8 @@ void Tuning::change(const edges::Settings& settings, bool dragging) {
         engine_.setSettings(value);
         return true;
     };
-    undo_.push(new UndoStep<edges::Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use));
+    undo_.push(
+        new UndoStep<edges::Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use, engine_.hereNow()));
 }
 
 void Tuning::usePreset(const edges::Preset& preset) {

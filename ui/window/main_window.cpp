@@ -60,6 +60,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgescan::ui {
 namespace {
@@ -344,7 +345,10 @@ void MainWindow::connectEngine() {
         const Scene& scene = viewer_.views.scene();
         if (!scene.byStrength) return viewer_.legend.showStrengths({});
         const std::size_t weak = scene.cells.byClass[kWeakEdge]->size(), thin = scene.cells.byClass[kThinEdge]->size();
-        viewer_.legend.showStrengths({{scene.cells.all->size() - weak - thin, weak, thin}});
+        const edges::Detection& detection = *viewer_.engine.picture()->detection;
+        const double typed = detection.settings.borderPercent, least = typed >= 0 ? typed : edges::measuredOf(detection).borderPercent;
+        viewer_.legend.showStrengths({{scene.cells.all->size() - weak - thin, weak, thin}},
+                                     detection.settings.rockBorders ? static_cast<int>(std::ceil(least)) : 0);
     });
     connect(&viewer_.views, &LinkedViews::boxed, &viewer_.statusLine, &StatusLine::showBox);
     connect(&viewer_.engine, &Engine::pictureReady, this, [this] {

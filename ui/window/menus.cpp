@@ -287,12 +287,19 @@ Command edgesMenu(Viewer& v) {
         QObject::connect(&v.views, &LinkedViews::toolChanged, &action, follow);
         QObject::connect(&action, &QAction::triggered, &action, follow); // a press alone does not switch it
     };
+    const auto followBorders = [&v](QAction& action) {
+        const auto follow = [&v, &action] { action.setChecked(v.engine.settings().rockBorders); };
+        QObject::connect(&v.engine, &Engine::settingsChanged, &action, follow);
+        follow();
+    };
     return submenu(
         "&Edges",
         {
             presets,
             compareMenu(v.comparing),
             linked(toggle("&Lock upper = 3 × lower", "", nullptr, true, [&panel](bool on) { panel.setRatioLocked(on); }), followLock),
+            linked(toggle("&Only Rock Borders", "", nullptr, false, [&v](bool on) { v.tuning.setParameter("rock-borders", on ? 1 : 0); }),
+                   followBorders),
             command("This &Is an Edge", "Shift+E", [&v] { v.markedEdges.mark(v.views.marked(), true); }),
             command("This Is &Not an Edge", "Shift+X", [&v] { v.markedEdges.mark(v.views.marked(), false); }),
             command("Settings for These &Marks…", "", [&v] { v.markedEdges.propose(); }),

@@ -114,15 +114,29 @@ constexpr int kFacePixels = 900;                             // along a side
 constexpr int kRockCloudWidth = 800, kRockCloudHeight = 512; // px
 
 std::string twoDecimals(double m) { return fixedText(m, 2); }
-bool isDoubtful(const rocks::Rock& rock) { return rock.confidence < rocks::kSureConfidence; }
+
+std::size_t overSite(const rocks::Study& study) {
+    const double limit = study.settings.oversizeM;
+    const auto isOver = [&](const rocks::Rock& rock) { return rock.shortestCaliperM > limit; };
+    return limit > 0 ? static_cast<std::size_t>(std::ranges::count_if(study.rocks, isOver)) : 0;
+}
 
 // The largest (visible width b) first, as many as the table has rows.
 std::vector<const rocks::Rock*> listedRocks(const rocks::Study& study) {
     std::vector<const rocks::Rock*> largest;
     for (const rocks::Rock& rock : study.rocks) largest.push_back(&rock);
     std::ranges::stable_sort(largest, [](const rocks::Rock* a, const rocks::Rock* b) { return a->shortestCaliperM > b->shortestCaliperM; });
-    largest.resize(std::min(largest.size(), kMostRockRows));
+    largest.resize(std::min(largest.size(), std::clamp(overSite(study), kUsualRockRows, kMostRockRows)));
     return largest;
+}
+
+// Which ones the table has, and where the others are.
+std::string listedText(const rocks::Study& study, std::size_t listed) {
+    if (study.rocks.size() <= listed) return {};
+    const std::size_t over = overSite(study);
+    return "The " + std::to_string(listed) + " largest (visible width b) of " + std::to_string(study.rocks.size()) + " rocks; " +
+           (over > listed ? std::to_string(over - listed) + " more are over the site's " + metresOf(study.settings.oversizeM) + "; " : "") +
+           "the export of rocks as a table lists all. ";
 }
 
 std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook) {
@@ -145,9 +159,7 @@ std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook
         body += "</tr>\n";
     }
     html += "</tr></thead><tbody>\n" + body + "</tbody></table></div>\n<p class=\"note\">";
-    if (study.rocks.size() > largest.size())
-        html += "The " + std::to_string(largest.size()) + " largest (visible width b) of " + std::to_string(study.rocks.size()) +
-                " rocks; <code>rocks --csv</code> lists all. ";
+    html += listedText(study, largest.size());
     html += scan.placement ? "E, N, RL: mean of the visible points, in the mine grid" +
                                  (scan.placement->grid.empty() ? "" : " (" + htmlText(scan.placement->grid) + ")") + ". "
                            : "x, y, z: mean of the visible points, in the scanner's frame. ";
@@ -166,7 +178,7 @@ std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook
 }
 
 std::string countsOf(const rocks::Study& study, const rocks::SizeCurve& curve) {
-    const auto uncertain = std::ranges::count_if(study.rocks, isDoubtful);
+    const auto uncertain = std::ranges::count_if(study.rocks, rocks::isDoubtful);
     std::string html =
         "<p><strong>" + std::to_string(study.rocks.size()) + " rocks, each a " + htmlText(rocks::kRockCaveat) + ".</strong> " +
         std::to_string(uncertain) + (uncertain == 1 ? " has" : " have") + " an uncertain outline (hatched); " +
@@ -195,14 +207,22 @@ std::vector<const rocks::Rock*> rocksInOrder(const rocks::Study& study) {
     return order;
 }
 
-std::string leftOutText(std::size_t leftOut) {
-    return (leftOut == 0 ? "" : " " + std::to_string(leftOut) + " numbers of smaller rocks have no room and are left out.") +
+// `isSecond`: paper has that picture without numbers.
+std::string leftOutText(std::size_t leftOut, bool isSecond = false) {
+    const std::string text = " " + std::to_string(leftOut) + " numbers of smaller rocks have no room and are left out.";
+    return (leftOut == 0 ? ""
+            : isSecond   ? "<span class=\"onscreen\">" + text + "</span>"
+                         : text) +
            std::string("<span class=\"narrow\"> On a narrow screen only the rocks of the table have their numbers.</span>");
 }
 
-std::string picturesOf(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces) {
+struct RockPictures {
+    std::string faces, cloud;
+};
+
+RockPictures picturesOf(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces) {
     const std::vector<const rocks::Rock*> order = rocksInOrder(study);
-    const std::size_t listed = std::min(order.size(), kMostRockRows);
+    const std::size_t listed = listedRocks(study).size();
     const int lines = detection.scan->lines(), beams = detection.scan->beams();
     const int height = std::min(lines, kFacePixels), width = std::min(beams, kFacePixels);
     std::vector<std::size_t> cells;
@@ -219,14 +239,16 @@ std::string picturesOf(const edges::Detection& detection, const rocks::Study& st
     }
     std::size_t leftOut = 0;
     const std::string numbers = pictureNumbers(width, height, onFaces, leftOut);
-    std::string html =
+    RockPictures pictures;
+    pictures.faces =
         numberedFigure(rockPicture(detection, faces, kFacePixels), "Rocks as coloured faces on gray levels", numbers,
                        "Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the "
                        "drawing and the files." +
                            leftOutText(leftOut));
     const std::string cloudNumbers = pictureNumbers(kRockCloudWidth, kRockCloudHeight, onCloud, leftOut);
-    return html + numberedFigure(cloud.png, "The rocks in perspective, seen from behind the scanner", cloudNumbers,
-                                 "The same on the points." + leftOutText(leftOut));
+    pictures.cloud = numberedFigure(cloud.png, "The rocks in perspective, seen from behind the scanner", cloudNumbers,
+                                    "The rocks on the points." + leftOutText(leftOut, true), "picture second");
+    return pictures;
 }
 
 } // namespace
@@ -235,8 +257,11 @@ std::string rockSection(const edges::Detection& detection, const rocks::Study& s
                         const inspect::Notebook* notebook) {
     const rocks::SizeCurve curve = rocks::sizeCurve(study.rocks, study.settings.oversizeM);
     std::string html = "<h2>Rocks</h2>\n" + countsOf(study, curve);
-    html += picturesOf(detection, study, faces);
-    if (curve.rocks() > 0) html += "<h2>Sizes of the visible rocks</h2>\n" + sizeDrawing(curve);
+    const RockPictures pictures = picturesOf(detection, study, faces);
+    html += pictures.faces + "<section class=\"pictures\">\n";
+    if (curve.rocks() > 0)
+        html += "<figure class=\"picture sizes\">" + sizeDrawing(curve) + "<figcaption>Sizes of the visible rocks</figcaption></figure>\n";
+    html += pictures.cloud + "</section>\n";
     return html + "<h2>The rocks with the largest visible width b</h2>\n" + tableOf(study, notebook);
 }
 
@@ -245,7 +270,7 @@ Json rockFaceData(const rocks::Study& study) {
     for (const Rgb& colour : rocks::kRockFaceColours) colours.push_back({colour.red, colour.green, colour.blue});
     const std::vector<std::uint8_t> places = rocks::rockColours(study.map);
     for (const rocks::Rock& rock : study.rocks)
-        rocks[rock.label - 1] = {places[rock.label], isDoubtful(rock) ? 1 : 0,
+        rocks[rock.label - 1] = {places[rock.label], rocks::isDoubtful(rock) ? 1 : 0,
                                  "visible " + twoDecimals(rock.longestCaliperM) + " x " + twoDecimals(rock.shortestCaliperM) + " m, ± " +
                                      twoDecimals(shownTolerance(rock.toleranceM, 2)) + " m, at " + twoDecimals(rock.distanceM) + " m; " +
                                      rocks::kRockCaveat};

@@ -11,8 +11,9 @@
 
 namespace edgescan::exports {
 
-/// Most rows of the table. If there are more rocks, the largest (visible width b) are listed and the page says so.
-inline constexpr std::size_t kMostRockRows = 25;
+/// Rows of the table: the largest rocks (visible width b), and all over the oversize up to the second number. The page says what is left
+/// out.
+inline constexpr std::size_t kUsualRockRows = 25, kMostRockRows = 100;
 
 /// Markup. `faces`: rockFaces() of the study. `notebook`: its targets with a name name the rocks of the table; may be null.
 [[nodiscard]] std::string rockSection(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces,

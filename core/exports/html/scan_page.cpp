@@ -172,15 +172,14 @@ std::string completenessOf(const Scan& scan, const Json& record) {
     const Json& acquired = record["acquisition"];
     const int expected = acquired.value("lines_expected", scan.lines()), received = acquired.value("lines_received", scan.lines());
     std::string html = "<h2>Completeness</h2>\n<p>" + std::string(received < expected ? "<strong>INCOMPLETE</strong> " : "") +
-                       std::to_string(received) + " of " + std::to_string(expected) + " lines.</p>\n<table>\n<thead><tr><th>Cells</th>" +
-                       "<th class=\"number\">Number</th><th class=\"number\">Share</th></tr></thead><tbody>\n";
+                       std::to_string(received) + " of " + std::to_string(expected) + " lines, " + std::to_string(scan.cells()) +
+                       " cells.</p>\n<dl class=\"facts\">\n";
     for (int s = 0; s < kCellStates; ++s) {
         const auto count = counts[static_cast<std::size_t>(s)];
-        html += std::string("<tr><td>") + kStateWords.at(static_cast<std::size_t>(s)) + "</td><td class=\"number\">" +
-                std::to_string(count) + "</td><td class=\"number\">" +
-                fixedText(100.0 * static_cast<double>(count) / std::max(1.0, static_cast<double>(scan.cells())), 2) + " %</td></tr>\n";
+        const double share = 100.0 * static_cast<double>(count) / std::max(1.0, static_cast<double>(scan.cells()));
+        html += fact(kStateWords.at(static_cast<std::size_t>(s)), std::to_string(count) + " (" + fixedText(share, 2) + " %)");
     }
-    return html + "<tr><td>all</td><td class=\"number\">" + std::to_string(scan.cells()) + "</td><td></td></tr>\n</tbody></table>\n";
+    return html + "</dl>\n";
 }
 
 std::string cssColour(const Rgb& colour) {
@@ -221,12 +220,21 @@ std::string scaleOf(const Scan& scan) {
     return htmlText(text);
 }
 
+/// Rocks have a picture of the points of their own.
+std::string cloudOf(const edges::Detection& detection) {
+    const CloudPicture cloud = cloudPicture(detection, kCloudWidth, kCloudHeight);
+    const double barMetres = cloud.metrePixels * 5 < kCloudWidth / 2.0 ? 5 : 1;
+    return "<figure class=\"picture\">" + htmlImage(cloud.png, "The points in perspective, seen from behind the scanner") +
+           "<div class=\"legend\"><span class=\"bar\" style=\"background:#444;height:4px;flex:none;width:" +
+           fixedText(100 * barMetres * cloud.metrePixels / kCloudWidth, 2) + "%\"></span><span>" + fixedText(barMetres, 0) +
+           " m at the middle of the cloud</span></div>\n<figcaption>The points, edges in their colours.</figcaption></figure>\n";
+}
+
+/// The first ones of the page.
 std::string picturesOf(const edges::Detection& detection) {
     const Scan& scan = *detection.scan;
     const edges::GrayScale& scale = detection.gray->scale;
-    const CloudPicture cloud = cloudPicture(detection, kCloudWidth, kCloudHeight);
-    const double barMetres = cloud.metrePixels * 5 < kCloudWidth / 2.0 ? 5 : 1;
-    std::string html = "<h2>Pictures</h2>\n<div class=\"pictures\">\n<figure class=\"picture\">" +
+    std::string html = "<section class=\"pictures\">\n<figure class=\"picture\">" +
                        htmlImage(grayPicture(detection, kMostPagePixels), "Ranges as gray levels, line by line");
     html += "<div class=\"legend\"><span>" + metres(scale.nearMm) +
             "</span><span class=\"bar\" style=\"background:linear-gradient(to right,#000,#fff)\"></span><span>" + metres(scale.farMm) +
@@ -234,11 +242,7 @@ std::string picturesOf(const edges::Detection& detection) {
             metres(scale.nearMm) + " and nearer, or nothing came back; white is " + metres(scale.farMm) + " and farther. " + scaleOf(scan) +
             ".</figcaption></figure>\n";
     html += "<figure class=\"picture\">" + htmlImage(edgePicture(detection, kMostPagePixels), "Edges on darkened gray levels") +
-            edgeLegend(detection) + "<figcaption>Edges. " + scaleOf(scan) + ".</figcaption></figure>\n</div>\n";
-    html += "<figure class=\"picture\">" + htmlImage(cloud.png, "The points in perspective, seen from behind the scanner") +
-            "<div class=\"legend\"><span class=\"bar\" style=\"background:#444;height:4px;flex:none;width:" +
-            fixedText(100 * barMetres * cloud.metrePixels / kCloudWidth, 2) + "%\"></span><span>" + fixedText(barMetres, 0) +
-            " m at the middle of the cloud</span></div>\n<figcaption>The points, edges in their colours.</figcaption></figure>\n";
+            edgeLegend(detection) + "<figcaption>Edges. " + scaleOf(scan) + ".</figcaption></figure>\n</section>\n";
     return html;
 }
 
@@ -257,7 +261,7 @@ std::string viewOf(const ViewPoints& view) {
 }
 
 std::string settingsOf(const edges::Detection& detection) {
-    std::string html = "<h2>Settings</h2>\n<table>\n<thead><tr><th>Parameter</th><th>Value</th><th></th></tr></thead><tbody>\n";
+    std::string html = "<h2>Settings</h2>\n<dl class=\"facts\">\n";
     const auto changed = edges::changedFromDefault(detection.settings);
     const edges::Measured measured = edges::measuredOf(detection);
     for (const edges::Parameter& parameter : edges::parameters()) {
@@ -266,26 +270,29 @@ std::string settingsOf(const edges::Detection& detection) {
         const std::string value = edges::choiceLabel(parameter, detection.settings), unit = std::string(" ") + parameter.unit;
         const bool automatic = parameter.automatic != nullptr && std::isnan(parameter.get(detection.settings));
         const double used = automatic ? parameter.automatic(detection.settings, measured) : edges::kAutomatic;
-        html += "<tr><td>" + htmlText(parameter.label) + "</td><td>" +
+        html += "<div><dt>" + htmlText(parameter.label) + "</dt><dd>" +
                 htmlText(value + (numberOf(value) ? unit : std::string()) +
                          (std::isnan(used) ? std::string() : ": " + significantText(used, 3) + unit)) +
-                "</td><td>" + (other ? "changed from the default" : "") + "</td></tr>\n";
+                (other ? " <em>changed from the default</em>" : "") + "</dd></div>\n";
     }
-    return html + "</tbody></table>\n";
+    return html + "</dl>\n";
 }
 
 std::string againOf(const edges::Detection& detection, const Json& record, const PageWords& words) {
     const auto hash = [](const std::string& name, const std::string& value) {
         return "<tr><td>" + htmlText(name) + "</td><td class=\"hash\">" + htmlText(value.empty() ? "none" : value) + "</td></tr>\n";
     };
-    std::string html = "<h2>Made again</h2>\n<p>The command that makes this report as a page for browsers:</p>\n<pre id=\"command\">" +
-                       htmlText(words.command) + "</pre>\n<table>\n<tbody>\n";
+    std::string html = "<h2>File and program</h2>\n<table>\n<tbody>\n";
     html += hash("SHA-256 of the file", detection.scan->sha256) + hash("SHA-256 of the grid", textAt(record, "/scan/grid_sha256"));
     html += hash("SHA-256 of the edge mask", maskSha256(*detection.mask));
     html += hash("Program", "EdgeScan " + textAt(record, "/program/version") + ", commit " + textAt(record, "/program/commit"));
-    html += "</tbody></table>\n<details class=\"onscreen\"><summary>The whole record</summary>\n<pre>" +
-            htmlText(jsonText(record).substr(0, 60'000)) + "</pre></details>\n";
-    return html;
+    const auto folded = [](const char* title, const char* attributes, const std::string& text) {
+        return std::string("<details class=\"onscreen\"><summary>") + title + "</summary>\n<pre" + attributes + ">" + htmlText(text) +
+               "</pre></details>\n";
+    };
+    return html + "</tbody></table>\n" +
+           folded("The command that makes this report as a page for browsers", " id=\"command\"", words.command) +
+           folded("The whole record", "", jsonText(record).substr(0, 60'000));
 }
 
 std::string dataOf(const edges::Detection& detection, const ViewPoints& view, const rocks::Study* rocks) {
@@ -365,12 +372,12 @@ std::string scanPage(const edges::Detection& detection, const PageWords& words, 
         "<main>\n" + headOf(words) + "<h1>" + htmlText(title) +
         "</h1>\n<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was "
         "not measured.</p>\n";
-    body += warningsOf(record) + remarkOf(words) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) +
+    body += warningsOf(record) + picturesOf(detection) + remarkOf(words) + factsOf(detection, record, words) +
+            completenessOf(scan, record) + viewOf(view) + (rocks == nullptr ? cloudOf(detection) : std::string()) +
             (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook, kMostPagePixels, notes.translated)) +
             (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces, notes.notebook)) +
             (notes.change == nullptr ? std::string() : changeSection(detection, *notes.change, notes.earlier, kMostPagePixels)) +
-            completenessOf(scan, record) + settingsOf(detection) + againOf(detection, record, words) + "</main>\n" +
-            dataOf(detection, view, rocks);
+            settingsOf(detection) + againOf(detection, record, words) + "</main>\n" + dataOf(detection, view, rocks);
     return htmlPage(title, body, reportScript());
 }
 

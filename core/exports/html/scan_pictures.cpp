@@ -190,9 +190,10 @@ std::string pictureNumbers(int width, int height, const std::vector<PictureNumbe
     return html + "</svg>\n";
 }
 
-std::string numberedFigure(const std::string& png, const char* alternative, const std::string& numbers, const std::string& caption) {
-    return "<figure class=\"picture\"><div class=\"numbered\">" + htmlImage(png, alternative) + numbers + "</div><figcaption>" + caption +
-           "</figcaption></figure>\n";
+std::string numberedFigure(const std::string& png, const char* alternative, const std::string& numbers, const std::string& caption,
+                           const char* kind) {
+    return std::string("<figure class=\"") + kind + "\"><div class=\"numbered\">" + htmlImage(png, alternative) + numbers +
+           "</div><figcaption>" + caption + "</figcaption></figure>\n";
 }
 
 std::string grayPicture(const edges::Detection& detection, int mostPixels) {

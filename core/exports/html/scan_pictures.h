@@ -31,9 +31,9 @@ struct PictureLine {
 [[nodiscard]] std::string pictureNumbers(int width, int height, const std::vector<PictureNumber>& numbers, std::size_t& leftOut,
                                          const std::vector<PictureLine>& lines = {});
 
-/// `caption`: markup.
+/// `caption`: markup. `kind` "picture second": one that shows the same in another way, which paper has without numbers.
 [[nodiscard]] std::string numberedFigure(const std::string& png, const char* alternative, const std::string& numbers,
-                                         const std::string& caption);
+                                         const std::string& caption, const char* kind = "picture");
 
 /// PNG bytes, rows = lines from the first one down, columns = beams; at most `mostPixels` along a side.
 [[nodiscard]] std::string grayPicture(const edges::Detection& detection, int mostPixels);

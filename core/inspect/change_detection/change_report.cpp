@@ -63,7 +63,7 @@ std::string registrationText(const RegistrationResult& how) {
     std::string text = how.by == RegistrationBasis::Surfaces ? "no pose: lined up by their surfaces"
                        : how.inMine                          ? "lined up by their poses"
                                                              : "lined up by given positions of the scanner, not in the mine grid";
-    return text + (how.sameCells ? "" : "; other cells: points moved to the grid of the later scan");
+    return text + (how.sameCells ? "" : "; other cells: points of one moved to the grid of the other");
 }
 
 std::string changeText(const Scan& later, const SceneChange& change) {

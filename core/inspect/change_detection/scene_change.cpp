@@ -70,6 +70,17 @@ std::array<PlacedScan, 2> placed(const std::shared_ptr<const Scan>& later, const
     return {placedBy(later, poses[0]), placedBy(earlier, poses[1])};
 }
 
+/// Brings the earlier scan onto the later one. From one side the fit may end where the surfaces do not meet: then the other side is tried,
+/// so that the result does not depend on the order of the two.
+Result<ScanAlignment> alignedEitherWay(const PlacedScan& later, const PlacedScan& earlier) {
+    auto forth = alignScans(later, earlier, kReachM);
+    if (forth && forth->residualM <= kMostResidualM) return forth;
+    auto back = alignScans(earlier, later, kReachM);
+    if (!back || (forth && forth->residualM <= back->residualM)) return forth;
+    back->correction = inverse(back->correction);
+    return back;
+}
+
 PlacedPair placedPair(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier, RegistrationBasis by,
                       const RegistrationRequest& wish) {
     std::array<PlacedScan, 2> both = placed(later, earlier, by, wish);
@@ -334,7 +345,7 @@ Result<EarlierOnGrid> earlierOnGridOf(const std::shared_ptr<const Scan>& later, 
     how.by = *by;
     how.inMine = inMine(*by, wish);
     PlacedPair pair = placedPair(later, earlier, *by, wish);
-    const auto aligned = alignScans(pair.later, pair.earlier, kReachM);
+    const auto aligned = alignedEitherWay(pair.later, pair.earlier);
     const bool bySurfaces = *by == RegistrationBasis::Surfaces || wish.bySurfaces;
     if (!aligned && bySurfaces) return Error{aligned.error().what, earlier->name, "choose two scans of one place, or give both a pose"};
     double off = 0.0;

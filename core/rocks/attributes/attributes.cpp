@@ -2,6 +2,7 @@
 #include "core/rocks/attributes/attributes.h"
 
 #include "core/base/bands.h"
+#include "core/base/number_text.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/rocks/attributes/cells.h"
 #include "core/rocks/attributes/visible_spans.h"
@@ -334,6 +335,10 @@ const Rock* rockOf(std::span<const Rock> rocks, std::uint32_t label) {
     const std::size_t n = indexOf(rocks, label);
     return n < rocks.size() && rocks[n].label == label ? &rocks[n] : nullptr;
 }
+
+bool isDoubtful(const Rock& rock) { return rounded(rock.confidence, 1000) < kSureConfidence; }
+
+std::string confidenceText(const Rock& rock) { return fixedText(std::floor(rounded(rock.confidence, 1000) * 100 + 1e-6) / 100, 2); }
 
 UpDirection upOf(const Scan& scan) {
     if (!scan.placement || scan.cells() == 0) return {};

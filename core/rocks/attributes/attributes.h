@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace edgescan::rocks {
@@ -61,6 +62,11 @@ struct Rock {
     [[nodiscard]] double apartM() const;
     bool operator==(const Rock&) const = default;
 };
+
+/// As files and texts have it: an outline with p = 0.8497 has 0.850 in a table and is not marked.
+[[nodiscard]] bool isDoubtful(const Rock& rock);
+/// Two decimals that never round a marked one up to 0.85.
+[[nodiscard]] std::string confidenceText(const Rock& rock);
 
 /// The vertical in the frame of the scan.
 struct UpDirection {

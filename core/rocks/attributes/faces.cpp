@@ -60,7 +60,7 @@ std::optional<Rgb> Faces::at(int line, int beam) const {
 Faces rockFaces(const Study& study) {
     Faces faces{rockLabels(*study.segmentation, study.map), rockColours(study.map),
                 std::vector<std::uint8_t>(study.map.rocks + std::size_t{1}), 6};
-    for (const Rock& rock : study.rocks) faces.hatched[rock.label] = rock.confidence < kSureConfidence ? 1 : 0;
+    for (const Rock& rock : study.rocks) faces.hatched[rock.label] = isDoubtful(rock) ? 1 : 0;
     faces.hatchCells = std::max(kNarrowestHatch, faces.labels.beams / kHatchesAcross);
     return faces;
 }

@@ -83,7 +83,7 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
          [](Row r) -> RockValue { return thousandths(r.finerShare); }, nullptr, false},
         {"confidence", "confidence p", "Chance that its outline is right; ▲ and hatched: below 0.85",
          [](Row r) -> RockValue { return thousandths(r.rock->confidence); },
-         [](Row r) { return (r.rock->confidence < kSureConfidence ? "▲ " : "") + fixed(r.rock->confidence, kHundredths); }, true},
+         [](Row r) { return (isDoubtful(*r.rock) ? "▲ " : "") + confidenceText(*r.rock); }, true},
         {"by_hand", nullptr, "It was called a rock by hand", [](Row r) -> RockValue { return r.rock->byHand; }, nullptr, false},
         {"note", nullptr, "What every rock is", [](Row) -> RockValue { return kRockCaveat; }, nullptr, false},
         {"apart_m", nullptr, "It was merged by hand of parts that do not touch: the largest distance between their nearest cells",

@@ -307,7 +307,11 @@ void Files::lookOnDisk() {
 void Files::showWarnings() {
     const Picture& picture = *engine_.picture();
     const Scan& scan = *picture.detection->scan;
-    const QStringList warnings = warningsOf(picture);
+    QStringList warnings = warningsOf(picture);
+    const QFileInfo pose(QFileInfo(path_).path() + '/' + QFileInfo(path_).completeBaseName() + ".pose");
+    if (path_.endsWith(".3d") && pose.isFile())
+        warnings << tr("%1, a pose of 3DTK, is not read with the scan: type the place of the scanner at Scan > Pose and Mounting.")
+                        .arg(shownName(pose.fileName()));
     // The health strip reports the warnings of a live scan.
     if (warnings.isEmpty() || picture.source.growth.growing) return;
     const QString about = path_ + '\n' + warnings.join("\n");

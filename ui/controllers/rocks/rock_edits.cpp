@@ -35,7 +35,8 @@ void Rocks::change(const rocks::RockSettings& settings) {
             value.region = settings_.region; // it belongs to one scan and has its own undo steps
             useSettings(value);
             return true;
-        }));
+        },
+        engine_.hereNow()));
 }
 
 std::optional<rocks::Preset> Rocks::part() const {
@@ -78,9 +79,8 @@ void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after, const st
         if (on_ && !merged.empty()) select(isUndo ? merged : std::vector{merged.back()});
         return true;
     };
-    auto* step = new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), use, [this, stream = stream_] {
-        return stream_ == stream; // else the scan was closed, and its edits with it
-    });
+    auto* step = new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), use,
+                                             engine_.hereNow()); // a closed scan takes its edits with it
     newestEdit_ = step;
     undo_.push(step);
 }

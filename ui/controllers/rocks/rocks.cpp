@@ -146,7 +146,9 @@ bool Rocks::behind() const { return on_ && engine_.picture() != nullptr && (work
 void Rocks::followPicture() {
     const std::shared_ptr<const Picture>& shown = engine_.picture();
     if (!shown) return;
-    if (std::exchange(stream_, shown->source.stream) != shown->source.stream) {
+    stream_ = shown->source.stream;
+    const std::string key = scanKey(shown.get());
+    if (std::exchange(key_, key) != key) { // read again, a scan keeps its edits
         edits_.clear();
         restored_.reset();
         settings_.region.clear();
@@ -155,7 +157,7 @@ void Rocks::followPicture() {
         if (on_) forget();
     }
     if (!on_) return;
-    if (std::exchange(sidecarStream_, stream_) != stream_) {
+    if (std::exchange(sidecarKey_, key) != key) {
         const bool isFile = shown->source.growth.sweep < 0;
         sidecar_.follow(isFile ? shown->detection->scan : nullptr);
     }

@@ -199,8 +199,8 @@ private:
     rocks::RockSettings settings_;
     std::vector<rocks::Edit> edits_;
     std::optional<rocks::Preset> restored_; // waits until the sidecar was read
-    std::uint64_t stream_ = 0;              // the stream of the edits and the selection
-    std::uint64_t sidecarStream_ = 0;       // the stream of sidecar_
+    std::uint64_t stream_ = 0;              // of the picture
+    std::string key_, sidecarKey_;          // scanKey() of the edits, and of sidecar_
     std::shared_ptr<const RockPicture> picture_;
     std::shared_ptr<const edges::Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;

@@ -17,6 +17,7 @@
 #include <QGuiApplication>
 #include <QMenu>
 #include <QPushButton>
+#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
@@ -141,9 +142,13 @@ void Targets::followPicture() {
             panel_.showNote(tr("▲ Not stored: the targets of this scan were refused."));
             notice_.showError(kept.error());
         }
-        if (stored_ && store_.openElsewhere(scan))
-            notice_.showNotice(NoticeBar::Kind::Warning,
-                               tr("Another window has this scan open, too. Targets and edits of rocks of both are stored together."));
+        if (stored_ && store_.openElsewhere(scan)) {
+            const auto warn = [this] {
+                notice_.showNotice(NoticeBar::Kind::Warning,
+                                   tr("Another window has this scan open, too. Targets and edits of rocks of both are stored together."));
+            };
+            QTimer::singleShot(0, this, warn); // over the warnings of the file, which come with the picture
+        }
         if (!notebook_.empty()) {
             if (stored_) panel_.showNote({}); // its own list, which is not taken for a loss
             emit pinned();

@@ -139,6 +139,7 @@ CellMarks Targets::marks() const {
         const inspect::MeasuredCells* now = knownOf(measure);
         const bool warned = now != nullptr && (now->isWarned() || mountingAssumed(*known_.picture->detection->scan) ||
                                                inspect::isDoubtful(*known_.picture->detection->scan, measure));
+        const bool assumesUp = now != nullptr && now->upAssumed && measure.kind == inspect::MeasureKind::Vertical;
         const bool ofSection = measure.kind == inspect::MeasureKind::Section; // its points are shown at the nearest cells
         marks.measures.push_back(
             {ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
@@ -146,7 +147,8 @@ CellMarks Targets::marks() const {
              inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
              measuring && n != chosen_
                  ? briefOf(measure)
-                 : (warned ? "▲ " : "") + briefOf(measure) + " " + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
+                 : (warned ? "▲ " : "") + briefOf(measure) + " " + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")) +
+                       (assumesUp ? " · " + tr("up is assumed") : QString()),
              measure.isByOneClick() ? std::vector<std::size_t>() : std::vector<std::size_t>(measure.clicked.begin(), measure.clicked.end()),
              n == chosen_, briefOf(measure), wayOf(measure)});
     }

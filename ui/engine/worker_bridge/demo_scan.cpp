@@ -11,8 +11,8 @@ namespace edgescan::ui {
 Result<Scan> demoScan(const std::function<bool(const char* stage, double fraction)>& progress, bool afterBlast) {
     ReadingOptions options;
     options.progress = progress;
-    const QString place = QCoreApplication::applicationDirPath() + "/../share/edgescan/demo/" + (afterBlast ? "after.json" : "before.json");
-    Result<Scan> scan = files::openScan(exactBytes(place), options);
+    const QString name = afterBlast ? "demo-after-blast.json" : "demo.json", folder = "/../share/edgescan/demo/";
+    Result<Scan> scan = files::openScan(exactBytes(QCoreApplication::applicationDirPath() + folder + name), options);
     if (scan) scan->name = afterBlast ? "demo draw-bell after the blast" : "demo draw-bell";
     return scan;
 }

@@ -80,6 +80,11 @@ public:
 
     /// The newest picture, null before the first.
     [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
+    /// For an undo step: true while the scan of now is on the screen. Null without one.
+    [[nodiscard]] std::function<bool()> hereNow() const {
+        if (!picture_) return {};
+        return [this, key = scanKey(picture_.get())] { return scanKey(picture_.get()) == key; };
+    }
     /// The same with its edges as strong as they are likely to be borders of rocks; null until that is worked out.
     [[nodiscard]] const std::shared_ptr<const Picture>& bordered() const { return bordered_; }
     /// Of the scan that is being opened, until its first picture is there; null: it is small, or another scan is on the screen.

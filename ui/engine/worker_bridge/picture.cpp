@@ -193,6 +193,13 @@ std::shared_ptr<const QImage> drawn(QImage image) { return std::make_shared<cons
 
 } // namespace
 
+std::string scanKey(const Picture* picture) {
+    if (picture == nullptr) return {};
+    const Scan& scan = *picture->detection->scan;
+    if (scan.sha256.empty() || picture->source.growth.sweep >= 0) return std::to_string(picture->source.stream);
+    return scan.sha256 + ' ' + std::to_string(scan.lines()) + ' ' + std::to_string(scan.beams()) + ' ' + scan.name;
+}
+
 int shownLines(const Scan& scan, const Growth& growth) {
     if (growth.expectedLines > 0) return std::max(growth.expectedLines, scan.lines());
     if (!growth.growing) return scan.lines();

@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace edgescan::ui {
@@ -54,6 +55,10 @@ struct Picture {
     EdgeCells borderCells;   ///< by strength; null: all are drawn alike
     std::vector<QRect> lost; ///< areas of lost cells, x = beam, y = line: views draw dashes over them
 };
+
+/// The same for all pictures of one scan, also after its file was read again; of a scanner or a growing scan: of one stream. Empty: of
+/// none.
+[[nodiscard]] std::string scanKey(const Picture* picture);
 
 /// Rows of the images: a sweep has rows for all lines that it should have, so that the picture does not shrink with every line, and a sweep
 /// that was stopped early does not look whole.

@@ -20,7 +20,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kClockMs = 1000;
-constexpr int kLeastName = 120;     // px
+constexpr int kLeastName = 84;      // px
 constexpr int kFactsPx = 15;        // of two lines
 constexpr double kBadgeShare = 0.2; // of the width
 constexpr int kNarrowestBadge = 150, kWidestBadge = 300;

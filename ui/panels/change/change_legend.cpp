@@ -47,12 +47,17 @@ QString nameOf(ChangeRow row) {
     }
 }
 
-/// Where the edges of A are: the rows count those of B too, and an edge of one may be next to several of the other.
+/// Where the edges of each are: the rows count those of both, and an edge of one may be next to several of the other.
 QString sumOf(const Comparison& comparison) {
     const inspect::EdgeChanges& edges = comparison.change.edges;
-    const std::size_t all = comparison.earlier->detection->edges->size(), counted = edges.lost + edges.earlierUnchanged;
-    return ChangeLegend::tr("A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B")
-        .arg(countText(all), countText(edges.lost), countText(edges.earlierUnchanged), countText(all - std::min(all, counted)));
+    const auto sum = [](const QString& words, std::size_t all, std::size_t changed, std::size_t kept) {
+        return words.arg(countText(all), countText(changed), countText(kept), countText(all - std::min(all, changed + kept)));
+    };
+    return sum(ChangeLegend::tr("A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B"),
+               comparison.earlier->detection->edges->size(), edges.lost, edges.earlierUnchanged) +
+           '\n' +
+           sum(ChangeLegend::tr("B has %1 edge cells: %2 gained, %3 kept, %4 without a point of A"),
+               comparison.asked.now->detection->edges->size(), edges.gained, edges.unchanged);
 }
 
 QString outOfSpecWords() { return ChangeLegend::tr("▲ OUT OF SPEC"); }
@@ -179,9 +184,8 @@ QHBoxLayout* ChangeLegend::switchOfTwo() {
     return row;
 }
 
-void ChangeLegend::showKept(const QString& before, const QString& now, const Comparison* comparison, bool working, bool refused) {
-    before_ = before;
-    now_ = now;
+void ChangeLegend::showKept(const NamesOfTwo& names, const Comparison* comparison, bool working, bool refused) {
+    names_ = names;
     for (int n = 0; n < kChangeRows; ++n) {
         const bool ofSurfaces = n >= static_cast<int>(ChangeRow::Nearer);
         const Row& row = rows_[static_cast<std::size_t>(n)];
@@ -323,8 +327,14 @@ void ChangeLegend::setRowsShown(bool on) { rowsShown_ = on; }
 
 void ChangeLegend::showFlipped(bool flipped) {
     flipped_ = flipped;
-    const bool both = !flipped && !brief_ && !now_.isEmpty();
-    title_->setText((flipped ? tr("On the screen: A, %1") : tr("A: %1")).arg(before_) + (both ? "\n" + tr("B: %1").arg(now_) : QString()));
+    const QString a = (names_.reversed ? tr("A, after: %1") : tr("A, before: %1")).arg(names_.a),
+                  b = (names_.reversed ? tr("B, before: %1") : tr("B, after: %1")).arg(names_.b);
+    const bool onlyB = compared_ && !rowsShown_;
+    title_->setText(flipped              ? tr("On the screen: %1").arg(a)
+                    : onlyB              ? tr("On the screen: %1").arg(b)
+                    : names_.b.isEmpty() ? tr("A: %1").arg(names_.a) // there is no other yet
+                    : brief_             ? a
+                                         : a + '\n' + b);
     showRows();
 }
 

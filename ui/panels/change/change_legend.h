@@ -19,15 +19,20 @@ class DistanceView;
 /// What the views show of a comparison.
 enum class ShownOfTwo { A, Difference, B };
 
+/// Scans, or two settings of one scan.
+struct NamesOfTwo {
+    QString a, b;          ///< b empty: there is nothing to compare with yet
+    bool reversed = false; ///< by the times of their files, B was before A
+};
+
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
 class ChangeLegend : public QWidget {
     Q_OBJECT
 public:
     explicit ChangeLegend(QWidget* parent = nullptr);
 
-    /// `before`: the name of A. `now`: that of B; empty: the same scan. Null: no comparison yet. Refused: the two could not be compared; a
-    /// notice has the reason.
-    void showKept(const QString& before, const QString& now, const Comparison* comparison, bool working, bool refused);
+    /// Null: no comparison yet. Refused: the two could not be compared; a notice has the reason.
+    void showKept(const NamesOfTwo& names, const Comparison* comparison, bool working, bool refused);
     /// Off: the differences are hidden, and so are their rows.
     void setRowsShown(bool on);
     /// On: for a cab, without explanations and without rows that count nothing. That of two scans begins folded.
@@ -84,7 +89,8 @@ private:
     QWidget* buttons_;
     std::array<QToolButton*, 3> shown_{}; // one per ShownOfTwo
     QString regionBrief_;
-    QString before_, now_, howWords_;
+    NamesOfTwo names_;
+    QString howWords_;
     bool hasDistances_ = false, overRocksOn_ = false;
     bool flipped_ = false;
     bool rowsShown_ = true;

@@ -42,6 +42,30 @@ void makeSwitch(QAction& action, const Command& command, Preferences& preference
                      });
 }
 
+/// What an operator may type to find a command, in addition to its name.
+struct OtherWords {
+    const char* command;
+    const char* words;
+};
+constexpr OtherWords kOtherWords[]{
+    {"&Show Rocks", QT_TRANSLATE_NOOP("QObject", "stones boulders fragments sizes")},
+    {"E&xport Rocks…", QT_TRANSLATE_NOOP("QObject", "export csv table list of rocks dxf outlines")},
+    {"&Largest Rock by Width b", QT_TRANSLATE_NOOP("QObject", "wider widest biggest boulder oversize")},
+    {"&Edge Cloud…", QT_TRANSLATE_NOOP("QObject", "export csv table edge list points")},
+    {"&Full Cloud…", QT_TRANSLATE_NOOP("QObject", "export csv table all points las")},
+    {"&Targets…", QT_TRANSLATE_NOOP("QObject", "export csv table pins measurements")},
+    {"Re&port…", QT_TRANSLATE_NOOP("QObject", "print pdf paper page")},
+    {"&Screenshot…", QT_TRANSLATE_NOOP("QObject", "picture image of the window")},
+    {"Re&load", QT_TRANSLATE_NOOP("QObject", "refresh read again")},
+    {"&Keep This as A", QT_TRANSLATE_NOOP("QObject", "compare before after change difference")},
+};
+
+void addOtherWords(QAction& action, const QString& command) {
+    for (const OtherWords& each : kOtherWords) {
+        if (command == QString::fromUtf8(each.command)) action.setWhatsThis(QObject::tr(each.words));
+    }
+}
+
 } // namespace
 
 Command command(const char* text, const char* keys, std::function<void()> run) {
@@ -106,6 +130,7 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
         if (!command.keys.isEmpty()) action->setShortcuts(QKeySequence::listFromString(command.keys));
         if (command.run) QObject::connect(action, &QAction::triggered, action, command.run);
         if (command.set) makeSwitch(*action, command, preferences);
+        addOtherWords(*action, command.source);
         if (command.link) command.link(*action);
         const QString own =
             action->objectName().isEmpty() && action->parent() != nullptr ? action->parent()->objectName() : action->objectName();

@@ -9,6 +9,7 @@
 #include "ui/panels/live/sweep_bar.h"
 
 #include <QLabel>
+#include <QRegularExpression>
 #include <QResizeEvent>
 #include <QTimer>
 
@@ -106,7 +107,8 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     lost_->setToolTip(tr("Lines whose telegrams did not arrive: dashes in the images"));
     // Of a sweep that is not shown: Hold would give the strip another row.
     const std::string share = brief_ || notFollowing ? std::string() : health.noReturn;
-    badge(remark_, signOf(health.telegrams), coreWords(health.remark));
+    // A narrow row is for the cause of a loss.
+    badge(remark_, signOf(health.telegrams), coreWords(health.remark), !narrow || health.liveness != files::Liveness::Lost);
     QStringList remarks;
     for (const std::string& sentence : health.remarks) remarks << coreSentence(scannersWarning(shownText(sentence)));
     remark_->setToolTip(remarks.join('\n'));
@@ -120,14 +122,17 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     const bool recordsWell = health.recorded == files::Condition::Good;
     const QString recording = coreWords(health.recording);
     badge(recording_, signOf(health.recorded), narrow && recordsWell ? recording.section(' ', -2) : recording, !recordsWell || brief_);
-    const QString ofScanner = present ? QString() : coreSentence(health.sentence);
+    QString ofScanner = present ? QString() : coreSentence(health.sentence);
+    static const QRegularExpression address("^\\S+: ");
+    const QString whole = ofScanner;
+    if (narrow) ofScanner.remove(address); // the cause is seen
     const QString sentence = ofScanner.isEmpty() ? note : ofScanner;
     if (sentence_->text() != sentence) sentence_->setText(sentence);
     const bool ofBadge =
         ofScanner.isEmpty() && picture == Picture::Held && (brief_ || present); // a row that comes with Hold would move the pictures
     if (ofBadge) badge_->setToolTip(note);
     sentence_->setVisible(!sentence.isEmpty() && !ofBadge);
-    sentence_->setToolTip(sentence);
+    sentence_->setToolTip(whole.isEmpty() ? note : whole);
     // Last: it takes no row for itself. The legend has the number of these cells, and Hold, which leaves it out, would move the pictures.
     noReturn_->setText(coreWords(share));
     noReturn_->setVisible(!share.empty() && !static_cast<const FlowLayout*>(layout())->isHigherWith(*noReturn_, width()));

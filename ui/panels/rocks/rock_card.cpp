@@ -199,7 +199,7 @@ void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock, con
     setRow(6, tr("free height below"), rock.freeHeightM > 0.0 ? atLeastText(metres(rock.freeHeightM)) : tr("none seen"));
     setRow(7, tr("arch angle"), archText(rock), Qt::RichText);
     if (rocks::upOf(*picture.study.segmentation->inputs.scan).assumed) setRow(8, tr("up"), tr("the scanner's z axis, assumed"));
-    setRow(9, tr("confidence p"), QString::number(rock.confidence, 'f', 2));
+    setRow(9, tr("confidence p"), exactText(rocks::confidenceText(rock)));
     QStringList pinned;
     for (const auto& [cell, target] : targets) {
         if (picture.labelAt(cell) == rock.label) pinned << target;

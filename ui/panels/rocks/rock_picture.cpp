@@ -1,6 +1,7 @@
 // Faces and outlines of rocks as pictures.
 #include "ui/panels/rocks/rock_picture.h"
 
+#include "core/base/number_text.h"
 #include "core/base/tolerance_text.h"
 #include "core/rocks/selection/region_of_interest.h"
 #include "ui/base/shown_text.h"
@@ -55,7 +56,10 @@ Paints paintsOf(const RockPicture& picture) {
 
 } // namespace
 
-bool RockFilter::shows(const rocks::Rock& rock) const { return rock.shortestCaliperM >= smallestM && (!sureOnly || !isDoubtful(rock)); }
+/// By the size that the table has.
+bool RockFilter::shows(const rocks::Rock& rock) const {
+    return rounded(rock.shortestCaliperM, 100) >= smallestM && (!sureOnly || !isDoubtful(rock));
+}
 
 const rocks::Rock* RockPicture::rockAt(std::size_t cell) const { return rock(labelAt(cell)); }
 
@@ -125,8 +129,6 @@ RockOutline outlineOf(const Grid<std::uint32_t>& labels, std::uint32_t label) {
     }
     return outline;
 }
-
-bool isDoubtful(const rocks::Rock& rock) { return rock.confidence < rocks::kSureConfidence; }
 
 QString partsText(const rocks::Rock& rock) {
     if (rock.apart.empty()) return {};

@@ -64,7 +64,6 @@ struct RockOutline {
 
 /// "4 · visible a × b: 2.51 × 1.83 m ± 0.10 m · at 4.98 m", with a warning if the outline is uncertain.
 [[nodiscard]] QString rockTip(const rocks::Rock& rock);
-[[nodiscard]] bool isDoubtful(const rocks::Rock& rock);
 /// "▲ 2 parts that do not touch, 1.34 m apart"; empty for a rock in one piece.
 [[nodiscard]] QString partsText(const rocks::Rock& rock);
 

@@ -121,7 +121,7 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
     QString text = remark.isEmpty() ? QString() : remark + "\n";
     text += tr("%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock")
                 .arg(rockCount(rocks.size()))
-                .arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful))
+                .arg(std::count_if(rocks.begin(), rocks.end(), edgescan::rocks::isDoubtful))
                 .arg(fines.regions);
     const std::size_t changes = rocks::changesByHand(picture->study.edits);
     if (changes > 0) text += tr("; %1 changed by hand").arg(changes);

@@ -27,7 +27,8 @@ constexpr int kForGloves = 48, kArrow = 22; // px
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
 
-constexpr std::size_t kOfRocks = 3; // jump, convex, concave
+constexpr std::array kStrengthFrom{70, 30, 0}; // % (core/edges/rock_borders/rock_borders.h)
+constexpr std::size_t kOfRocks = 3;            // jump, convex, concave
 /// The order in which the classes take cells: the first three by strength, each other class what is left.
 constexpr std::array<std::size_t, kEdgeClasses> kTakes{0, 1, 2, 4, 5, 3};
 
@@ -43,7 +44,7 @@ QString textOfMovedCells(int classes) {
     }
     if (off.isEmpty()) return {};
     return (off.size() == 1 ? EdgeLegend::tr("Without %1:").arg(off.front()) : EdgeLegend::tr("Without %1 classes:").arg(off.size())) +
-           '\n' + EdgeLegend::tr("other classes take the cells");
+           '\n' + EdgeLegend::tr("other classes take some of its cells, and chains get shorter: fewer edges, here and in files");
 }
 
 QLabel* signOf(const QLabel* words) { return static_cast<QLabel*>(words->parentWidget()->layout()->itemAt(0)->widget()); }
@@ -155,10 +156,14 @@ QLabel* EdgeLegend::addSign(QGridLayout& grid, const char* name) {
     return words;
 }
 
-void EdgeLegend::showStrengths(const std::optional<std::array<std::size_t, kEdgeStrengths>>& cells) {
+void EdgeLegend::showStrengths(const std::optional<std::array<std::size_t, kEdgeStrengths>>& cells, int leastPercent) {
     if (!cells && !byStrength_) return;
     byStrength_ = cells.has_value();
-    const std::array names{tr("Rock border, 70 % and more: %1"), tr("Perhaps, 30 to 69 %: %1"), tr("Fold in a rock, below 30 %: %1")};
+    leastPercent_ = leastPercent;
+    const std::array names{tr("Rock border, %1 % and more: %2").arg(std::max(kStrengthFrom[0], leastPercent)),
+                           tr("Perhaps, %1 to 69 %: %2").arg(std::max(kStrengthFrom[1], leastPercent)),
+                           leastPercent > 0 ? tr("Fold in a rock, %1 to 29 %: %2").arg(leastPercent)
+                                            : tr("Fold in a rock, below 30 %: %1")};
     for (std::size_t n = 0; cells && n < kEdgeStrengths; ++n) strengths_[n]->setText(names[n].arg(countText((*cells)[n])));
     showRows();
 }
@@ -254,7 +259,8 @@ void EdgeLegend::showRows() {
         const bool shown = offered_[n] && open && (!brief_ || n < kOfRocks || n == kRimClass || counts);
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
-    for (QLabel* strength : strengths_) strength->parentWidget()->setVisible(byStrength_ && open && !brief_);
+    for (std::size_t n = 0; n < kEdgeStrengths; ++n) // those that the limit leaves
+        strengths_[n]->parentWidget()->setVisible(byStrength_ && open && !brief_ && (n == 0 || leastPercent_ < kStrengthFrom[n - 1]));
     byClass_->setVisible(known_ && !brief_ && open);
     unfold_->setVisible(known_);
     unfold_->setArrowType(brief_ ? Qt::NoArrow : open ? Qt::DownArrow : Qt::UpArrow);

@@ -26,8 +26,8 @@ public:
     void showResult(const edges::Detection& detection);
     void showColours(const EdgeColours& colours);
     void showByClass(bool on);
-    /// The number of cells of each strength, while the views draw edges by strength.
-    void showStrengths(const std::optional<std::array<std::size_t, kEdgeStrengths>>& cells);
+    /// The number of cells of each strength, while the views draw edges by strength. `leastPercent`: less likely ones are left out.
+    void showStrengths(const std::optional<std::array<std::size_t, kEdgeStrengths>>& cells, int leastPercent = 0);
     void showEdges(bool on);
     /// On: rocks are drawn over the edges of the cloud; the counts then refer to the images, and the switch draws the edges over the rocks.
     void showCovered(bool on);
@@ -73,6 +73,7 @@ private:
     QCheckBox* edges_ = nullptr;
     QLabel* total_ = nullptr;
     std::array<Row, kEdgeClasses> rows_;
+    int leastPercent_ = 0;
     std::array<QLabel*, kEdgeStrengths> strengths_{}; // with their signs before them
     QCheckBox* byClass_ = nullptr;
     QLabel* filled_ = nullptr;

@@ -100,9 +100,10 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         painter.drawPolygon(QPolygonF(QVector<QPointF>{to->p2(), to->p1() + side, to->p1() - side}));
         painter.setBrush(Qt::NoBrush);
     }
-    drawPictureFrame(painter, rect(), marks_.frame);
+    const QRect corner = plates_.empty() ? QRect() : plates_.front().toAlignedRect(); // the picture in it
+    warning_ = drawPictureFrame(painter, rect(), marks_.frame, corner);
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3, -kLabelMargin - 6, -kLabelMargin - 3);
-    const int taken = plates_.empty() ? 0 : width() - static_cast<int>(plates_.front().left()); // by the picture in the corner
+    const int taken = corner.isNull() ? 0 : width() - corner.left();
     const QRect label = drawLabel(painter, inner.adjusted(0, 0, -taken, 0), Qt::AlignLeft | Qt::AlignTop, marks_.note);
     if (std::exchange(label_, label) != label && !marks_.marks.empty()) update(); // the tags avoid it
     if (marks_.tipAt && !marks_.tip.isEmpty()) drawTipAt(painter, rect(), marks_.tipAt->toPoint(), marks_.tip);

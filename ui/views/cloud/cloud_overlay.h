@@ -49,6 +49,7 @@ public:
     [[nodiscard]] std::vector<QRectF> platesOver() const;
     /// The note, where it was drawn last.
     [[nodiscard]] const QRect& label() const { return label_; }
+    [[nodiscard]] const QRect& warning() const { return warning_; } ///< the plate that says LOST or STALE
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -59,7 +60,7 @@ private:
     OverlayMarks marks_;
     std::vector<QRectF> plates_;
     std::vector<MarkTag> tags_;
-    QRect label_;
+    QRect label_, warning_;
 };
 
 } // namespace edgescan::ui

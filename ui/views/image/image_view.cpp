@@ -220,7 +220,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     }
     if (!selection_.empty()) drawPyramid(painter, selection_);
     drawMarks(painter);
-    const QRect plate = drawPictureFrame(painter, rect(), pictureFrame_);
+    const QRect plate = drawPictureFrame(painter, rect(), pictureFrame_, QRect(width() - covered_, 0, covered_, height()));
     drawTexts(painter);
     drawRings(painter, plate); // above the texts
     drawTip(painter);

@@ -1,9 +1,11 @@
 // Changes between scans: compared with slow versions, and on the simulator's bell before and after a blast.
 #include "app/lab/sim/simulate.h"
 #include "core/edges/pipeline/pipeline.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "core/scan/georef/rotations.h"
 #include "tests/support/placements.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -241,6 +243,19 @@ TEST(SceneChange, AreasAreGivenOnlyWhereTheSurfacesFit) {
     ASSERT_TRUE(blasted);
     EXPECT_LT(blasted->earlier.how.surfaces->residualM, kMostResidualM);
     EXPECT_FALSE(blasted->regions.empty());
+}
+
+// Two scans of one corridor: fitted from one side only, their surfaces end 64 mm apart.
+TEST(SceneChange, AreasDoNotDependOnTheOrderOfTheTwo) {
+    const auto folder = test::sharedFolder() / "data/lms200_corridor";
+    const auto first = files::openScan(folder / "scan000.3d"), second = files::openScan(folder / "scan001.3d");
+    if (!first || !second) GTEST_SKIP() << "needs " << folder;
+    const auto a = edgesOf(std::make_shared<const Scan>(*first)), b = edgesOf(std::make_shared<const Scan>(*second));
+    const auto forth = sceneChange(b, a), back = sceneChange(a, b);
+    ASSERT_TRUE(forth && back);
+    EXPECT_LT(forth->earlier.how.surfaces->residualM, kMostResidualM);
+    EXPECT_LT(back->earlier.how.surfaces->residualM, kMostResidualM);
+    EXPECT_EQ(forth->regions.empty(), back->regions.empty());
 }
 
 } // namespace
