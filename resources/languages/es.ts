@@ -1737,7 +1737,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edges shown</source><translation>Bordes mostrados</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Solo se muestran y exportan los bordes que probablemente son el contorno de una roca; los pliegues dentro de una roca se omiten.</translation></message>
 <message><source>Border from</source><translation>Contorno desde</translation></message>
-<message><source>How likely an edge must be the border of a rock to be shown among the rock borders; auto takes 50 %, and down to 30 % where the ranges are noisy.</source><translation>La probabilidad de que un borde sea el contorno de una roca, desde la que se muestra entre los contornos de rocas; auto toma el 50 %, y hasta el 30 % donde las distancias son ruidosas.</translation></message>
+<message><source>How likely an edge must be the border of a rock to be shown among the rock borders.</source><translation>La probabilidad de que un borde sea el contorno de una roca, desde la que se muestra entre los contornos de rocas.</translation></message>
 <message><source>Edge strength</source><translation>Fuerza del borde</translation></message>
 <message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Qué fuerza debe tener un borde (más fuerza, menos bordes): 1 es el salto y el ángulo de pliegue de abajo, 2 es el doble.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>
@@ -1983,6 +1983,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Together with the other way %1.</source><translation>Junto con la otra dirección: %1.</translation></message>
 <message><source>Range noise used: sigma %1 m here, %2 m at 5 m.</source><translation>Ruido de distancia usado: sigma %1 m aquí, %2 m a 5 m.</translation></message>
 <message><source>Neighbours err alike, so for folds it counts as %1 m here.</source><translation>Los vecinos yerran igual, así que para los pliegues cuenta como %1 m aquí.</translation></message>
+<message><source>Noisy ranges are smoothed, so for folds it counts as %1 m here.</source><translation>Las distancias ruidosas se suavizan, así que para los pliegues cuenta como %1 m aquí.</translation></message>
 <message><source>%1: strength %2 as %3</source><translation>%1: fuerza %2 como %3</translation></message>
 <message><source>%1: strength %2</source><translation>%1: fuerza %2</translation></message>
 <message><source> (along the line %1, across the lines %2, direction %3 degrees)</source><translation> (a lo largo de la línea %1, a través de las líneas %2, dirección %3 grados)</translation></message>

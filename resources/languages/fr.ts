@@ -1737,7 +1737,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edges shown</source><translation>Arêtes affichées</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Seules les arêtes qui sont probablement le contour d'une roche sont affichées et exportées ; les plis dans une roche sont omis.</translation></message>
 <message><source>Border from</source><translation>Contour dès</translation></message>
-<message><source>How likely an edge must be the border of a rock to be shown among the rock borders; auto takes 50 %, and down to 30 % where the ranges are noisy.</source><translation>La probabilité qu'une arête soit le contour d'une roche, à partir de laquelle elle est affichée parmi les contours de roches ; auto prend 50 %, et jusqu'à 30 % là où les distances sont bruitées.</translation></message>
+<message><source>How likely an edge must be the border of a rock to be shown among the rock borders.</source><translation>La probabilité qu'une arête soit le contour d'une roche, à partir de laquelle elle est affichée parmi les contours de roches.</translation></message>
 <message><source>Edge strength</source><translation>Force de l'arête</translation></message>
 <message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Quelle force une arête doit avoir : 1 est le saut et l'angle de pli ci-dessous, 2 en est le double.</translation></message>
 <message><source>Jump</source><translation>Saut</translation></message>
@@ -1983,6 +1983,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Together with the other way %1.</source><translation>Avec l'autre direction : %1.</translation></message>
 <message><source>Range noise used: sigma %1 m here, %2 m at 5 m.</source><translation>Bruit de distance retenu : sigma %1 m ici, %2 m à 5 m.</translation></message>
 <message><source>Neighbours err alike, so for folds it counts as %1 m here.</source><translation>Les voisins se trompent ensemble ; pour les plis, il compte donc pour %1 m ici.</translation></message>
+<message><source>Noisy ranges are smoothed, so for folds it counts as %1 m here.</source><translation>Les distances bruitées sont lissées ; pour les plis, il compte donc pour %1 m ici.</translation></message>
 <message><source>%1: strength %2 as %3</source><translation>%1 : force %2, type « %3 »</translation></message>
 <message><source>%1: strength %2</source><translation>%1 : force %2</translation></message>
 <message><source> (along the line %1, across the lines %2, direction %3 degrees)</source><translation> (le long de la ligne %1, en travers des lignes %2, direction %3 degrés)</translation></message>

@@ -1737,7 +1737,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edges shown</source><translation>Bordas mostradas</translation></message>
 <message><source>Only edges that are likely the border of a rock are shown and exported; folds within a rock are left out.</source><translation>Só se mostram e exportam as bordas que provavelmente são o contorno de uma rocha; as dobras dentro de uma rocha ficam de fora.</translation></message>
 <message><source>Border from</source><translation>Contorno desde</translation></message>
-<message><source>How likely an edge must be the border of a rock to be shown among the rock borders; auto takes 50 %, and down to 30 % where the ranges are noisy.</source><translation>A probabilidade de uma borda ser o contorno de uma rocha, a partir da qual se mostra entre os contornos de rochas; auto usa 50 %, e até 30 % onde as distâncias são ruidosas.</translation></message>
+<message><source>How likely an edge must be the border of a rock to be shown among the rock borders.</source><translation>A probabilidade de uma borda ser o contorno de uma rocha, a partir da qual se mostra entre os contornos de rochas.</translation></message>
 <message><source>Edge strength</source><translation>Força da borda</translation></message>
 <message><source>How strong an edge must be, so higher finds fewer: 1 is the jump and the crease angle below, 2 is twice that.</source><translation>Que força uma borda deve ter (mais força, menos bordas): 1 é o salto e o ângulo de dobra abaixo, 2 é o dobro.</translation></message>
 <message><source>Jump</source><translation>Salto</translation></message>
@@ -1983,6 +1983,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Together with the other way %1.</source><translation>Com a outra direção: %1.</translation></message>
 <message><source>Range noise used: sigma %1 m here, %2 m at 5 m.</source><translation>Ruído de distância usado: sigma %1 m aqui, %2 m a 5 m.</translation></message>
 <message><source>Neighbours err alike, so for folds it counts as %1 m here.</source><translation>Os vizinhos erram juntos, por isso para as dobras conta como %1 m aqui.</translation></message>
+<message><source>Noisy ranges are smoothed, so for folds it counts as %1 m here.</source><translation>As distâncias ruidosas são suavizadas, por isso para as dobras conta como %1 m aqui.</translation></message>
 <message><source>%1: strength %2 as %3</source><translation>%1: força %2 como %3</translation></message>
 <message><source>%1: strength %2</source><translation>%1: força %2</translation></message>
 <message><source> (along the line %1, across the lines %2, direction %3 degrees)</source><translation> (ao longo da linha %1, através das linhas %2, direção %3 graus)</translation></message>

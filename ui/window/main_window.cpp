@@ -345,10 +345,9 @@ void MainWindow::connectEngine() {
         const Scene& scene = viewer_.views.scene();
         if (!scene.byStrength) return viewer_.legend.showStrengths({});
         const std::size_t weak = scene.cells.byClass[kWeakEdge]->size(), thin = scene.cells.byClass[kThinEdge]->size();
-        const edges::Detection& detection = *viewer_.engine.picture()->detection;
-        const double typed = detection.settings.borderPercent, least = typed >= 0 ? typed : edges::measuredOf(detection).borderPercent;
+        const edges::Settings& settings = viewer_.engine.picture()->detection->settings;
         viewer_.legend.showStrengths({{scene.cells.all->size() - weak - thin, weak, thin}},
-                                     detection.settings.rockBorders ? static_cast<int>(std::ceil(least)) : 0);
+                                     settings.rockBorders ? static_cast<int>(std::ceil(settings.borderPercent)) : 0);
     });
     connect(&viewer_.views, &LinkedViews::boxed, &viewer_.statusLine, &StatusLine::showBox);
     connect(&viewer_.engine, &Engine::pictureReady, this, [this] {
