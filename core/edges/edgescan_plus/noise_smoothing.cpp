@@ -12,7 +12,7 @@
 namespace edgescan::edges {
 namespace {
 
-constexpr int kReach = 2;          // lines and beams
+constexpr int kReach = 2;           // lines and beams
 constexpr float kDeviations = 3.0F; // from here on a cell is on another surface
 
 // A line of cells; what is known of it.
