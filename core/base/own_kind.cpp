@@ -1,6 +1,7 @@
-// Looks for the mark among the keys of the outermost object; damaged text has the mark that comes before the damage.
+// Looks for the mark among the keys of the outermost object; damaged text has none.
 #include "core/base/own_kind.h"
 
+#include "core/base/bounded_json.h"
 #include "core/base/translated_text.h"
 #include "core/base/whole_file.h"
 
@@ -18,17 +19,13 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U; // of JSON that i
 std::string ownKind(std::string_view text) {
     constexpr std::string_view kMark = "edgescan-";
     if (!text.starts_with('{')) return {};
-    std::string key, kind;
-    const auto note = [&](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& value) {
-        if (depth == 1 && event == nlohmann::json::parse_event_t::key) key = value.get<std::string>();
-        const bool isMark = depth == 1 && event == nlohmann::json::parse_event_t::value && (key == "format" || key == "schema");
-        if (isMark && kind.empty() && value.is_string() && value.get_ref<const std::string&>().starts_with(kMark))
-            kind = value.get<std::string>();
-        return depth <= 1;
-    };
-    const auto ignored = nlohmann::json::parse(text, note, false);
-    static_cast<void>(ignored); // only its mark counts
-    return kind.substr(0, kind.find('/'));
+    auto json = parseJson(text, "");
+    if (!json) json = parseJson(text.substr(0, text.find('\n')), "");
+    for (const char* key : {"format", "schema"}) {
+        const std::string kind = json && json->contains(key) && (*json)[key].is_string() ? (*json)[key].get<std::string>() : "";
+        if (kind.starts_with(kMark)) return kind.substr(0, kind.find('/'));
+    }
+    return {};
 }
 
 Result<Done> checkIsOfKind(const std::filesystem::path& path, const std::string& kind) {

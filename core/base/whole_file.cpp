@@ -269,6 +269,8 @@ Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
     for (const FileContent& file : files) {
         if (isDevice(file.path)) continue;
         if (auto other = checkIsNoInput(file.path); !other) return other;
+        std::error_code none;
+        if (!fs::is_regular_file(file.path, none)) continue;
         if (auto same = checkIsOfKind(file.path, ownKind(textOf(file.bytes))); !same) return same;
     }
     return writeAll(files);
