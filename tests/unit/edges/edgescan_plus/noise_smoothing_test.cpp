@@ -9,17 +9,17 @@
 namespace edgescan::edges {
 namespace {
 
-constexpr int kLines = 40, kBeams = 60;
+constexpr int kPlaneLines = 40, kPlaneBeams = 60;
 constexpr RangeNoise kNoise{20, 0, 0};
 
 // Two planes in u at 5 m that are `stepMm` apart from the middle beam on, with noise.
 InverseRange twoPlanes(double stepMm, double noiseMm) {
     std::mt19937 random(5);
-    InverseRange planes{Grid<float>(kLines, kBeams), Grid<Support>(kLines, kBeams, Support::Measured)};
-    for (int i = 0; i < kLines; ++i) {
-        for (int j = 0; j < kBeams; ++j) {
+    InverseRange planes{Grid<float>(kPlaneLines, kPlaneBeams), Grid<Support>(kPlaneLines, kPlaneBeams, Support::Measured)};
+    for (int i = 0; i < kPlaneLines; ++i) {
+        for (int j = 0; j < kPlaneBeams; ++j) {
             const double error = noiseMm * (static_cast<double>(random() % 20001) / 10000.0 - 1.0) * std::sqrt(3.0);
-            const double u = 0.2 + 1e-5 * i - 2e-5 * j - 0.04 * 0.001 * ((j < kBeams / 2 ? 0.0 : stepMm) + error);
+            const double u = 0.2 + 1e-5 * i - 2e-5 * j - 0.04 * 0.001 * ((j < kPlaneBeams / 2 ? 0.0 : stepMm) + error);
             planes.u.at(i, j) = static_cast<float>(u);
         }
     }
@@ -54,7 +54,7 @@ TEST(NoiseSmoothing, MostOfTheNoiseGoes) {
 
 TEST(NoiseSmoothing, VoidsMoveNothingAndStay) {
     InverseRange before = twoPlanes(0, 0);
-    for (int i = 0; i < kLines; ++i) {
+    for (int i = 0; i < kPlaneLines; ++i) {
         before.support.at(i, 20) = Support::Void;
         before.u.at(i, 20) = before.u.at(i, 19) * 1.0001F;
     }
