@@ -84,7 +84,7 @@ private slots:
             QTRY_VERIFY2(row(on, "legend-weak").startsWith(weak) && row(on, "legend-weak").isEmpty() == QString(weak).isEmpty(),
                          qPrintable(row(on, "legend-weak")));
             QTRY_VERIFY2(row(on, "legend-thin").startsWith(thin) && row(on, "legend-thin").isEmpty() == QString(thin).isEmpty(),
-                         qPrintable(row(on, "legend-thin")));
+                         qPrintable(QString("%1: %2, %3").arg(least).arg(row(on, "legend-weak"), row(on, "legend-thin"))));
             QVERIFY(row(on, "legend-strong").startsWith(QString("Rock border, %1 %").arg(std::max(70, least))));
         }
         limited.rockBorders = false;
