@@ -75,7 +75,9 @@ private slots:
         QCOMPARE(row(on, "legend-weak"), "Perhaps, 30 to 69 %: " + number(counts[1]));
         QCOMPARE(row(on, "legend-thin"), "Fold in a rock, below 30 %: " + number(counts[2]));
         // With a limit there are no rows of what is not shown.
-        const auto begins = [](const QString& text, const QString& with) { return with.isEmpty() ? text.isEmpty() : text.startsWith(with); };
+        const auto begins = [](const QString& text, const QString& with) {
+            return with.isEmpty() ? text.isEmpty() : text.startsWith(with);
+        };
         edges::Settings limited = on.viewer.engine.settings();
         limited.rockBorders = true;
         for (const auto& [least, weak, thin] :
