@@ -169,7 +169,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
         QVERIFY(on.viewer.views.scene().instead != nullptr);
         // Their names say which is which; over B alone the name is that of B.
-        QCOMPARE(legend.titleText(), QString("A, before: Default\nB, after: Method Canny"));
+        QCOMPARE(legend.titleText(), QString("A, before: Default\nB, after: Percent of range"));
         // A, difference or B by buttons that stay where they are.
         const auto choose = [&](int n) {
             auto* button = legend.findChild<QToolButton*>(QString("change-shown-%1").arg(n));
