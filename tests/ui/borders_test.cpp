@@ -74,19 +74,18 @@ private slots:
         QCOMPARE(row(on, "legend-strong"), "Rock border, 70 % and more: " + number(counts[0]));
         QCOMPARE(row(on, "legend-weak"), "Perhaps, 30 to 69 %: " + number(counts[1]));
         QCOMPARE(row(on, "legend-thin"), "Fold in a rock, below 30 %: " + number(counts[2]));
-        // With a limit there are no rows of what is not shown.
-        const auto begins = [](const QString& text, const QString& with) {
-            return with.isEmpty() ? text.isEmpty() : text.startsWith(with);
-        };
+        // With a limit there are no rows of what is not shown; where all are drawn alike there is none.
         edges::Settings limited = on.viewer.engine.settings();
         limited.rockBorders = true;
         for (const auto& [least, weak, thin] :
              {std::tuple{50, "Perhaps, 50 to 69 %: ", ""}, {80, "", ""}, {20, "Perhaps, 30 to 69 %: ", "Fold in a rock, 20 to 29 %: "}}) {
             limited.borderPercent = least;
             QVERIFY(on.use(limited) && known(on));
-            QTRY_VERIFY2(begins(row(on, "legend-weak"), weak), qPrintable(row(on, "legend-weak")));
-            QTRY_VERIFY2(begins(row(on, "legend-thin"), thin), qPrintable(row(on, "legend-thin")));
-            QVERIFY(row(on, "legend-strong").startsWith(QString("Rock border, %1 %").arg(std::max(70, least))));
+            const auto says = [&](const char* name, const QString& words) {
+                return words.isEmpty() ? row(on, name).isEmpty() : row(on, name).startsWith(words);
+            };
+            QTRY_VERIFY2(says("legend-weak", weak), qPrintable(row(on, "legend-weak")));
+            QTRY_VERIFY2(says("legend-thin", thin), qPrintable(row(on, "legend-thin")));
         }
         limited.rockBorders = false;
         QVERIFY(on.use(limited) && known(on));

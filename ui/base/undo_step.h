@@ -91,9 +91,9 @@ public:
     UndoStep(const QString& name, Value before, Value after, Use use, Here here = {})
         : QUndoCommand(name), ScanStep(std::move(here)), before_(std::move(before)), after_(std::move(after)), use_(std::move(use)) {}
     /// Of a drag, whose steps become one under the name of all that it changed.
-    UndoStep(int drag, Name name, Value before, Value after, Use use, Here here)
-        : QUndoCommand(name(before, after)), ScanStep(std::move(here)), before_(std::move(before)), after_(std::move(after)),
-          use_(std::move(use)), drag_(drag), name_(std::move(name)) {}
+    UndoStep(int drag, Name name, Value before, Value after, Use use)
+        : QUndoCommand(name(before, after)), ScanStep({}), before_(std::move(before)), after_(std::move(after)), use_(std::move(use)),
+          drag_(drag), name_(std::move(name)) {}
 
     /// Where this step is obsolete, undo or redo continues with the next step of the stack.
     void giveWayIn(QUndoStack& stack) { stack_ = &stack; }

@@ -109,8 +109,7 @@ void Tuning::change(const edges::Settings& settings, bool dragging) {
         engine_.setSettings(value);
         return true;
     };
-    undo_.push(
-        new UndoStep<edges::Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use, engine_.hereNow()));
+    undo_.push(new UndoStep<edges::Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use));
 }
 
 void Tuning::usePreset(const edges::Preset& preset) {

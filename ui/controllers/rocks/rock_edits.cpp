@@ -35,8 +35,7 @@ void Rocks::change(const rocks::RockSettings& settings) {
             value.region = settings_.region; // it belongs to one scan and has its own undo steps
             useSettings(value);
             return true;
-        },
-        engine_.hereNow()));
+        }));
 }
 
 std::optional<rocks::Preset> Rocks::part() const {

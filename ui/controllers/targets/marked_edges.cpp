@@ -138,13 +138,11 @@ void MarkedEdges::makeCard() {
     connect(card_, &ProposalsCard::adoptRequested, this, [this](int row) {
         const edges::Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
         putBack(); // undo then leads to the settings before the preview
-        undo_.push(new UndoStep<edges::Settings>(
-            stepName("Settings for These Marks"), engine_.settings(), adopted,
-            [this](const edges::Settings& value) {
-                engine_.setSettings(value);
-                return true;
-            },
-            engine_.hereNow()));
+        undo_.push(new UndoStep<edges::Settings>(stepName("Settings for These Marks"), engine_.settings(), adopted,
+                                                 [this](const edges::Settings& value) {
+                                                     engine_.setSettings(value);
+                                                     return true;
+                                                 }));
         card_->hide();
     });
     connect(card_, &QDialog::rejected, this, [this] {
