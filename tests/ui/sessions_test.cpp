@@ -2,6 +2,7 @@
 #include "core/base/whole_file.h"
 #include "core/inspect/session_file/session_file.h"
 #include "tests/support/folders.h"
+#include "tests/support/point_lists.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
@@ -196,7 +197,7 @@ private slots:
             QCOMPARE(int(on.viewer.targets.notebook().targets.size()), 1);
         }
         const std::string whole = std::string(textOf(*readWholeFile(file.toStdString())));
-        QVERIFY(bool(writeWholeFile(file.toStdString(), whole.substr(0, whole.size() / 2))));
+        test::writeText(file.toStdString(), whole.substr(0, whole.size() / 2));
         WindowFixture on;
         QVERIFY(on.show());
         drop(on.window, file);
@@ -273,7 +274,7 @@ private slots:
         QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 1);
         QTRY_COMPARE(on.window.sessions().path(), file);
         // A damaged file gives one sentence, and the window does not change.
-        QVERIFY(bool(writeWholeFile(file.toStdString(), before.substr(0, before.size() / 2))));
+        test::writeText(file.toStdString(), before.substr(0, before.size() / 2));
         on.window.sessions().openSession(file);
         QTRY_VERIFY(on.viewer.notice.kind() == NoticeBar::Kind::Error);
         QCOMPARE(int(on.viewer.targets.notebook().targets.size()), 1);

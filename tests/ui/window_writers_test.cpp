@@ -92,7 +92,7 @@ private slots:
         QVERIFY(!writeWholeFile(path, std::string("an export")));
         QVERIFY(!writeWholeFile(folder / "before.u16", std::string("an export")));
         picture = std::shared_ptr<const Picture>();
-        QVERIFY(writeWholeFile(path, std::string("an export")));
+        QVERIFY(files::saveScan(test::boxesScan(24, 30, 3), path));
     }
 
     // A look at stored targets, as the list of layers has it, begins no work on them: what another window added stays.
