@@ -217,7 +217,7 @@ private slots:
         QVERIFY(on.showWith(scan_));
         QFile record(path("e.pcd.provenance.json"));
         QVERIFY(record.open(QIODevice::WriteOnly));
-        record.write(R"({"format": "edgescan-record/1"})");
+        record.write(R"({"format": "edgescan-provenance/1"})");
         record.close();
         const auto ask = [&](const QStringList& answers) {
             const Meanwhile accepted([] { return acceptExport(); });
@@ -226,7 +226,7 @@ private slots:
             return hand.asked;
         };
         QCOMPARE(ask({"no"}), QStringList("replace-question"));
-        QVERIFY(text("e.pcd.provenance.json") == R"({"format": "edgescan-record/1"})");
+        QVERIFY(text("e.pcd.provenance.json") == R"({"format": "edgescan-provenance/1"})");
         QVERIFY(!QFile::exists(path("e.pcd")));
         QSignalSpy saved(&on.viewer.engine, &Engine::saved);
         QCOMPARE(ask({"replace"}), QStringList("replace-question"));

@@ -1,4 +1,4 @@
-// Noisy ranges are smoothed along surfaces before anything is computed from them (docs/method/edges.md, "Noisy ranges").
+// Noisy ranges are smoothed along surfaces before anything is computed from them (docs/method/edges.md, "Step 1").
 #pragma once
 
 #include "core/scan/grid/inverse_range.h"

@@ -180,7 +180,7 @@ TEST(Provenance, TheRecordIsAsPrivateAsItsExport) {
         std::ofstream(path) << "old";
         std::filesystem::permissions(path, own);
         if (recordIsThere) {
-            std::ofstream(record) << "old";
+            std::ofstream(record) << R"({"format": "edgescan-provenance/1"})";
             std::filesystem::permissions(record, own | perms::group_read | perms::others_read);
         }
         ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *detection, path));
