@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(row(on, "legend-strong"), "Rock border, 70 % and more: " + number(counts[0]));
         QCOMPARE(row(on, "legend-weak"), "Perhaps, 30 to 69 %: " + number(counts[1]));
         QCOMPARE(row(on, "legend-thin"), "Fold in a rock, below 30 %: " + number(counts[2]));
-        // With a limit there are no rows of what is not shown; where all are drawn alike there is none.
+        // With a limit the legend has rows only for what is shown. Where all edges look alike, it has no rows of strength.
         edges::Settings limited = on.viewer.engine.settings();
         limited.rockBorders = true;
         for (const auto& [least, weak, thin] :

@@ -332,7 +332,7 @@ void ChangeLegend::showFlipped(bool flipped) {
     const bool onlyB = compared_ && !rowsShown_;
     title_->setText(flipped              ? tr("On the screen: %1").arg(a)
                     : onlyB              ? tr("On the screen: %1").arg(b)
-                    : names_.b.isEmpty() ? tr("A: %1").arg(names_.a) // there is no other yet
+                    : names_.b.isEmpty() ? tr("A: %1").arg(names_.a) // nothing to compare with yet
                     : brief_             ? a
                                          : a + '\n' + b);
     showRows();

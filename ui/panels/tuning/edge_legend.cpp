@@ -1,6 +1,7 @@
 // The legend of edges.
 #include "ui/panels/tuning/edge_legend.h"
 
+#include "core/edges/rock_borders/rock_borders.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "core/scan/gap_filling/gap_filling.h"
@@ -27,8 +28,8 @@ constexpr int kForGloves = 48, kArrow = 22; // px
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
 
-constexpr std::array kStrengthFrom{70, 30, 0}; // % (core/edges/rock_borders/rock_borders.h)
-constexpr std::size_t kOfRocks = 3;            // jump, convex, concave
+constexpr std::array<int, kEdgeStrengths> kStrengthFrom{edges::kStrongBorder, edges::kWeakBorder, 0}; // %
+constexpr std::size_t kOfRocks = 3;                                                                   // jump, convex, concave
 /// The order in which the classes take cells: the first three by strength, each other class what is left.
 constexpr std::array<std::size_t, kEdgeClasses> kTakes{0, 1, 2, 4, 5, 3};
 
