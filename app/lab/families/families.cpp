@@ -34,6 +34,8 @@ std::vector<Family> allFamilies() {
         {.name = "real bench x3", .source = &kRealStones, .kind = "bench", .noise = 3},
         {.name = "real pile x3", .source = &kRealStones, .kind = "pile", .noise = 3},
         {.name = "real hangup full", .source = &kRealStones, .kind = "hangup", .full = true},
+        {.name = "real bench full", .source = &kRealStones, .kind = "bench", .full = true},
+        {.name = "real pile full", .source = &kRealStones, .kind = "pile", .full = true},
         {.name = "polar", .source = &kPolar, .kind = "polar", .small = 1},
         {.name = "rescan", .source = &kRescans, .kind = "rescan", .variants = {rescanAt("4", 4, 4.5), rescanAt("2.5", 2.5, 4)}},
         {.name = "kinect", .source = &kKinect, .kind = "kinect"},

@@ -5,6 +5,7 @@
 #include "core/base/portable_math.h"
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/gap_detour.h"
+#include "core/edges/edgescan_plus/mixed_pixels.h"
 #include "core/edges/edgescan_plus/noise_smoothing.h"
 #include "core/edges/edgescan_plus/silhouettes.h"
 #include "core/edges/edgescan_plus/stored_folds.h"
@@ -228,6 +229,7 @@ DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     limits.windowMm = static_cast<float>(kWindowMm * portable::pow(q, 0.7));
     if (remembered) limits.windowMm = std::max(limits.windowMm, static_cast<float>(surface.memory.windowMm));
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
+    limits.mixedRun = before5 ? 2 : kLongestRun;
     limits.rimSlant = before5 ? kRimSlantOf4 : kRimSlant;
     limits.turns = settings.turns;
     if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);

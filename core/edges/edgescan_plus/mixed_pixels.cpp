@@ -17,11 +17,12 @@
 namespace edgescan::edges {
 namespace {
 
-constexpr int kRun = 2; // longest run of mixed pixels, cells
+using RunValues = std::array<float, kLongestRun>;
 constexpr auto kSpotM = static_cast<float>(BeamWidth{}.atExitM);
 constexpr auto kSpotRad = static_cast<float>(BeamWidth{}.growthRad);
 constexpr float kSurfacesApart = 2.0F; // jump thresholds
 constexpr float kBend = 0.25F;         // share of the least distance between the surfaces
+constexpr float kLeastOfSpot = 0.5F;   // least width of a run of more than two cells
 constexpr float kOffSurface = 0.5F;    // jump thresholds, for at least one cell of a run
 
 // The first pass avoids divisions. Its limits are slightly wider, so that rounding never drops a cell that the exact check would accept.
@@ -68,7 +69,7 @@ float slopeAway(const Place& at, int end, int sign) {
 
 // The continuations of both sides at the cells of a run.
 struct RunLines {
-    std::array<float, kRun> before, after;
+    RunValues before, after;
 };
 
 // Compares two surfaces at a cell without divisions: a distance in metres is the difference of two u divided by their product. If rounding
@@ -93,9 +94,9 @@ EDGESCAN_INLINE bool canBeOff(float u, const TwoSurfaces& at, float thresholds) 
     return (at.nearer - u + at.rounding >= least) & ((u - at.farther + at.rounding) * at.nearer >= least * at.farther);
 }
 
-bool canBeRun(const Place& at, const RunLines& lines, const DepthLimits& limits) {
+bool canBeRun(const Place& at, int run, const RunLines& lines, const DepthLimits& limits) {
     bool off = false;
-    for (int n = 0; n < kRun; ++n) {
+    for (int n = 0; n < run; ++n) {
         const float u = at.u[n * at.step];
         const TwoSurfaces surfaces =
             surfacesAt(lines.before[static_cast<std::size_t>(n)], lines.after[static_cast<std::size_t>(n)], limits);
@@ -105,21 +106,21 @@ bool canBeRun(const Place& at, const RunLines& lines, const DepthLimits& limits)
     return off;
 }
 
-// Checks this cell and the next.
-bool snapRun(const Place& at, const DepthLimits& limits, std::array<float, kRun>& result) {
-    if (!solidAll(at.solid, at.step, -2, kRun + 1)) return false;
+// Checks a run of cells that begins here.
+bool snapRun(const Place& at, int run, const DepthLimits& limits, RunValues& result) {
+    if (!solidAll(at.solid, at.step, -2, run + 1)) return false;
     const float first = at.u[-at.step];
-    const float last = at.u[kRun * at.step];
+    const float last = at.u[run * at.step];
     const float slopeBefore = slopeAway(at, -1, -1);
-    const float slopeAfter = slopeAway(at, kRun, 1);
+    const float slopeAfter = slopeAway(at, run, 1);
     RunLines lines{};
-    for (int n = 0; n < kRun; ++n) {
+    for (int n = 0; n < run; ++n) {
         lines.before[static_cast<std::size_t>(n)] = first - static_cast<float>(n + 1) * slopeBefore;
-        lines.after[static_cast<std::size_t>(n)] = last - static_cast<float>(kRun - n) * slopeAfter;
+        lines.after[static_cast<std::size_t>(n)] = last - static_cast<float>(run - n) * slopeAfter;
     }
-    if (!canBeRun(at, lines, limits)) return false;
+    if (!canBeRun(at, run, lines, limits)) return false;
     float farthest = 0;
-    for (int n = 0; n < kRun; ++n) {
+    for (int n = 0; n < run; ++n) {
         const float u = at.u[n * at.step];
         const float before = lines.before[static_cast<std::size_t>(n)];
         const float after = lines.after[static_cast<std::size_t>(n)];
@@ -145,24 +146,33 @@ bool isWorthwhile(const Place& at, const DepthLimits& limits) {
            std::abs(u(-2) - 2 * u(-1) + u(0)) + std::abs(u(1) - 2 * u(0) + u(-1)) > kBend * apart * u(0) * u(0);
 }
 
+// The continuations of the lines of both sides at the first and at the last cell of a run.
+struct RunLook {
+    TwoSurfaces first, last;
+};
+template <int kRun>
+EDGESCAN_INLINE RunLook lookAtRun(const float* u, const float* solid, std::ptrdiff_t s, const DepthLimits& limits) {
+    constexpr auto kCells = static_cast<float>(kRun);
+    const float b3 = u[-3 * s], b2 = u[-2 * s], b1 = u[-s];
+    const float a1 = u[kRun * s], a2 = u[(kRun + 1) * s], a3 = u[(kRun + 2) * s];
+    const float slopeBefore = solid[-3 * s] != 0 ? 0.5F * (b3 - b1) : b2 - b1;
+    const float slopeAfter = solid[(kRun + 2) * s] != 0 ? 0.5F * (a3 - a1) : a2 - a1;
+    return {surfacesAt(b1 - slopeBefore, a1 - kCells * slopeAfter, limits), surfacesAt(b1 - kCells * slopeBefore, a1 - slopeAfter, limits)};
+}
+
+// Width of the spot as a share of the range; slightly more.
+EDGESCAN_INLINE float spotAt(float u) { return kWiderSpot * (kSpotM * u + kSpotRad); }
+
 // The neighbours of a cell, and the continuations of the lines of both sides: at the cell itself if it may be a single mixed pixel, and at
 // it and the next one if these may be a run.
 struct FirstLook {
     float here, next;
-    float spot; // spot of the beam, as a share of the range
-    TwoSurfaces alone, first, second;
+    float spot;
+    TwoSurfaces alone;
+    RunLook two;
 };
 EDGESCAN_INLINE FirstLook lookAt(const float* u, const float* solid, std::ptrdiff_t s, const DepthLimits& limits) {
-    const float b3 = u[-3 * s], b2 = u[-2 * s], b1 = u[-s], here = u[0];
-    const float a1 = u[s], a2 = u[2 * s], a3 = u[3 * s], a4 = u[4 * s];
-    const float slopeBefore = solid[-3 * s] != 0 ? 0.5F * (b3 - b1) : b2 - b1;
-    const float slopeSecond = solid[4 * s] != 0 ? 0.5F * (a4 - a2) : a3 - a2;
-    return {here,
-            a1,
-            kWiderSpot * (kSpotM * here + kSpotRad),
-            surfacesAt(2 * b1 - b2, 2 * a1 - a2, limits),
-            surfacesAt(b1 - slopeBefore, a2 - 2 * slopeSecond, limits),
-            surfacesAt(b1 - 2 * slopeBefore, a2 - slopeSecond, limits)};
+    return {u[0], u[s], spotAt(u[0]), surfacesAt(2 * u[-s] - u[-2 * s], 2 * u[s] - u[2 * s], limits), lookAtRun<2>(u, solid, s, limits)};
 }
 
 constexpr int kLookBlock = 32;
@@ -174,15 +184,22 @@ EDGESCAN_INLINE bool anyApart(const float* u, const float* solid, std::ptrdiff_t
     std::int32_t any = 0;
     for (int j = 0; j < cells; ++j) {
         const FirstLook look = lookAt(u + j, solid + j, s, limits);
-        any |= areApart(look.alone) | areApart(look.first) ? -1 : 0;
+        any |= areApart(look.alone) | areApart(look.two.first) ? -1 : 0;
     }
     return any != 0;
 }
 
-// A cheaper look at cells of which none can be mixed: a cell between two surfaces is at most as far from each as they are from each other,
-// so that its own u serves in place of theirs. The factors leave room for rounding. False where a line runs through cells that are not
-// solid.
-template <class Count>
+// How far the lines of both sides are apart at the first cell of a run, if all cells of them are solid.
+template <int kRun>
+EDGESCAN_INLINE float gapOfLines(const float* at, std::ptrdiff_t s) {
+    const float b3 = at[-3 * s], b1 = at[-s], a1 = at[kRun * s], a3 = at[(kRun + 2) * s];
+    return std::abs((b1 - 0.5F * (b3 - b1)) - (a1 - 0.5F * kRun * (a3 - a1)));
+}
+
+// A cheaper look at cells of which none can begin a run, or be mixed alone: a cell between two surfaces is at most as far from each as they
+// are from each other, so that its own u serves in place of theirs. The factors leave room for rounding. False where a line runs through
+// cells that are not solid.
+template <int kRun, class Count>
 EDGESCAN_INLINE bool noneCanBeMixed(const float* u, const float* solid, std::ptrdiff_t s, Count cells, const DepthLimits& limits) {
     constexpr float kMore = 1.00001F, kLess = 0.99999F;
     const float perMetre = kSurfacesApart * kLenient * 0.001F * limits.jumpMm;
@@ -190,15 +207,15 @@ EDGESCAN_INLINE bool noneCanBeMixed(const float* u, const float* solid, std::ptr
     std::int32_t any = 0, all = -1;
     for (int j = 0; j < cells; ++j) {
         const float* at = u + j;
-        const float b3 = at[-3 * s], b2 = at[-2 * s], b1 = at[-s], here = at[0];
-        const float a1 = at[s], a2 = at[2 * s], a4 = at[4 * s];
-        const float alone = std::abs((2 * b1 - b2) - (2 * a1 - a2));
-        const float first = std::abs((b1 - 0.5F * (b3 - b1)) - (a2 - (a4 - a2)));
-        const float allowed = perMetre * here + growth;
-        any |= std::max(alone, first) * (kMore + allowed) >= here * (kLess * allowed - 2 * kRounding) ? -1 : 0;
+        float apart = gapOfLines<kRun>(at, s);
+        if constexpr (kRun == 2) apart = std::max(apart, std::abs((2 * at[-s] - at[-2 * s]) - (2 * at[s] - at[2 * s])));
+        const float allowed = perMetre * at[0] + growth;
+        any |= apart * (kMore + allowed) >= at[0] * (kLess * allowed - 2 * kRounding) ? -1 : 0;
     }
-    for (int j = 0; j < cells; ++j) all &= std::bit_cast<std::int32_t>(solid[j - 3 * s]) & std::bit_cast<std::int32_t>(solid[j + 4 * s]);
-    return any == 0 && all == std::bit_cast<std::int32_t>(1.0F);
+    if (any != 0) return false;
+    for (int j = 0; j < cells; ++j)
+        all &= std::bit_cast<std::int32_t>(solid[j - 3 * s]) & std::bit_cast<std::int32_t>(solid[j + (kRun + 2) * s]);
+    return all == std::bit_cast<std::int32_t>(1.0F);
 }
 
 template <class Count>
@@ -208,11 +225,47 @@ EDGESCAN_INLINE void lookAtBlock(const float* u, const float* solid, const float
     for (int j = 0; j < cells; ++j) {
         const FirstLook at = lookAt(u + j, solid + j, s, limits);
         const bool one = canBeBetween(at.here, at.alone) & canBeOff(at.here, at.alone, 1);
-        const bool two = canBeBetween(at.here, at.first) & canBeBetween(at.next, at.second) &
-                         (canBeOff(at.here, at.first, kOffSurface) | canBeOff(at.next, at.second, kOffSurface)) & (2 * angle[j] <= at.spot);
+        const bool two = canBeBetween(at.here, at.two.first) & canBeBetween(at.next, at.two.last) &
+                         (canBeOff(at.here, at.two.first, kOffSurface) | canBeOff(at.next, at.two.last, kOffSurface)) &
+                         (2 * angle[j] <= at.spot);
         worth[j] = (one | two) & (solid[j] != 0) ? 1.0F : 0.0F;
     }
     for (int j = 0; j < cells; ++j) marked[j] = worth[j] != 0 ? 1 : 0;
+}
+
+// Spots and index steps of some cells, radians. As integers, positive floats have the same order, and loops of them are vectorised.
+struct Widths {
+    float leastSpot, mostSpot, leastStep, mostStep;
+    [[nodiscard]] EDGESCAN_INLINE bool allow(float cells) const {
+        return (cells * leastStep <= mostSpot) & (kLeastOfSpot * leastSpot <= kWiderSpot * cells * mostStep);
+    }
+};
+template <class Count>
+EDGESCAN_INLINE Widths widthsOf(const float* u, const float* angle, Count cells) {
+    std::int32_t nearest = std::bit_cast<std::int32_t>(u[0]), step = std::bit_cast<std::int32_t>(angle[0]);
+    std::int32_t farthest = nearest, widest = step;
+    for (int j = 0; j < cells; ++j) nearest = std::max(nearest, std::bit_cast<std::int32_t>(u[j]));
+    for (int j = 0; j < cells; ++j) farthest = std::min(farthest, std::bit_cast<std::int32_t>(u[j]));
+    for (int j = 0; j < cells; ++j) step = std::min(step, std::bit_cast<std::int32_t>(angle[j]));
+    for (int j = 0; j < cells; ++j) widest = std::max(widest, std::bit_cast<std::int32_t>(angle[j]));
+    return {spotAt(std::bit_cast<float>(farthest)), spotAt(std::bit_cast<float>(nearest)), std::bit_cast<float>(step),
+            std::bit_cast<float>(widest)};
+}
+
+// Marks the cells at which a run of kRun cells or more may begin: bit n - 2 is for a run of n cells.
+template <int kRun, class Count>
+EDGESCAN_INLINE void markRuns(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, Count cells,
+                              const DepthLimits& limits, const Widths& widths, std::uint8_t* __restrict marked) {
+    if constexpr (kRun <= kLongestRun) {
+        const bool none = !widths.allow(kRun) || noneCanBeMixed<kRun>(u, solid, s, cells, limits);
+        for (int j = 0; !none && j < cells; ++j) {
+            const RunLook look = lookAtRun<kRun>(u + j, solid + j, s, limits);
+            const bool run = canBeBetween(u[j], look.first) & canBeBetween(u[j + (kRun - 1) * s], look.last) &
+                             widthsOf(u + j, angle + j, std::integral_constant<int, 1>()).allow(kRun) & (solid[j] != 0);
+            marked[j] |= run ? 1U << (kRun - 2) : 0U;
+        }
+        markRuns<kRun + 1>(u, solid, angle, s, cells, limits, widths, marked);
+    }
 }
 
 // First pass over some cells: 1 at every cell that the full check could move, and at a few more.
@@ -222,22 +275,37 @@ EDGESCAN_INLINE void markCandidates(const float* u, const float* solid, const fl
     std::memset(marked, 0, static_cast<std::size_t>(cells));
     int j = 0;
     for (; j + kLookBlock <= cells; j += kLookBlock) {
-        if (noneCanBeMixed(u + j, solid + j, s, kCount, limits)) continue;
+        if (noneCanBeMixed<2>(u + j, solid + j, s, kCount, limits)) continue;
         if (anyApart(u + j, solid + j, s, kCount, limits)) lookAtBlock(u + j, solid + j, angle + j, s, kCount, limits, marked + j);
     }
     lookAtBlock(u + j, solid + j, angle + j, s, cells - j, limits, marked + j);
 }
 
-// The full check of one cell; `angle` of an index step, radians.
-void snapAt(const Place& at, float angle, const DepthLimits& limits, float* out) {
-    if (!isWorthwhile(at, limits)) return;
-    if (snapOne(at, limits, *out)) return;
+// The same for runs of more than two cells. The last block overlaps the one before.
+EDGESCAN_INLINE void markLongRuns(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
+                                  const DepthLimits& limits, std::uint8_t* __restrict marked) {
+    constexpr auto kCount = std::integral_constant<int, kLookBlock>();
+    if (cells < kLookBlock) return markRuns<3>(u, solid, angle, s, cells, limits, widthsOf(u, angle, cells), marked);
+    for (int from = 0; from < cells; from += kLookBlock) {
+        const int j = std::min(from, cells - kLookBlock);
+        markRuns<3>(u + j, solid + j, angle + j, s, kCount, limits, widthsOf(u + j, angle + j, kCount), marked + j);
+    }
+}
+
+// The full check of one cell; `angle` of an index step, radians; `marks` of the first pass.
+void snapAt(const Place& at, unsigned marks, float angle, const DepthLimits& limits, float* out) {
+    const bool worthwhile = (marks & 1U) != 0 && isWorthwhile(at, limits);
+    if (worthwhile && snapOne(at, limits, *out)) return;
     const float rangeM = 1.0F / at.u[0];
     const float cell = rangeM * angle;
     const float spot = kSpotM + kSpotRad * rangeM;
-    std::array<float, kRun> run{};
-    if (kRun * cell > spot || !snapRun(at, limits, run)) return;
-    for (int n = 0; n < kRun; ++n) out[n * at.step] = run[static_cast<std::size_t>(n)];
+    RunValues values{};
+    for (int run = worthwhile ? 2 : 3; run <= limits.mixedRun && static_cast<float>(run) * cell <= spot; ++run) {
+        const bool narrow = run > 2 && static_cast<float>(run) * cell < kLeastOfSpot * spot;
+        if (narrow || (marks >> (run - 2) & 1U) == 0 || !snapRun(at, run, limits, values)) continue;
+        for (int n = 0; n < run; ++n) out[n * at.step] = values[static_cast<std::size_t>(n)];
+        return;
+    }
 }
 
 } // namespace
@@ -252,9 +320,10 @@ void snapMixedPixels(const DepthField& field, Along along, int line, const float
     for (int from = 0; from < field.u.beams; from += kTogether) {
         const int cells = std::min(kTogether, field.u.beams - from);
         vectorised<markCandidates>(u + from, solid + from, angle + from, step, cells, limits, marked.data());
-        forEachMarked(std::span(marked.data(), static_cast<std::size_t>(cells)), [&](std::size_t place) {
+        if (limits.mixedRun > 2) vectorised<markLongRuns>(u + from, solid + from, angle + from, step, cells, limits, marked.data());
+        forEachNotZero(std::span<const std::uint8_t>(marked.data(), static_cast<std::size_t>(cells)), [&](std::size_t place) {
             const std::size_t j = static_cast<std::size_t>(from) + place;
-            snapAt({u + j, solid + j, step}, angle[j], limits, out + j);
+            snapAt({u + j, solid + j, step}, marked[place], angle[j], limits, out + j);
         });
     }
 }

@@ -5,14 +5,17 @@
 
 namespace edgescan::edges {
 
+/// Longest run of mixed pixels, cells.
+inline constexpr int kLongestRun = 8;
+
 /// Numbers of lines before and after its own that snapMixedPixels() reads, and of lines after its own that it may write.
 inline constexpr int kMixedLinesBefore = 3;
-inline constexpr int kMixedLinesAfter = 4;
-inline constexpr int kMixedLinesWritten = 1;
+inline constexpr int kMixedLinesAfter = kLongestRun + 2;
+inline constexpr int kMixedLinesWritten = kLongestRun - 1;
 
 /// Moves cells that are strictly between the straight continuations of both sides to the closer one. A single cell must be farther than the
-/// jump threshold from both. Two adjacent cells are moved if the spot of the beam (13 mm + 4.6 mrad, LMS511) covers both and the surfaces
-/// are at least two thresholds apart. Longer runs are unchanged, because moving them makes outlines ragged. Processes one line of `field`;
+/// jump threshold from both. A run of two cells or more, `limits.mixedRun` at most, is moved if the spot of the beam (13 mm + 4.6 mrad,
+/// LMS511) covers all of it and the surfaces are at least two thresholds apart. Processes one line of `field`;
 /// `angle`: of an index step at its cells, radians. `snapped` holds a copy of the field's u, including the lines that may be written.
 void snapMixedPixels(const DepthField& field, Along along, int line, const float* angle, const DepthLimits& limits, Lines& snapped);
 

@@ -18,6 +18,16 @@
 namespace edgescan::edges {
 namespace {
 
+// The mean range of a cell and of those on the next beams, as a wide spot has it; 0 if one of them is missing.
+float blurred(const Scan& scan, int i, int j, int cells) {
+    float sum = 0;
+    for (int n = j; n < std::min(j + cells, scan.beams()); ++n) {
+        if (scan.rangeMm.at(i, n) <= 0) return 0;
+        sum += scan.rangeMm.at(i, n);
+    }
+    return sum / static_cast<float>(std::min(cells, scan.beams() - j));
+}
+
 // Boxes, slanted and rough surfaces, mixed pixels and holes, in sizes near those of the blocks in the loops.
 Scan randomScan(std::mt19937& random) {
     constexpr std::array<int, 12> kSizes{1, 2, 3, 5, 8, 17, 31, 33, 48, 64, 70, 101};
@@ -26,10 +36,11 @@ Scan randomScan(std::mt19937& random) {
     const double dropouts = std::array<double, 4>{0.0, 0.02, 0.2, 0.7}[random() % 4];
     const Scan boxes = test::boxesScan(lines, beams, static_cast<unsigned>(random()), dropouts);
     const double slant = static_cast<double>(random() % 400) * 0.01;
-    // The spot of the beam covers three cells at small distances.
+    // The spot of the beam covers many cells at small distances.
+    const int spot = std::array<int, 4>{1, 1, 4, 6}[random() % 4];
     const double scale = std::array<double, 3>{1.0, 0.3, 0.1}[random() % 3];
     return test::makeScan(lines, beams, [&](int i, int j) {
-        const float range = boxes.rangeMm.at(i, j);
+        const float range = blurred(boxes, i, j, spot);
         const bool mixed = range > 0 && random() % 40 == 0;
         return range > 0 ? scale * (range * (mixed ? 0.8 : 1.0) + slant * (30 * i + 20 * j)) : 0.0;
     });
@@ -66,6 +77,7 @@ struct PlainVeil {
     const DepthLimits& limits;
     const float* at = nullptr;
     const float* there = nullptr;
+    int longRuns = 0; // that were snapped
 
     [[nodiscard]] float value(int n) const { return at[n * step]; }
     [[nodiscard]] bool solids(int from, int to) const {
@@ -118,16 +130,23 @@ struct PlainVeil {
             at = u.line(line) + j;
             there = solid.line(line) + j;
             float* out = snapped.line(line) + j;
-            if (*there == 0 || !worthwhile()) continue;
-            if (one(*out)) {
+            if (*there == 0) continue;
+            const bool isShort = worthwhile();
+            if (isShort && one(*out)) {
                 ++count;
                 continue;
             }
             std::vector<float> values;
             const float rangeM = 1.0F / value(0);
-            if (2 * (rangeM * angle[j]) > 0.013F + 0.0046F * rangeM || !run(2, values)) continue;
-            for (int n = 0; n < 2; ++n) out[n * step] = values[static_cast<std::size_t>(n)];
-            count += 2;
+            const float cell = rangeM * angle[j];
+            const float spot = 0.013F + 0.0046F * rangeM;
+            for (int cells = isShort ? 2 : 3; cells <= limits.mixedRun && static_cast<float>(cells) * cell <= spot; ++cells) {
+                if ((cells > 2 && static_cast<float>(cells) * cell < 0.5F * spot) || !run(cells, values)) continue;
+                for (int n = 0; n < cells; ++n) out[n * step] = values[static_cast<std::size_t>(n)];
+                count += cells;
+                longRuns += cells > 2 ? 1 : 0;
+                break;
+            }
         }
         return count;
     }
@@ -141,12 +160,13 @@ DepthLimits randomLimits(std::mt19937& random) {
     limits.passes = 1 + static_cast<int>(random() % 2);
     limits.windowMm = static_cast<float>(20 + random() % 200);
     limits.noise = {4.0, 0.2};
+    limits.mixedRun = random() % 3 == 0 ? 2 : kLongestRun;
     return limits;
 }
 
 TEST(DepthLines, MixedPixelsSnapAsCellByCell) {
     std::mt19937 random(31);
-    int snaps = 0;
+    int snaps = 0, longRuns = 0;
     for (int round = 0; round < 300; ++round) {
         const Scan scan = randomScan(random);
         const InverseRange inverse = inverseRange(scan);
@@ -164,10 +184,12 @@ TEST(DepthLines, MixedPixelsSnapAsCellByCell) {
                 snapMixedPixels({u, solid}, along, i, angle, limits, snapped);
                 snaps += plain.snapLine(i, angle, expected);
             }
+            longRuns += plain.longRuns;
             for (int i = 0; i < scan.lines(); ++i) ASSERT_TRUE(sameBits(snapped.line(i), expected.line(i), scan.beams())) << round;
         }
     }
     EXPECT_GT(snaps, 300);
+    EXPECT_GT(longRuns, 100);
 }
 
 // Every stage on the whole sweep before the next one begins.
