@@ -21,13 +21,15 @@ struct LessonFamily {
     const char* family;
     const char* kind;
 };
-constexpr std::array<LessonFamily, 13> kFamilies{{{"real bench", "real bench"},
+constexpr std::array<LessonFamily, 15> kFamilies{{{"real bench", "real bench"},
                                                   {"real hangup", "real hang-up"},
                                                   {"real pile", "real pile"},
                                                   {"real bench x3", "real bench"},
                                                   {"real hangup x3", "real hang-up"},
                                                   {"real pile x3", "real pile"},
                                                   {"real hangup full", "real hang-up"},
+                                                  {"real bench full", "real bench"},
+                                                  {"real pile full", "real pile"},
                                                   {"hangup", "simulated"},
                                                   {"pile", "simulated"},
                                                   {"hangup x3", "simulated"},
