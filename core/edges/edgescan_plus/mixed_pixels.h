@@ -15,8 +15,9 @@ inline constexpr int kMixedLinesWritten = kLongestRun - 1;
 
 /// Moves cells that are strictly between the straight continuations of both sides to the closer one. A single cell must be farther than the
 /// jump threshold from both. A run of two cells or more, `limits.mixedRun` at most, is moved if the spot of the beam (13 mm + 4.6 mrad,
-/// LMS511) covers all of it and the surfaces are at least two thresholds apart. Processes one line of `field`;
-/// `angle`: of an index step at its cells, radians. `snapped` holds a copy of the field's u, including the lines that may be written.
+/// LMS511) covers all of it and the surfaces are at least two thresholds apart. With more than two cells it has half the width of the spot
+/// at least. Processes one line of `field`; `angle`: of an index step at its cells, radians. `snapped` holds a copy of the field's u,
+/// including the lines that may be written.
 void snapMixedPixels(const DepthField& field, Along along, int line, const float* angle, const DepthLimits& limits, Lines& snapped);
 
 } // namespace edgescan::edges
