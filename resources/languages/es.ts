@@ -447,6 +447,14 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Distance: %1</source><translation>Distancia: %1</translation></message>
 <message><source>Dip / direction: %1</source><translation>Buzamiento / dirección: %1</translation></message>
 <message><source>Edge: %1</source><translation>Borde: %1</translation></message>
+<message><source>Resolves: %1</source><translation>Resolución: %1</translation></message>
+<message><source>Surface: %1</source><translation>Superficie: %1</translation></message>
+<message><source>From the boom: %1</source><translation>Al brazo: %1</translation></message>
+<message><source>Confidence: %1</source><translation>Confianza: %1</translation></message>
+<message><source>%1° ± %2° off the beam</source><translation>a %1° ± %2° del haz</translation></message>
+<message><source>%1 · surface %2° off square</source><translation>%1 · superficie a %2° de la perpendicular</translation></message>
+<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
+<message><source>raw grid</source><translation>cuadrícula sin procesar</translation></message>
 <message><source>%1, strength %2</source><translation>%1, fuerza %2</translation></message>
 <message><source>no plane fits</source><translation>ningún plano se ajusta</translation></message>
 <message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
@@ -1034,7 +1042,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>yes</source><translation>sí</translation></message>
 <message><source>no</source><translation>no</translation></message>
 <message><source>and %1 more</source><translation>y %1 más</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; Shift+drag looks closer.&lt;h3&gt;Mouse in all views&lt;/h3&gt;A click pins a target; while rocks are shown, it also selects the rock there. Ctrl+click selects one more rock. A right click opens the menu of the cell.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Mayús+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Mayús+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; Mayús+arrastrar mira de cerca.&lt;h3&gt;Mouse en todas las vistas&lt;/h3&gt;Un clic fija un objetivo; mientras se muestran las rocas, también selecciona la roca que está ahí. Ctrl+clic selecciona una roca más. Un clic derecho abre el menú de la celda.</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; Shift+drag looks closer.&lt;h3&gt;Mouse in all views&lt;/h3&gt;A click pins a target; while rocks are shown, it selects the rock there, and Shift+click pins. Ctrl+click selects one more rock. A right click opens the menu of the cell.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Mayús+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Mayús+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; Mayús+arrastrar mira de cerca.&lt;h3&gt;Mouse en todas las vistas&lt;/h3&gt;Un clic fija un objetivo; mientras se muestran las rocas, selecciona la roca que está ahí, y Mayús+clic fija. Ctrl+clic selecciona una roca más. Un clic derecho abre el menú de la celda.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
 <message><source>Scan</source><translation>Escaneo</translation></message>
@@ -1211,7 +1219,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 de ellas inciertas (achuradas); %3 trozos demasiado pequeños para ser una roca</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
-<message><source>With the tool Pin, a click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Con la herramienta Fijar, un clic elige una roca y fija un objetivo; Ctrl+clic elige una roca más.</translation></message>
+<message><source>A click selects a rock, Ctrl+click one more; Shift+click or the tool Pin (P) sets a target.</source><translation>Un clic elige una roca, Ctrl+clic una más; Mayús+clic o la herramienta Fijar (P) fija un objetivo.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: P20 %1, P50 %2, P80 %3 (20, 50, 80 % de las rocas no son más anchas), la mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
@@ -1283,12 +1291,10 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Resolves</source><translation>Resolución</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
 <message><source>Surface</source><translation>Superficie</translation></message>
-<message><source>%1° ± %2° off the beam</source><translation>a %1° ± %2° del haz</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre su normal y el haz: 0° mira de frente al escáner. Un plano por %1 celdas, relieve %2</translation></message>
 <message><source>Dip / direction</source><translation>Manteo / dirección</translation></message>
 <message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Del plano respecto al horizonte, y en sentido horario desde el norte de la cuadrícula, hacia donde cae</translation></message>
 <message><source>From the boom</source><translation>Al brazo</translation></message>
-<message><source>%1 · surface %2° off square</source><translation>%1 · superficie a %2° de la perpendicular</translation></message>
 <message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Hasta la recta del pivote del brazo a la cabeza, donde estaban al medir; 0°: el brazo apunta de frente a la superficie</translation></message>
 <message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>
@@ -1296,7 +1302,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Edge</source><translation>Borde</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
 <message><source>Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the settings, not whether a rock is there.</source><translation>Parte de los ajustes próximos que encuentran también este borde, calculada después de cada cambio. Muestra cuánto depende el borde de los ajustes, no si hay una roca.</translation></message>
-<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
 <message><source>%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side</source><translation>%1 m detrás de un salto donde no hay ningún borde dibujado (un deslizamiento del motor paso a paso se ve igual); medido en su lado cercano</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m detrás de un borde; medido en su lado cercano</translation></message>
@@ -1651,6 +1656,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Scanner view</source><translation>Vista escáner</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
+<message><source>“%1” has ended; a click selects a rock again.</source><translation>«%1» ha terminado; un clic vuelve a elegir una roca.</translation></message>
 <message><source>“%1” has ended; a click pins again.</source><translation>«%1» ha terminado; un clic vuelve a fijar.</translation></message>
 <message><source>&amp;Edges over Rocks</source><translation>Bor&amp;des sobre las rocas</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>

@@ -334,7 +334,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Held. Follow shows the next ones, until Hold.</source><translation>Figé. Suivre montre les suivants, jusqu'à Figer.</translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
 <message><source>Scan %1</source><translation>Scan %1</translation></message>
-<message><source>Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was not measured.</source><translation>Les bords et les roches sont des candidats : géométrie seule, un point de vue. Ce qui est caché derrière une surface n'a pas été mesuré.</translation></message>
+<message><source>Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was not measured.</source><translation>Les arêtes et les blocs sont des candidats : géométrie seule, un point de vue. Ce qui est caché derrière une surface n'a pas été mesuré.</translation></message>
 <message><source>Warnings</source><translation>Avertissements</translation></message>
 <message><source>None was raised when this file was read.</source><translation>Aucun à la lecture de ce fichier.</translation></message>
 <message><source>and %1 more in the record.</source><translation>et %1 de plus dans l'enregistrement.</translation></message>
@@ -384,29 +384,29 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Pictures</source><translation>Images</translation></message>
 <message><source>equal ratios</source><translation>rapports égaux</translation></message>
 <message><source>Gray levels: black is %1 and nearer, or nothing came back; white is %2 and farther. Across: %3; down: %4.</source><translation>Niveaux de gris : noir est %1 et plus près, ou rien n'est revenu ; blanc est %2 et plus loin. En largeur : %3 ; vers le bas : %4.</translation></message>
-<message><source>Edges. Across: %1; down: %2.</source><translation>Bords. En largeur : %1 ; vers le bas : %2.</translation></message>
+<message><source>Edges. Across: %1; down: %2.</source><translation>Arêtes. En largeur : %1 ; vers le bas : %2.</translation></message>
 <message><source>%1 beams, %2 to %3 degrees</source><translation>%1 faisceaux, %2 à %3 degrés</translation></message>
 <message><source>%1 lines, %2 to %3 degrees</source><translation>%1 lignes, %2 à %3 degrés</translation></message>
 <message><source>%1 beams</source><translation>%1 faisceaux</translation></message>
-<message><source>edge (%1)</source><translation>bord (%1)</translation></message>
+<message><source>edge (%1)</source><translation>arête (%1)</translation></message>
 <message><source>jump (%1)</source><translation>saut (%1)</translation></message>
 <message><source>convex fold (%1)</source><translation>pli convexe (%1)</translation></message>
 <message><source>concave fold (%1)</source><translation>pli concave (%1)</translation></message>
 <message><source>data border (%1)</source><translation>limite des données (%1)</translation></message>
 <message><source>outline before a void (%1)</source><translation>contour devant un vide (%1)</translation></message>
 <message><source>void rim (%1)</source><translation>bord de vide (%1)</translation></message>
-<message><source>%1 of the edge cells are likely the border of a rock (30 % likely and more), %2 are folds within a rock, %3 are unknown.</source><translation>%1 des cellules de bord sont probablement le bord d'une roche (30 % et plus), %2 sont des plis dans une roche, %3 sont inconnues.</translation></message>
+<message><source>%1 of the edge cells are likely the border of a rock (30 % likely and more), %2 are folds within a rock, %3 are unknown.</source><translation>%1 des cellules d'arête sont probablement le contour d'un bloc (30 % et plus), %2 sont des plis dans un bloc, %3 sont inconnues.</translation></message>
 <message><source>%1 m at the middle of the cloud</source><translation>%1 m au milieu du nuage</translation></message>
-<message><source>The points, edges in their colours.</source><translation>Les points, les bords dans leurs couleurs.</translation></message>
+<message><source>The points, edges in their colours.</source><translation>Les points, les arêtes dans leurs couleurs.</translation></message>
 <message><source>Rocks</source><translation>Blocs</translation></message>
-<message><source>%1 rocks, each a candidate - geometry only, one viewpoint.</source><translation>%1 roches, chacune candidate : géométrie seule, un point de vue.</translation></message>
-<message><source>Sizes of the visible rocks</source><translation>Tailles des roches visibles</translation></message>
+<message><source>%1 rocks, each a candidate - geometry only, one viewpoint.</source><translation>%1 blocs, chacun candidat : géométrie seule, un point de vue.</translation></message>
+<message><source>Sizes of the visible rocks</source><translation>Tailles des blocs visibles</translation></message>
 <message><source>visible width b [m]</source><translation>largeur visible b [m]</translation></message>
-<message><source>rocks that are not wider</source><translation>roches qui ne sont pas plus larges</translation></message>
+<message><source>rocks that are not wider</source><translation>blocs qui ne sont pas plus larges</translation></message>
 <message><source>largest %1</source><translation>plus grande %1</translation></message>
 <message><source>%1 % over %2</source><translation>%1 % au-dessus de %2</translation></message>
-<message><source>The rocks with the largest visible width b</source><translation>Les roches de plus grande largeur visible b</translation></message>
-<message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>Sur un écran étroit seules les roches du tableau ont leurs numéros.</translation></message>
+<message><source>The rocks with the largest visible width b</source><translation>Les blocs de plus grande largeur visible b</translation></message>
+<message><source>On a narrow screen only the rocks of the table have their numbers.</source><translation>Sur un écran étroit seuls les blocs du tableau ont leurs numéros.</translation></message>
 <message><source>Completeness</source><translation>Complétude</translation></message>
 <message><source>INCOMPLETE</source><translation>INCOMPLET</translation></message>
 <message><source>%1 of %2 lines, %3 cells.</source><translation>%1 lignes sur %2, %3 cellules.</translation></message>
@@ -425,7 +425,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>The command that makes this report as a page for browsers</source><translation>La commande qui fait ce rapport comme page pour navigateurs</translation></message>
 <message><source>SHA-256 of the file</source><translation>SHA-256 du fichier</translation></message>
 <message><source>SHA-256 of the grid</source><translation>SHA-256 de la grille</translation></message>
-<message><source>SHA-256 of the edge mask</source><translation>SHA-256 du masque de bords</translation></message>
+<message><source>SHA-256 of the edge mask</source><translation>SHA-256 du masque d'arêtes</translation></message>
 <message><source>none</source><translation>aucune</translation></message>
 <message><source>Program</source><translation>Programme</translation></message>
 <message><source>EdgeScan %1, commit %2</source><translation>EdgeScan %1, commit %2</translation></message>
@@ -434,7 +434,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Target</source><translation>Cible</translation></message>
 <message><source>Name and note</source><translation>Nom et note</translation></message>
 <message><source>Cell</source><translation>Cellule</translation></message>
-<message><source>Where, and its edge now</source><translation>Où, et son bord maintenant</translation></message>
+<message><source>Where, and its edge now</source><translation>Où, et son arête maintenant</translation></message>
 <message><source>Also on its card when it was pinned</source><translation>Aussi sur sa fiche quand elle fut épinglée</translation></message>
 <message><source>Pinned</source><translation>Épinglée</translation></message>
 <message><source>Measured</source><translation>Mesures</translation></message>
@@ -446,41 +446,49 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>E, N, RL: %1</source><translation>E, N, RL : %1</translation></message>
 <message><source>Distance: %1</source><translation>Distance : %1</translation></message>
 <message><source>Dip / direction: %1</source><translation>Pendage / direction : %1</translation></message>
-<message><source>Edge: %1</source><translation>Bord : %1</translation></message>
+<message><source>Edge: %1</source><translation>Arête : %1</translation></message>
+<message><source>Resolves: %1</source><translation>Résolution : %1</translation></message>
+<message><source>Surface: %1</source><translation>Surface : %1</translation></message>
+<message><source>From the boom: %1</source><translation>Au bras : %1</translation></message>
+<message><source>Confidence: %1</source><translation>Confiance : %1</translation></message>
+<message><source>%1° ± %2° off the beam</source><translation>à %1° ± %2° du faisceau</translation></message>
+<message><source>%1 · surface %2° off square</source><translation>%1 · surface à %2° de la perpendiculaire</translation></message>
+<message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
+<message><source>raw grid</source><translation>grille brute</translation></message>
 <message><source>%1, strength %2</source><translation>%1, force %2</translation></message>
 <message><source>no plane fits</source><translation>aucun plan ne convient</translation></message>
 <message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
 <message><source>nothing was measured in this cell</source><translation>rien n'a été mesuré dans cette cellule</translation></message>
 <message><source>Before and after</source><translation>Avant et après</translation></message>
 <message><source>▲ OUT OF SPEC: the warnings below say why.</source><translation>▲ HORS TOLÉRANCE : les avertissements ci-dessous disent pourquoi.</translation></message>
-<message><source>Before: %1. Surfaces and edges that this scan shows otherwise; what is hidden in one of the two is not a change.</source><translation>Avant : %1. Surfaces et bords que ce scan montre autrement ; ce qui est caché dans l'un des deux n'est pas un changement.</translation></message>
-<message><source>+ edge gained, or surface nearer</source><translation>+ bord gagné, ou surface plus proche</translation></message>
-<message><source>− edge lost, or surface farther</source><translation>− bord perdu, ou surface plus loin</translation></message>
-<message><source>= edge kept</source><translation>= bord conservé</translation></message>
-<message><source>%1 has an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 a un contour incertain (hachuré) ; %2 morceaux sont trop petits pour être montrés comme roches</translation></message>
-<message><source>%1 have an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 ont un contour incertain (hachuré) ; %2 morceaux sont trop petits pour être montrés comme roches</translation></message>
+<message><source>Before: %1. Surfaces and edges that this scan shows otherwise; what is hidden in one of the two is not a change.</source><translation>Avant : %1. Surfaces et arêtes que ce scan montre autrement ; ce qui est caché dans l'un des deux n'est pas un changement.</translation></message>
+<message><source>+ edge gained, or surface nearer</source><translation>+ arête gagnée, ou surface plus proche</translation></message>
+<message><source>− edge lost, or surface farther</source><translation>− arête perdue, ou surface plus loin</translation></message>
+<message><source>= edge kept</source><translation>= arête conservée</translation></message>
+<message><source>%1 has an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 a un contour incertain (hachuré) ; %2 morceaux sont trop petits pour être montrés comme blocs</translation></message>
+<message><source>%1 have an uncertain outline (hatched); %2 pieces are too small to be shown as rocks</source><translation>%1 ont un contour incertain (hachuré) ; %2 morceaux sont trop petits pour être montrés comme blocs</translation></message>
 <message><source>, %1 are outside the region of interest</source><translation>, %1 sont hors de la région d'intérêt</translation></message>
 <message><source>; %1 change was made by hand</source><translation> ; %1 changement fut fait à la main</translation></message>
 <message><source>; %1 changes were made by hand</source><translation> ; %1 changements furent faits à la main</translation></message>
 <message><source>Level %1 of -4 (fine) to 4 (coarse).</source><translation>Niveau %1 de -4 (fin) à 4 (grossier).</translation></message>
-<message><source>Visible width b: P20 %1 m, P50 %2 m, P80 %3 m (20, 50 and 80 % of the rocks are not wider), largest %4 m</source><translation>Largeur visible b : P20 %1 m, P50 %2 m, P80 %3 m (20, 50 et 80 % des roches ne sont pas plus larges), la plus grande %4 m</translation></message>
+<message><source>Visible width b: P20 %1 m, P50 %2 m, P80 %3 m (20, 50 and 80 % of the rocks are not wider), largest %4 m</source><translation>Largeur visible b : P20 %1 m, P50 %2 m, P80 %3 m (20, 50 et 80 % des blocs ne sont pas plus larges), la plus grande %4 m</translation></message>
 <message><source>; %1 % over the site's %2 m</source><translation> ; %1 % au-dessus des %2 m du site</translation></message>
-<message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>par nombre de roches visibles ; à cause des parties cachées elle est plus fine que le tas, de 40 % et plus</translation></message>
-<message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Roches en faces, les incertaines hachurées. Les couleurs séparent seulement les voisines. Les numéros sont ceux du tableau, du dessin et des fichiers.</translation></message>
-<message><source>The rocks on the points.</source><translation>Les roches sur les points.</translation></message>
-<message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 numéros de roches plus petites manquent, faute de place.</translation></message>
-<message><source>The %1 largest (visible width b) of %2 rocks; the export of rocks as a table lists all.</source><translation>Les %1 plus grandes (largeur visible b) de %2 roches ; l'export des roches en tableau les a toutes.</translation></message>
-<message><source>The %1 largest (visible width b) of %2 rocks; %3 more are over the site's %4; the export of rocks as a table lists all.</source><translation>Les %1 plus grandes (largeur visible b) de %2 roches ; %3 autres dépassent les %4 du site ; l'export des roches en tableau les a toutes.</translation></message>
+<message><source>by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more</source><translation>par nombre de blocs visibles ; à cause des parties cachées elle est plus fine que le tas, de 40 % et plus</translation></message>
+<message><source>Rocks as faces, uncertain ones hatched. Colours only separate neighbours. The numbers are those of the table, the drawing and the files.</source><translation>Blocs en faces, les incertains hachurés. Les couleurs séparent seulement les voisins. Les numéros sont ceux du tableau, du dessin et des fichiers.</translation></message>
+<message><source>The rocks on the points.</source><translation>Les blocs sur les points.</translation></message>
+<message><source>%1 numbers of smaller rocks have no room and are left out.</source><translation>%1 numéros de blocs plus petits manquent, faute de place.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; the export of rocks as a table lists all.</source><translation>Les %1 plus grands (largeur visible b) de %2 blocs ; l'export des blocs en tableau les a tous.</translation></message>
+<message><source>The %1 largest (visible width b) of %2 rocks; %3 more are over the site's %4; the export of rocks as a table lists all.</source><translation>Les %1 plus grands (largeur visible b) de %2 blocs ; %3 autres dépassent les %4 du site ; l'export des blocs en tableau les a tous.</translation></message>
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL : moyenne des points visibles, dans la grille de la mine</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z : moyenne des points visibles, dans le repère du scanner.</translation></message>
-<message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a et b : étendues visibles en travers de la ligne de visée ; les parties cachées ne comptent pas. Distance : médiane de ses distances. Aire : visible, en travers des faisceaux. Devant : part du contour où la roche est le côté le plus proche. Contacts et hauteur libre : au moins. Arc : plus grand angle à la roche entre deux qu'elle touche ; ↓ elle pend sous la ligne entre elles. p : chance que le contour soit juste ; ▲ inférieure à 0,85, hachuré.</translation></message>
+<message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a et b : étendues visibles en travers de la ligne de visée ; les parties cachées ne comptent pas. Distance : médiane de ses distances. Aire : visible, en travers des faisceaux. Devant : part du contour où le bloc est le côté le plus proche. Contacts et hauteur libre : au moins. Arc : plus grand angle au bloc entre deux qu'il touche ; ↓ il pend sous la ligne entre eux. p : chance que le contour soit juste ; ▲ inférieure à 0.85, hachuré.</translation></message>
 <message><source>Without a pose, up is the scanner's z axis, which is assumed: free height and ↓ are measured along it.</source><translation>Sans pose, le haut est l'axe z du scanner, ce qui est supposé : la hauteur libre et ↓ se mesurent le long de cet axe.</translation></message>
 <message><source>Number with ▲: merged by hand of parts that do not touch.</source><translation>Numéro avec ▲ : réunie à la main de parties qui ne se touchent pas.</translation></message>
 <message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Les cibles par leurs numéros, et ce qui a été mesuré. Noir est proche, ou rien n'est revenu.</translation></message>
 <message><source>%1 value has no room in the picture; the table has all.</source><translation>%1 valeur n'a pas de place dans l'image ; le tableau les a toutes.</translation></message>
 <message><source>%1 values have no room in the picture; the table has all.</source><translation>%1 valeurs n'ont pas de place dans l'image ; le tableau les a toutes.</translation></message>
 <message><source>; other cells: points of one moved to the grid of the other</source><translation> ; autres cellules : points de l'un portés sur la grille de l'autre</translation></message>
-<message><source>edges: %1 + gained, %2 - lost, %3 kept, %4 not seen by the other</source><translation>bords : %1 + gagnés, %2 - perdus, %3 conservés, %4 non vus par l'autre</translation></message>
+<message><source>edges: %1 + gained, %2 - lost, %3 kept, %4 not seen by the other</source><translation>arêtes : %1 + gagnées, %2 - perdues, %3 conservées, %4 non vues par l'autre</translation></message>
 <message><source>cells: %1 nearer, %2 farther, %3 same, %4 no range now, %5 no range before</source><translation>cellules : %1 plus proches, %2 plus loin, %3 égales, %4 sans distance maintenant, %5 sans distance avant</translation></message>
 <message><source>median difference</source><translation>différence médiane</translation></message>
 <message><source>a change is more than %1 standard deviations: %2 mm at 5 m, %3 mm at 10 m</source><translation>un changement dépasse %1 écarts-types : %2 mm à 5 m, %3 mm à 10 m</translation></message>
@@ -1034,7 +1042,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>yes</source><translation>oui</translation></message>
 <message><source>no</source><translation>non</translation></message>
 <message><source>and %1 more</source><translation>et %1 de plus</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; Shift+drag looks closer.&lt;h3&gt;Mouse in all views&lt;/h3&gt;A click pins a target; while rocks are shown, it also selects the rock there. Ctrl+click selects one more rock. A right click opens the menu of the cell.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; Maj+glisser regarde de près.&lt;h3&gt;Souris dans toutes les vues&lt;/h3&gt;Un clic épingle une cible ; tant que les blocs sont affichés, il sélectionne aussi le bloc à cet endroit. Ctrl+clic sélectionne un bloc de plus. Un clic droit ouvre le menu de la cellule.</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; Shift+drag looks closer.&lt;h3&gt;Mouse in all views&lt;/h3&gt;A click pins a target; while rocks are shown, it selects the rock there, and Shift+click pins. Ctrl+click selects one more rock. A right click opens the menu of the cell.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; Maj+glisser regarde de près.&lt;h3&gt;Souris dans toutes les vues&lt;/h3&gt;Un clic épingle une cible ; tant que les blocs sont affichés, il sélectionne le bloc à cet endroit, et Maj+clic épingle. Ctrl+clic sélectionne un bloc de plus. Un clic droit ouvre le menu de la cellule.</translation></message>
 <message><source>Keys</source><translation>Touches</translation></message>
 <message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
 <message><source>Scan</source><translation>Scan</translation></message>
@@ -1201,7 +1209,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Export…</source><translation>Exporter…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, and in the views only their outline is drawn</source><translation>Les roches de plus petite largeur visible b ne sont pas dans le tableau, et les vues n'en dessinent que le contour</translation></message>
 <message><source>b at least</source><translation>b au moins</translation></message>
-<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only their outline is drawn</source><translation>Les roches de confiance p inférieure à 0,85, hachurées, ne sont pas dans le tableau, et les vues n'en dessinent que le contour</translation></message>
+<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only their outline is drawn</source><translation>Les roches de confiance p inférieure à 0.85, hachurées, ne sont pas dans le tableau, et les vues n'en dessinent que le contour</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
 <message><source>, %1 of them uncertain (hatched)</source><translation>, dont %1 incertains (hachurés)</translation></message>
 <message><source>&amp;Shown Rocks (%1)…</source><translation>&amp;Blocs affichés (%1)…</translation></message>
@@ -1211,7 +1219,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, dont %2 incertains (hachurés) ; %3 morceaux trop petits pour être un bloc</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
-<message><source>With the tool Pin, a click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Avec l'outil Épingler, un clic choisit un bloc et épingle une cible ; Ctrl+clic choisit un bloc de plus.</translation></message>
+<message><source>A click selects a rock, Ctrl+click one more; Shift+click or the tool Pin (P) sets a target.</source><translation>Un clic choisit un bloc, Ctrl+clic un de plus ; Maj+clic ou l'outil Épingler (P) place une cible.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : P20 %1, P50 %2, P80 %3 (20, 50, 80 % des blocs ne sont pas plus larges), le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
 <message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
@@ -1283,12 +1291,10 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Resolves</source><translation>Résolution</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
 <message><source>Surface</source><translation>Surface</translation></message>
-<message><source>%1° ± %2° off the beam</source><translation>à %1° ± %2° du faisceau</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre sa normale et le faisceau : 0° fait face au scanner. Un plan par %1 cellules, relief %2</translation></message>
 <message><source>Dip / direction</source><translation>Pendage / direction</translation></message>
 <message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Du plan par rapport à l'horizon, et dans le sens horaire depuis le nord de la grille, le sens où il descend</translation></message>
 <message><source>From the boom</source><translation>Au bras</translation></message>
-<message><source>%1 · surface %2° off square</source><translation>%1 · surface à %2° de la perpendiculaire</translation></message>
 <message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Jusqu'à la droite du pivot du bras à la tête, là où ils étaient lors de la mesure ; 0° : le bras pointe droit sur la surface</translation></message>
 <message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>
@@ -1296,7 +1302,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Edge</source><translation>Arête</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La force 1 est au seuil ; Pourquoi en dit plus</translation></message>
 <message><source>Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the settings, not whether a rock is there.</source><translation>Part des réglages proches qui trouvent aussi cette arête, calculée après chaque changement. Cela montre combien l'arête dépend des réglages, non si un bloc est là.</translation></message>
-<message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
 <message><source>%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side</source><translation>%1 m derrière un saut où aucune arête n'est tracée (un glissement du moteur pas à pas a le même aspect) ; mesuré de son côté proche</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m derrière une arête ; mesuré de son côté proche</translation></message>
@@ -1651,6 +1656,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Scanner view</source><translation>Vue scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>“%1” has ended; a click selects a rock again.</source><translation>« %1 » est terminé ; un clic choisit à nouveau un bloc.</translation></message>
 <message><source>“%1” has ended; a click pins again.</source><translation>« %1 » est terminé ; un clic épingle à nouveau.</translation></message>
 <message><source>&amp;Edges over Rocks</source><translation>A&amp;rêtes sur les blocs</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>

@@ -447,6 +447,14 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Distance: %1</source><translation>Distância: %1</translation></message>
 <message><source>Dip / direction: %1</source><translation>Mergulho / direção: %1</translation></message>
 <message><source>Edge: %1</source><translation>Borda: %1</translation></message>
+<message><source>Resolves: %1</source><translation>Resolução: %1</translation></message>
+<message><source>Surface: %1</source><translation>Superfície: %1</translation></message>
+<message><source>From the boom: %1</source><translation>Ao braço: %1</translation></message>
+<message><source>Confidence: %1</source><translation>Confiança: %1</translation></message>
+<message><source>%1° ± %2° off the beam</source><translation>a %1° ± %2° do feixe</translation></message>
+<message><source>%1 · surface %2° off square</source><translation>%1 · superfície a %2° da perpendicular</translation></message>
+<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
+<message><source>raw grid</source><translation>grade bruta</translation></message>
 <message><source>%1, strength %2</source><translation>%1, força %2</translation></message>
 <message><source>no plane fits</source><translation>nenhum plano se ajusta</translation></message>
 <message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
@@ -473,7 +481,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>The %1 largest (visible width b) of %2 rocks; %3 more are over the site's %4; the export of rocks as a table lists all.</source><translation>As %1 maiores (largura visível b) de %2 rochas; outras %3 passam dos %4 do local; a exportação das rochas como tabela tem todas.</translation></message>
 <message><source>E, N, RL: mean of the visible points, in the mine grid</source><translation>E, N, RL: média dos pontos visíveis, na grade da mina</translation></message>
 <message><source>x, y, z: mean of the visible points, in the scanner's frame.</source><translation>x, y, z: média dos pontos visíveis, no referencial do scanner.</translation></message>
-<message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a e b: extensões visíveis transversais à linha de visada; as partes ocultas não contam. Distância: mediana de suas distâncias. Área: visível, transversal aos feixes. Na frente: parte do contorno onde a rocha é o lado mais próximo. Contatos e altura livre: no mínimo. Arco: maior ângulo na rocha entre duas que ela toca; ↓ ela pende abaixo da linha entre elas. p: chance de o contorno estar certo; ▲ menor que 0,85, hachurado.</translation></message>
+<message><source>a and b: visible spans across the line of sight; hidden parts are not counted. Distance: median of its ranges. Area: visible, across the beams. In front: share of the outline where the rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; ↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</source><translation>a e b: extensões visíveis transversais à linha de visada; as partes ocultas não contam. Distância: mediana de suas distâncias. Área: visível, transversal aos feixes. Na frente: parte do contorno onde a rocha é o lado mais próximo. Contatos e altura livre: no mínimo. Arco: maior ângulo na rocha entre duas que ela toca; ↓ ela pende abaixo da linha entre elas. p: chance de o contorno estar certo; ▲ menor que 0.85, hachurado.</translation></message>
 <message><source>Without a pose, up is the scanner's z axis, which is assumed: free height and ↓ are measured along it.</source><translation>Sem pose, para cima é o eixo z do scanner, que é suposto: a altura livre e ↓ são medidos ao longo dele.</translation></message>
 <message><source>Number with ▲: merged by hand of parts that do not touch.</source><translation>Número com ▲: unida à mão de partes que não se tocam.</translation></message>
 <message><source>The targets by their numbers, and what was measured. Black is near, or nothing came back.</source><translation>Os alvos por seus números, e o que foi medido. Preto é perto, ou nada voltou.</translation></message>
@@ -1034,7 +1042,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>yes</source><translation>sim</translation></message>
 <message><source>no</source><translation>não</translation></message>
 <message><source>and %1 more</source><translation>e mais %1</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; Shift+drag looks closer.&lt;h3&gt;Mouse in all views&lt;/h3&gt;A click pins a target; while rocks are shown, it also selects the rock there. Ctrl+click selects one more rock. A right click opens the menu of the cell.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; Shift+arrastar olha de perto.&lt;h3&gt;Mouse em todas as vistas&lt;/h3&gt;Um clique fixa um alvo; enquanto as rochas são mostradas, também seleciona a rocha que está ali. Ctrl+clique seleciona mais uma rocha. Um clique direito abre o menu da célula.</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; Shift+drag looks closer.&lt;h3&gt;Mouse in all views&lt;/h3&gt;A click pins a target; while rocks are shown, it selects the rock there, and Shift+click pins. Ctrl+click selects one more rock. A right click opens the menu of the cell.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; Shift+arrastar olha de perto.&lt;h3&gt;Mouse em todas as vistas&lt;/h3&gt;Um clique fixa um alvo; enquanto as rochas são mostradas, seleciona a rocha que está ali, e Shift+clique fixa. Ctrl+clique seleciona mais uma rocha. Um clique direito abre o menu da célula.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
 <message><source>Scan</source><translation>Varredura</translation></message>
@@ -1201,7 +1209,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, and in the views only their outline is drawn</source><translation>As rochas de menor largura visível b não estão na tabela, e nas vistas só o seu contorno é desenhado</translation></message>
 <message><source>b at least</source><translation>b pelo menos</translation></message>
-<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only their outline is drawn</source><translation>As rochas com confiança p menor que 0,85, hachuradas, não estão na tabela, e nas vistas só o seu contorno é desenhado</translation></message>
+<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table, and in the views only their outline is drawn</source><translation>As rochas com confiança p menor que 0.85, hachuradas, não estão na tabela, e nas vistas só o seu contorno é desenhado</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
 <message><source>, %1 of them uncertain (hatched)</source><translation>, %1 delas incertas (hachuradas)</translation></message>
 <message><source>&amp;Shown Rocks (%1)…</source><translation>&amp;Rochas mostradas (%1)…</translation></message>
@@ -1211,7 +1219,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 delas incertas (hachuradas); %3 pedaços pequenos demais para ser uma rocha</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
-<message><source>With the tool Pin, a click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Com a ferramenta Fixar, um clique escolhe uma rocha e fixa um alvo; Ctrl+clique escolhe mais uma rocha.</translation></message>
+<message><source>A click selects a rock, Ctrl+click one more; Shift+click or the tool Pin (P) sets a target.</source><translation>Um clique escolhe uma rocha, Ctrl+clique mais uma; Shift+clique ou a ferramenta Fixar (P) fixa um alvo.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: P20 %1, P50 %2, P80 %3 (20, 50, 80 % das rochas não são mais largas), a maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
@@ -1283,12 +1291,10 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Resolves</source><translation>Resolução</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
 <message><source>Surface</source><translation>Superfície</translation></message>
-<message><source>%1° ± %2° off the beam</source><translation>a %1° ± %2° do feixe</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre a sua normal e o feixe: 0° está de frente para o scanner. Um plano por %1 células, relevo %2</translation></message>
 <message><source>Dip / direction</source><translation>Mergulho / direção</translation></message>
 <message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Do plano em relação ao horizonte, e no sentido horário a partir do norte da quadrícula, para onde ele cai</translation></message>
 <message><source>From the boom</source><translation>Ao braço</translation></message>
-<message><source>%1 · surface %2° off square</source><translation>%1 · superfície a %2° da perpendicular</translation></message>
 <message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Até a reta do pivô do braço à cabeça, onde estavam na medição; 0°: o braço aponta de frente para a superfície</translation></message>
 <message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
@@ -1296,7 +1302,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Edge</source><translation>Borda</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>A força 1 está no limiar; Por quê diz mais</translation></message>
 <message><source>Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the settings, not whether a rock is there.</source><translation>Parte dos ajustes próximos que encontram também esta borda, calculada após cada alteração. Mostra quanto a borda depende dos ajustes, não se há ali uma rocha.</translation></message>
-<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>varredura grande: mostre a confiança das bordas</translation></message>
 <message><source>%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side</source><translation>%1 m atrás de um salto onde nenhuma aresta está desenhada (um deslize do motor de passo tem o mesmo aspecto); medido no seu lado próximo</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m atrás de uma aresta; medido no seu lado próximo</translation></message>
@@ -1651,6 +1656,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Scanner view</source><translation>Vista scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>“%1” has ended; a click selects a rock again.</source><translation>«%1» terminou; um clique volta a escolher uma rocha.</translation></message>
 <message><source>“%1” has ended; a click pins again.</source><translation>«%1» terminou; um clique volta a fixar.</translation></message>
 <message><source>&amp;Edges over Rocks</source><translation>Bor&amp;das sobre as rochas</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rochas</translation></message>

@@ -486,6 +486,11 @@ private slots:
             QTRY_VERIFY(!page->isVisible() && on.viewer.livePanel.isVisible());
             auto* close = on.viewer.livePanel.findChild<QToolButton*>("live-close");
             QVERIFY(close->isVisible() && close->height() >= kGlovePx);
+            const Keypad& pad = on.window.cab().keypad(); // for the field of the address
+            for (const QSize size : {QSize(1024, 600), QSize(853, 480)}) {
+                resizeTo(on.window, size);
+                QTRY_VERIFY2(pad.isVisible() && !pad.place().intersects(placeOf(*close)), language.code);
+            }
             QTest::mouseClick(close, Qt::LeftButton);
             QTRY_VERIFY(page->isVisible() && !on.viewer.livePanel.isVisible());
         }

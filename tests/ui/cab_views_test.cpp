@@ -260,6 +260,7 @@ private slots:
             QCOMPARE(label->text(), QString(words));
             QVERIFY(side.stepper("method")->findChild<QLabel*>(name) == nullptr);
         }
+        QVERIFY2(side.stepper(first)->less()->text() != side.stepper("method")->less()->text(), "minus would be read as fewer edges");
     }
 
     // A swipe scrolls Tune; a tap still presses, and a button that is held repeats.

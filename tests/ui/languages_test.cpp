@@ -159,6 +159,8 @@ private slots:
         const rocks::Study study = rocks::studyRocks(rocks::rockInputs(*detection), {}, {{rocks::EditKind::NotRock, {edge}}});
         inspect::Notebook notebook;
         notebook.targets.push_back({1, "Rocks", edge, false, "2026-11-29T10:00:00Z", {}, {}, "none"});
+        notebook.targets.back().asPinned = {
+            {"Resolves", "31 mm"}, {"Surface", "26° ± 1° off the beam"}, {"Confidence", "90 % of 33 settings"}};
         notebook.measures.push_back({inspect::MeasureKind::Distance, {edge, other}, {}, {}, 1});
         exports::PageWords words;
         words.site = "File";

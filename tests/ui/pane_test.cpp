@@ -5,6 +5,7 @@
 #include "ui/base/pane.h"
 #include "ui/panels/confidence/confidence_legend.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/side_column.h"
 #include "ui/window/theme.h"
 
 #include <QDockWidget>
@@ -208,6 +209,20 @@ private slots:
             QTRY_COMPARE(view->size(), before);
             QVERIFY(!pane.aloneButton()->isChecked());
         }
+    }
+
+    void theLegendsGiveTheCloudTheirRoom() {
+        WindowFixture on;
+        resizeTo(on.window, {1280, 800});
+        QVERIFY(on.showWith(bare_));
+        const QWidget& cloud = on.viewer.views.cloud();
+        const int before = cloud.width(), column = on.window.side().width();
+        auto* fold = paneOf(on.viewer.views.cloud()).findChild<QToolButton*>("pane-panel");
+        QVERIFY(fold->geometry().right() < fold->parentWidget()->width());
+        QTest::mouseClick(fold, Qt::LeftButton);
+        QTRY_COMPARE(cloud.width(), before + column);
+        QTest::mouseClick(fold, Qt::LeftButton);
+        QTRY_COMPARE(cloud.width(), before);
     }
 
     // A title never widens its pane: text that does not fit ends in "…", and the remark is dropped first.

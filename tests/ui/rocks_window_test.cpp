@@ -335,10 +335,48 @@ private slots:
         QVERIFY(eventually([&] { return table->isVisible() && table->verticalScrollBar()->value() == 0; }));
     }
 
-    // A click of Pin pins, and chooses the rock that is there; it stays the one of the chosen target.
-    void aClickPinsAndChoosesItsRock() {
+    // Pinning is its own act: by Shift, or by Pin until Esc or its key ends it.
+    void aClickSelectsARockAndMovesNoPin() {
         WindowFixture on;
         QVERIFY(showRocks(on));
+        const auto& targets = on.viewer.targets;
+        const auto isOnly = [&](std::uint32_t label) { return on.viewer.rockTable.selected() == std::vector<std::uint32_t>{label}; };
+        click(on, 3);
+        QVERIFY(isOnly(3) && targets.notebook().empty() && !on.viewer.views.pinned());
+        QVERIFY(on.viewer.rocksPanel.card().text().startsWith("Rock 3\n"));
+        click(on, 3, Qt::ShiftModifier);
+        QCOMPARE(targets.notebook().targets.size(), std::size_t(1));
+        QVERIFY(isOnly(3) && targets.active() != nullptr);
+        const std::uint32_t pinned = targets.notebook().targets.front().cell;
+        click(on, 2);
+        QVERIFY(isOnly(2) && targets.active() == nullptr && targets.notebook().targets.size() == 1);
+        QCOMPARE(targets.notebook().targets.front().cell, pinned);
+        const auto& labels = picture(on).labels.cells;
+        const auto none = std::ranges::find(labels, 0U) - labels.begin();
+        on.viewer.views.click(inspect::exactly(static_cast<std::size_t>(none)));
+        QVERIFY2(on.viewer.notice.text().startsWith("No rock was found here"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(isOnly(2));
+        for (const auto end : {Qt::Key_Escape, Qt::Key_P}) {
+            const std::size_t before = targets.notebook().targets.size();
+            QTest::keyClick(&on.window, Qt::Key_P);
+            click(on, end == Qt::Key_P ? 5 : 4);
+            QCOMPARE(targets.notebook().targets.size(), before + 1);
+            QTest::keyClick(&on.window, end);
+            click(on, 2);
+            QVERIFY(isOnly(2));
+            QCOMPARE(targets.notebook().targets.size(), before + 1);
+        }
+        QVERIFY2(on.viewer.notice.text().contains("a click selects a rock"), qPrintable(on.viewer.notice.text()));
+        on.viewer.rocks.setShown(false);
+        on.viewer.views.click(inspect::exactly(static_cast<std::size_t>(none)));
+        QCOMPARE(targets.notebook().targets.size(), std::size_t(4)); // without rocks each click pins
+    }
+
+    // A click of Pin pins, and chooses the rock that is there; it stays the one of the chosen target.
+    void aClickOfPinChoosesItsRockToo() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        QTest::keyClick(&on.window, Qt::Key_P);
         QTRY_VERIFY((on.window.resize(1280, 800), on.window.size() == QSize(1280, 800))); // panels behind each other
         const std::vector<std::size_t> none;
         click(on, 2);
@@ -367,6 +405,7 @@ private slots:
         on.viewer.rocks.setShown(false);
         on.viewer.rocks.setShown(true);
         QVERIFY(settled(on) && isChosen(3));
+        QTest::keyClick(&on.window, Qt::Key_P);
         click(on, 4);
         QVERIFY(isChosen(4));
         on.window.findChild<QDockWidget*>("dock-targets")->raise();
@@ -1064,10 +1103,9 @@ private slots:
         QVERIFY(named(1, "").contains("A new target on it, number 1,"));
         QVERIFY(on.viewer.targets.notebook().empty());
         // The target of the last click stays on its rock.
-        click(on, 3);
+        click(on, 3, Qt::ShiftModifier);
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{1});
-        // The next click adds another, as it does without rocks.
-        click(on, 2);
+        click(on, 2, Qt::ShiftModifier); // another one
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{2});
         QVERIFY(named(4, "Cora").contains("A new target on it, number 3,"));
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{3});
@@ -1114,7 +1152,7 @@ private slots:
         QVERIFY(showRocks(on));
         QTRY_VERIFY((on.window.resize(1280, 800), on.window.size() == QSize(1280, 800)));
         QVERIFY(settled(on));
-        for (const std::uint32_t label : {1U, 2U, 3U}) click(on, label);
+        for (const std::uint32_t label : {1U, 2U, 3U}) click(on, label, Qt::ShiftModifier);
         QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().targets.size() == 3; }));
         const auto* list = on.viewer.targetsPanel.findChild<QListWidget*>("target-list");
         const QWidget& card = on.viewer.targetsPanel.card();

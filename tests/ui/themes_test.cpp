@@ -122,10 +122,13 @@ private slots:
             QCOMPARE(shot.pixelColor(on.window.statusBar()->mapTo(&on.window, QPoint(2, 2))), theme.window);
             const CloudView& cloud = on.viewer.views.cloud();
             QCOMPARE(shot.pixelColor(cloud.mapTo(&on.window, QPoint(cloud.width() - 2, 2))), QColor(48, 48, 48));
-            // The column at their side is the same in all themes.
+            // The column at their side follows, and its signs have the ground of the views.
             SideColumn& side = on.window.side();
             const QImage column = side.grab().toImage();
-            QCOMPARE(column.pixelColor(2, 2), viewPalette().color(QPalette::Window));
+            QCOMPARE(column.pixelColor(2, 2), theme.window);
+            const auto* box = on.viewer.legend.findChild<QCheckBox*>("legend-0");
+            const QImage sign = box->icon().pixmap(box->iconSize()).toImage();
+            QCOMPARE(sign.pixelColor(0, 0), themes().front().window);
             const auto* words = on.viewer.legend.findChild<QLabel*>();
             QVERIFY2(spread(column.copy(QRect(words->mapTo(&side, QPoint()), words->size()))) >= 4.5, theme.key);
         }

@@ -3,6 +3,7 @@
 
 #include "ui/base/icons.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QFocusEvent>
 #include <QHBoxLayout>
@@ -17,6 +18,13 @@ namespace {
 
 constexpr int kAloneIcon = 14; // px
 constexpr int kFocusLine = 2;  // px
+
+void setLook(QToolButton& button, const char* icon) {
+    button.setAutoRaise(true);
+    button.setIcon(toolIcon(icon));
+    button.setIconSize(QSize(kAloneIcon, kAloneIcon));
+    button.setFocusPolicy(Qt::NoFocus);
+}
 
 } // namespace
 
@@ -59,11 +67,8 @@ Pane::Pane(const QString& title, QWidget* content, QWidget* parent)
     for (QWidget* each : {bar_, content_}) each->installEventFilter(this);
     bar_->setToolTip(tr("Double-click: in exchange for the cloud, and back"));
     alone_->setObjectName("pane-alone");
-    alone_->setAutoRaise(true);
-    alone_->setIcon(toolIcon("alone"));
-    alone_->setIconSize(QSize(kAloneIcon, kAloneIcon));
+    setLook(*alone_, "alone");
     alone_->setCheckable(true);
-    alone_->setFocusPolicy(Qt::NoFocus);
     showAlone(false);
     connect(alone_, &QToolButton::clicked, this, &Pane::maximiseRequested);
     auto* line = new QHBoxLayout(bar_);
@@ -76,14 +81,22 @@ Pane::Pane(const QString& title, QWidget* content, QWidget* parent)
     QFont bold = title_->font();
     bold.setBold(true);
     title_->setFont(bold);
-    // Not that of the remark, which fit() hides.
-    bar_->setMinimumWidth(title_->sizeHint().width() + alone_->sizeHint().width() + 3 * line->spacing() + line->contentsMargins().left() +
-                          line->contentsMargins().right());
+    fitButtons();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(bar_);
     column->addWidget(content, 1);
+}
+
+void Pane::add(QAction& action, const char* icon) {
+    auto* button = new QToolButton;
+    button->setObjectName(QString("pane-") + icon);
+    button->setToolTip(action.text().remove('&'));
+    setLook(*button, icon);
+    connect(button, &QToolButton::clicked, &action, &QAction::trigger);
+    static_cast<QBoxLayout*>(bar_->layout())->insertWidget(bar_->layout()->count() - 1, button);
+    fitButtons();
 }
 
 void Pane::setNote(const QString& text) {
@@ -109,13 +122,22 @@ QString Pane::note() const { return note_->text(); }
 
 QString Pane::remark() const { return remark_->text(); }
 
+/// Px of title and buttons, with what is around them.
+void Pane::fitButtons() {
+    const QLayout& line = *bar_->layout();
+    int px = line.contentsMargins().left() + line.contentsMargins().right() + (line.count() - 1) * line.spacing();
+    for (int n = 0; n < line.count(); ++n) {
+        const QWidget* part = line.itemAt(n)->widget();
+        if (part != note_ && part != remark_) px += part->sizeHint().width();
+    }
+    bar_->setMinimumWidth(px);
+}
+
 /// The note has priority over the remark.
 void Pane::fit() {
-    const QLayout& line = *bar_->layout();
-    const int others = title_->sizeHint().width() + note_->sizeHint().width() + alone_->sizeHint().width() + 3 * line.spacing() +
-                       line.contentsMargins().left() + line.contentsMargins().right();
+    const int needed = bar_->minimumWidth() + note_->sizeHint().width() + remark_->sizeHint().width();
     remark_->setMinimumWidth(remark_->sizeHint().width()); // shown whole or not at all
-    remark_->setVisible(!remark_->text().isEmpty() && others + remark_->sizeHint().width() <= width());
+    remark_->setVisible(!remark_->text().isEmpty() && needed <= width());
 }
 
 void Pane::resizeEvent(QResizeEvent* event) {

@@ -4,6 +4,7 @@
 
 #include <QFrame>
 
+class QAction;
 class QLabel;
 class QToolButton;
 
@@ -20,6 +21,8 @@ public:
     void setNote(const QString& text);
     /// Small text at the right ("25 % of the points drawn"), if the note leaves space.
     void setRemark(const QString& text);
+    /// A button for it in the title row, before the one that shows this view alone.
+    void add(QAction& action, const char* icon);
     /// Sets the button to the action that it would do next.
     void showAlone(bool on);
     /// Without the title only the content is visible.
@@ -40,6 +43,7 @@ protected:
 
 private:
     void fit();
+    void fitButtons();
 
     QWidget* bar_;
     QLabel* title_;

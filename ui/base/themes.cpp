@@ -2,6 +2,7 @@
 #include "ui/base/themes.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QWidget>
 
 #include <algorithm>
@@ -139,7 +140,13 @@ QPalette paletteOf(const Theme& theme) {
     return palette;
 }
 
-QPalette viewPalette() { return paletteOf(themes().front()); }
+QPixmap onViewGround(const QPixmap& sign) {
+    constexpr int kRim = 2; // px
+    QPixmap plate(sign.width() + 2 * kRim, sign.height() + 2 * kRim);
+    plate.fill(themes().front().window);
+    QPainter(&plate).drawPixmap(kRim, kRim, sign);
+    return plate;
+}
 
 void useColours(const Theme& theme) {
     g_inUse = &theme;

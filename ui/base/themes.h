@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QObject>
 #include <QPalette>
+#include <QPixmap>
 
 #include <array>
 #include <functional>
@@ -46,8 +47,8 @@ struct ColourPair {
 
 /// The theme's colours in the roles of Qt's widgets. Mid: borders. Link: accent.
 [[nodiscard]] QPalette paletteOf(const Theme& theme);
-/// The palette of widgets over the views, in every theme: that of the night theme.
-[[nodiscard]] QPalette viewPalette();
+/// The sign of a legend on a piece of the views' dark ground, in every theme: it looks as in the views.
+[[nodiscard]] QPixmap onViewGround(const QPixmap& sign);
 /// Sets the theme's colours for the whole application. GUI thread only.
 void useColours(const Theme& theme);
 /// Calls `paint` now and after every change of theme while `widget` exists: for colours without a palette role.

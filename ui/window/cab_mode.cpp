@@ -210,7 +210,6 @@ void CabMode::set(bool on) {
     QCoreApplication::setAttribute(Qt::AA_DontShowShortcutsInContextMenus, on); // a cab has no keyboard, and each menu counts as such
     window_.viewer().measures.show();                                           // the prompts of the tool in use
     window_.viewer().rocks.useTool(window_.viewer().rocks.tool());
-    window_.viewer().views.setChoosesOnly(on && window_.viewer().rocks.shown());
     const QSize size = window_.size();
     auto& application = *qobject_cast<QApplication*>(QApplication::instance());
     if (!on) useTheme(application, false);

@@ -95,8 +95,7 @@ void CabMode::addTools() {
     const auto followRocks = [this, rocks, rock](bool on) {
         rocks->setChecked(on);
         rock->setEnabled(on);
-        if (on_ && on) window_.viewer().measures.stop();  // a tap would set a point
-        window_.viewer().views.setChoosesOnly(on_ && on); // a tap means a rock, until Pin is chosen
+        if (on_ && on) window_.viewer().measures.stop(); // a tap would set a point
     };
     connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, followRocks);
     followRocks(window_.viewer().rocks.shown());

@@ -1,8 +1,6 @@
 // Lays out the column at the side of the views.
 #include "ui/window/side_column.h"
 
-#include "ui/base/themes.h"
-
 #include <QBoxLayout>
 #include <QEvent>
 #include <QScrollBar>
@@ -20,8 +18,6 @@ constexpr double kMostOfHeight = 0.5;                          // of the window,
 
 SideColumn::SideColumn(QWidget* parent) : QScrollArea(parent), rows_(new QBoxLayout(QBoxLayout::TopToBottom)) {
     setObjectName("side-column");
-    setPalette(viewPalette()); // the same dark ground in every theme: the colours of edges are seen on it
-    setAutoFillBackground(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFocusPolicy(Qt::NoFocus); // the keyboard focus stays in the views
@@ -29,7 +25,7 @@ SideColumn::SideColumn(QWidget* parent) : QScrollArea(parent), rows_(new QBoxLay
     auto* content = new QWidget;
     content->setLayout(rows_);
     rows_->addStretch(1);
-    setWidget(content);
+    setWidget(content); // with the ground of the window
     content->installEventFilter(this);
     verticalScrollBar()->installEventFilter(this);
     connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, [this](int /*least*/, int most) {

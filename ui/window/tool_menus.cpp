@@ -16,14 +16,17 @@ namespace {
 
 /// A second press of a tool's key ends the tool: said, for the operator may expect it to begin again.
 void sayEnded(Viewer& v, const char* text) {
-    v.notice.showHint(QObject::tr("“%1” has ended; a click pins again.").arg(QObject::tr(text).remove('&')));
+    const QString tool = QObject::tr(text).remove('&');
+    v.notice.showHint(v.views.choosesOnly() ? QObject::tr("“%1” has ended; a click selects a rock again.").arg(tool)
+                                            : QObject::tr("“%1” has ended; a click pins again.").arg(tool));
 }
 
 /// A tool. `on`: true while it is in use.
 Command tool(Viewer& v, const char* text, const char* keys, std::function<void()> start, std::function<bool()> on) {
     const auto set = [&v, text, start = std::move(start)](bool wanted) {
         if (wanted) return start();
-        if (v.views.tool() != Tool::Pin) sayEnded(v, text);
+        v.views.setChoosesOnly(v.rocks.shown());
+        if (v.views.tool() != Tool::Pin || v.views.choosesOnly()) sayEnded(v, text);
         v.views.setTool(Tool::Pin);
     };
     return linked(toggle(text, keys, nullptr, false, set), [&v, on = std::move(on)](QAction& action) {
@@ -91,10 +94,12 @@ Command measureMenu(Viewer& v) {
     const auto usual = [&](const char* text, const char* keys, Tool wanted) {
         const auto start = [&v, &views, wanted] {
             v.rocks.useTool(RockTool::None); // its clicks pin nothing
+            if (wanted == Tool::Pin) views.setChoosesOnly(false);
             views.setTool(wanted);
         };
-        return tool(v, text, keys, start,
-                    [&views, wanted] { return views.tool() == wanted && (wanted != Tool::Pin || views.pinsOnClick()); });
+        return tool(v, text, keys, start, [&views, wanted] {
+            return views.tool() == wanted && (wanted != Tool::Pin || (views.pinsOnClick() && !views.choosesOnly()));
+        });
     };
     const auto measure = [&](const char* text, const char* keys, inspect::MeasureKind kind) {
         Command made = tool(

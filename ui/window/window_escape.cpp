@@ -52,8 +52,10 @@ void MainWindow::escape() {
 bool MainWindow::leaveTool() {
     const bool isRocks = viewer_.rocks.tool() != RockTool::None;
     const Tool tool = viewer_.views.tool();
-    if (!isRocks && (tool == Tool::Pin || tool == Tool::Why)) return false; // Why ends with its card
+    const bool pinsOnRocks = tool == Tool::Pin && viewer_.rocks.shown() && !viewer_.views.choosesOnly();
+    if (!isRocks && !pinsOnRocks && (tool == Tool::Pin || tool == Tool::Why)) return false; // Why ends with its card
     isRocks ? viewer_.rocks.useTool(RockTool::None) : viewer_.views.setTool(Tool::Pin);
+    if (pinsOnRocks) viewer_.views.setChoosesOnly(true);
     viewer_.notice.endPassing();
     return true;
 }

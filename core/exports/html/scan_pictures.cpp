@@ -24,6 +24,7 @@ namespace {
 constexpr double kPartOfSide = 1.0 / 58;        // height of a number, as part of the longer side of the picture
 constexpr double kDigitWidth = 0.62;            // of the height
 constexpr double kLineWidth = 0.2, kDot = 0.25; // of the height
+constexpr double kRim = 0.11;                   // of the height: the dark rim of a number
 
 struct Box {
     double x, y, halfWidth, halfHeight;
@@ -174,8 +175,11 @@ std::string pictureNumbers(int width, int height, const std::vector<PictureNumbe
     std::vector<Box> placed;
     leftOut = 0;
     for (const PictureNumber& each : numbers) {
-        const double y = each.dot ? each.y - unit : each.y;
-        const Box box{each.x, y, 0.5 * kDigitWidth * unit * static_cast<double>(each.text.size()), 0.5 * unit};
+        Box box{each.x, each.dot ? each.y - unit : each.y, (0.5 * kDigitWidth * static_cast<double>(each.text.size()) + kRim) * unit,
+                (0.5 + kRim) * unit};
+        if (each.dot && box.y < box.halfHeight) box.y = each.y + unit;                            // below its dot
+        box.x = std::clamp(box.x, box.halfWidth, std::max(box.halfWidth, width - box.halfWidth)); // whole in the picture
+        box.y = std::clamp(box.y, box.halfHeight, std::max(box.halfHeight, height - box.halfHeight));
         if (!each.always && std::ranges::any_of(placed, [&](const Box& other) { return other.covers(box); })) {
             ++leftOut;
             continue;
@@ -184,8 +188,8 @@ std::string pictureNumbers(int width, int height, const std::vector<PictureNumbe
         if (each.dot)
             html += "<circle cx=\"" + fixedText(each.x, 1) + "\" cy=\"" + fixedText(each.y, 1) + "\" r=\"" + fixedText(kDot * unit, 2) +
                     "\" fill=\"#fff\"/>\n";
-        html += "<text x=\"" + fixedText(each.x, 1) + "\" y=\"" + fixedText(y, 1) + "\"" + (each.always ? "" : " class=\"small\"") + ">" +
-                htmlText(each.text) + "</text>\n";
+        html += "<text x=\"" + fixedText(box.x, 1) + "\" y=\"" + fixedText(box.y, 1) + "\"" + (each.always ? "" : " class=\"small\"") +
+                ">" + htmlText(each.text) + "</text>\n";
     }
     return html + "</svg>\n";
 }

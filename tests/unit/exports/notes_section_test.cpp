@@ -11,7 +11,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace edgescan::exports {
@@ -95,6 +97,28 @@ TEST(CloudPicture, IsCutAtNoSide) {
         EXPECT_NEAR(left + right, 400, 1.0);
         EXPECT_NEAR(top + bottom, 300, 1.0);
         EXPECT_GT(std::max((right - left) / 400, (bottom - top) / 300), 0.9);
+    }
+}
+
+// A number at the border of the picture is whole, and one over a dot is not on the dot.
+TEST(PictureNumbers, AreWholeAtTheBorder) {
+    constexpr double kSide = 580, kHigh = 10; // of the picture and of a number
+    for (const bool dot : {false, true}) {
+        for (const auto& [x, y] : {std::pair(0.5, 0.5), {579.5, 0.5}, {0.5, 579.5}, {579.5, 579.5}}) {
+            std::size_t leftOut = 0;
+            const std::string svg = pictureNumbers(580, 580, {{"147", x, y, true, dot}}, leftOut);
+            const auto number = [&](const std::string& name, std::size_t from) {
+                const std::size_t at = svg.find(" " + name + "=\"", from) + name.size() + 3;
+                return std::stod(svg.substr(at, svg.find('"', at) - at));
+            };
+            const std::size_t text = svg.find("<text");
+            const double atX = number("x", text), atY = number("y", text), half = 3 * 0.62 * kHigh / 2 + 1;
+            EXPECT_GE(atX, half) << svg;
+            EXPECT_LE(atX, kSide - half) << svg;
+            EXPECT_GE(atY, kHigh / 2 + 1) << svg;
+            EXPECT_LE(atY, kSide - kHigh / 2 - 1) << svg;
+            if (dot) EXPECT_GE(std::abs(atY - number("cy", 0)), 0.9 * kHigh) << svg;
+        }
     }
 }
 

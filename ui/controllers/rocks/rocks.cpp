@@ -120,6 +120,7 @@ void Rocks::setShown(bool on) {
         followPicture();
     else
         forget();
+    views_.setChoosesOnly(on); // a click means a rock, until Pin is chosen
     emit shownChanged(on);
 }
 
@@ -329,7 +330,7 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
 void Rocks::click(const inspect::ClickedCell& click) {
     if (!picture_ || views_.tool() != Tool::Pin) return;
     if (tool_ == RockTool::Split) return splitAt(click.clicked);
-    if (!severalWanted() && views_.choosesOnly() && tool_ == RockTool::None) {
+    if (!severalWanted() && !views_.clickPins() && tool_ == RockTool::None) {
         if (const auto rock = rockCellAt(click)) return select({*rock});
         return notice_.showHint(tr("No rock was found here: choose Pin to set a target."));
     }

@@ -79,9 +79,11 @@ public:
     /// Off: a click with the tool Pin sets no target.
     void setPinsOnClick(bool on);
     [[nodiscard]] bool pinsOnClick() const { return pinsOnClick_; }
-    /// On: a click with the tool Pin chooses the rock or the target that is there, and sets no new target.
+    /// On: a click with the tool Pin chooses the rock or the target that is there. It sets a new target only with Shift.
     void setChoosesOnly(bool on);
     [[nodiscard]] bool choosesOnly() const { return choosesOnly_; }
+    /// Whether a click sets a target with the modifiers that are pressed now. Ctrl selects several rocks.
+    [[nodiscard]] bool clickPins() const;
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return tool_; }
     /// Sets targets and measurements in all views.

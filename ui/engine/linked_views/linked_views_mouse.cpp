@@ -159,10 +159,14 @@ bool LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> beh
     return true;
 }
 
-/// Ctrl selects several rocks and pins no cell.
+bool LinkedViews::clickPins() const {
+    const Qt::KeyboardModifiers keys = QGuiApplication::keyboardModifiers();
+    return tool_ == Tool::Pin && pinsOnClick_ && !keys.testFlag(Qt::ControlModifier) && (!choosesOnly_ || keys.testFlag(Qt::ShiftModifier));
+}
+
 void LinkedViews::click(const inspect::ClickedCell& click) {
     if (refusesClicks(gray())) return;
-    if (tool_ == Tool::Pin && pinsOnClick_ && !choosesOnly_ && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
+    if (clickPins())
         pinByClick(click);
     else
         for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);

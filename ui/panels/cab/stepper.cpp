@@ -26,8 +26,6 @@ int stepsAfter(int repeats) { return repeats < 12 ? 1 : repeats < 30 ? 5 : 25; }
 Stepper::Stepper(const QString& name, QWidget* parent)
     : QWidget(parent), head_(new QHBoxLayout), name_(new QLabel), less_(new QToolButton), value_(new QLabel), found_(new QLabel),
       more_(new QToolButton) {
-    less_->setText(QStringLiteral("−"));
-    more_->setText(QStringLiteral("+"));
     less_->setObjectName("less");
     more_->setObjectName("more");
     value_->setObjectName("stepper-value");
@@ -65,10 +63,13 @@ Stepper::Stepper(const QString& name, QWidget* parent)
     for (const int column : {0, kColumns - 1}) grid->setColumnStretch(column, 1);
     addButton(*less_, -1);
     addButton(*more_, +1);
+    setMeaning({}, {});
     showName(name);
 }
 
 void Stepper::setMeaning(const QString& ofLess, const QString& ofMore) {
+    less_->setText(ofLess.isEmpty() ? QStringLiteral("−") : QStringLiteral("◀")); // "−" would be read as fewer edges
+    more_->setText(ofMore.isEmpty() ? QStringLiteral("+") : QStringLiteral("▶"));
     auto* grid = static_cast<QGridLayout*>(layout());
     for (const auto& [words, column] : {std::pair(ofLess, 0), std::pair(ofMore, kColumns / 2)}) {
         const QString name = column == 0 ? "meaning-of-less" : "meaning-of-more";

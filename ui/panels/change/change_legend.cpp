@@ -106,8 +106,9 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         made.box->setChecked(true);
         QPixmap swatch(16, row == ChangeRow::Nearer || row == ChangeRow::Farther ? 11 : 5);
         swatch.fill(changeColour(row));
-        made.box->setIconSize(swatch.size());
-        made.box->setIcon(QIcon(swatch));
+        const QPixmap sign = onViewGround(swatch);
+        made.box->setIconSize(sign.size());
+        made.box->setIcon(QIcon(sign));
         grid->addWidget(made.box, n + 2, 0);
         grid->addWidget(made.count, n + 2, 1, Qt::AlignRight);
         connect(made.box, &QCheckBox::toggled, this, &ChangeLegend::emitRows);

@@ -2,11 +2,11 @@
 #include "ui/panels/confidence/confidence_legend.h"
 
 #include "ui/base/count_text.h"
+#include "ui/base/themes.h"
 
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QPixmap>
 #include <QSlider>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
 }
 
 void ConfidenceLegend::setColours(const EdgeColours& colours) {
-    for (std::size_t band = 0; band < kBands; ++band) swatches_[band]->setPixmap(swatchOf(colours[band], band));
+    for (std::size_t band = 0; band < kBands; ++band) swatches_[band]->setPixmap(onViewGround(swatchOf(colours[band], band)));
 }
 
 void ConfidenceLegend::setLeast(int percent) { slider_->setValue(percent); }

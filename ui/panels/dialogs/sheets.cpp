@@ -194,8 +194,8 @@ void showShortcuts(QWidget* parent, const QList<QAction*>& actions) {
         "double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip."
         "<h3>Mouse in the images</h3>Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; "
         "Shift+drag looks closer."
-        "<h3>Mouse in all views</h3>A click pins a target; while rocks are shown, it also selects the rock there. Ctrl+click selects one "
-        "more rock. A right click opens the menu of the cell.");
+        "<h3>Mouse in all views</h3>A click pins a target; while rocks are shown, it selects the rock there, and Shift+click pins. "
+        "Ctrl+click selects one more rock. A right click opens the menu of the cell.");
     auto* browser = new QTextBrowser;
     browser->setHtml("<h3>" + words("Keys") + "</h3><table>" + rows + "</table>" + mouse);
     showSheet(parent, words("Keys and mouse"), browser, {560, 700});

@@ -282,7 +282,8 @@ void LivePanel::setBrief(bool on) {
 void LivePanel::showFields() {
     const bool few = brief_ && (connected_ || (!others_.isEmpty() && !asking_));
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_ || few);
-    for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(few);
+    sweepButton_->setHidden(few);
+    scanner_->setHidden(few || (brief_ && !connected_)); // without words it would push Close into a line of its own
     record_->setHidden(!connected_);
     for (QPushButton* each : {hold_, follow_}) each->setHidden(!connected_);
     other_->setHidden(connected_ || others_.isEmpty());

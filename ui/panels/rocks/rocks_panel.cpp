@@ -129,7 +129,7 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
         text += tr("; %1 pieces outside the region of interest are left out")
                     .arg(rocks::regionCounts(picture->study.map, rocks::RegionKind::Outside).regions);
     result_->setText(text + "\n" + rockCaveat() + "\n" +
-                     tr("With the tool Pin, a click selects a rock and pins a target; Ctrl+click selects one more rock."));
+                     tr("A click selects a rock, Ctrl+click one more; Shift+click or the tool Pin (P) sets a target."));
     curve_->setText(sizeCurveText(rocks::sizeCurve(rocks, picture->study.settings.oversizeM)));
 }
 

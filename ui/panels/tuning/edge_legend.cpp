@@ -7,6 +7,7 @@
 #include "core/scan/gap_filling/gap_filling.h"
 #include "ui/base/count_text.h"
 #include "ui/base/icons.h"
+#include "ui/base/themes.h"
 #include "ui/base/tool_tips.h"
 
 #include <QCheckBox>
@@ -46,6 +47,12 @@ QString textOfMovedCells(int classes) {
     if (off.isEmpty()) return {};
     return (off.size() == 1 ? EdgeLegend::tr("Without %1:").arg(off.front()) : EdgeLegend::tr("Without %1 classes:").arg(off.size())) +
            '\n' + EdgeLegend::tr("other classes take some of its cells, and chains get shorter: fewer edges, here and in files");
+}
+
+void setSign(QCheckBox& box, const QPixmap& sign) {
+    const QPixmap plate = onViewGround(sign);
+    box.setIconSize(plate.size());
+    box.setIcon(QIcon(plate));
 }
 
 QLabel* signOf(const QLabel* words) { return static_cast<QLabel*>(words->parentWidget()->layout()->itemAt(0)->widget()); }
@@ -165,7 +172,8 @@ void EdgeLegend::showStrengths(const std::optional<std::array<std::size_t, kEdge
                            tr("Perhaps, %1 to 69 %: %2").arg(std::max(kStrengthFrom[1], leastPercent)),
                            leastPercent > 0 ? tr("Fold in a rock, %1 to 29 %: %2").arg(leastPercent)
                                             : tr("Fold in a rock, below 30 %: %1")};
-    for (std::size_t n = 0; cells && n < kEdgeStrengths; ++n) strengths_[n]->setText(names[n].arg(countText((*cells)[n])));
+    for (std::size_t n = 0; cells && n < kEdgeStrengths; ++n) // no line begins with "%"
+        strengths_[n]->setText(names[n].arg(countText((*cells)[n])).replace(" %", QChar(QChar::Nbsp) + QString("%")));
     showRows();
 }
 
@@ -176,7 +184,7 @@ void EdgeLegend::addOthers(QGridLayout& grid) {
         hatch.fill(colour);
         QPainter(&hatch).fillRect(hatch.rect(), QBrush(stripes, Qt::BDiagPattern));
         QLabel* words = addSign(grid, name);
-        signOf(words)->setPixmap(hatch);
+        signOf(words)->setPixmap(onViewGround(hatch));
         words->setToolTip(about);
         return words;
     };
@@ -189,7 +197,7 @@ void EdgeLegend::addOthers(QGridLayout& grid) {
     line.fill(Qt::transparent);
     QPainter(&line).fillRect(QRect(0, 5, 16, 2), QColor(255, 90, 80));
     ray_ = addSign(grid, "legend-ray");
-    signOf(ray_)->setPixmap(line);
+    signOf(ray_)->setPixmap(onViewGround(line));
     ray_->setText(tr("Laser ray to the marked cell"));
 }
 
@@ -344,8 +352,7 @@ void EdgeLegend::paintSwatches() {
         // Dashed like the rims in the images.
         if (n == kRimClass) painter.fillRect(QRect(6, 0, 4, 5), drawn[n].darker(200));
         painter.end();
-        rows_[n].box->setIconSize(swatch.size());
-        rows_[n].box->setIcon(QIcon(swatch));
+        setSign(*rows_[n].box, swatch);
     }
     // Wide, narrower and dotted, as in the views.
     const EdgeColours strengths = strengthColours(colours_);
@@ -357,15 +364,15 @@ void EdgeLegend::paintSwatches() {
         for (int x = 0; x < sign.width(); x += 4 + gap)
             line.fillRect(QRect(x, (sign.height() - wide) / 2, 4, wide), strengths[static_cast<std::size_t>(n)]);
         line.end();
-        signOf(strengths_[static_cast<std::size_t>(n)])->setPixmap(sign);
+        signOf(strengths_[static_cast<std::size_t>(n)])->setPixmap(onViewGround(sign));
     }
     // With gloves on the rows of the classes are folded: the switch of the edges shows their colours.
     QPixmap all(18, 8);
     QPainter painter(&all);
     for (int n = 0; n < static_cast<int>(kOfRocks); ++n) painter.fillRect(QRect(6 * n, 0, 6, 8), drawn[static_cast<std::size_t>(n)]);
     painter.end();
-    edges_->setIconSize(all.size());
-    edges_->setIcon(brief_ ? QIcon(all) : QIcon());
+    setSign(*edges_, all);
+    if (!brief_) edges_->setIcon({});
 }
 
 void EdgeLegend::emitClasses() {

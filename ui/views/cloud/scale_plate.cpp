@@ -4,6 +4,7 @@
 #include "core/base/order_statistic.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
 #include "ui/views/cloud/cloud_view.h"
 
 #include <QEvent>
@@ -23,8 +24,13 @@ constexpr QSize kPlain(168, 64), kBrief(134, 46); // px; brief: without axes and
 constexpr double kAxis = 15.0;                    // px
 constexpr int kLetters = 12;                      // px, for the usual font height of the window ...
 constexpr double kUsualLetters = 17.0;            // ... which is this many px
-const QColor kInk(0xe8, 0xe8, 0xe8), kLessInk(0xb3, 0xb8, 0xbe);
-const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9, 0x62), QColor(0x6c, 0xb2, 0xff)};
+
+/// X, Y, Z in red, green, blue that are seen on the ground of the theme.
+std::array<QColor, 3> axisInks() {
+    const Theme& theme = themeInUse();
+    const bool isDark = theme.window.lightness() < theme.text.lightness();
+    return {theme.bad, isDark ? QColor(0x7f, 0xd9, 0x62) : QColor(0x1d, 0x5e, 0x0c), theme.accent};
+}
 
 } // namespace
 
@@ -161,38 +167,39 @@ void ScalePlate::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void ScalePlate::drawBar(QPainter& painter) const {
-    painter.setPen(kInk);
+    painter.setPen(themeInUse().text);
     painter.drawText(QRectF(0, 6, kMostBar + 20, 20), Qt::AlignLeft | Qt::AlignVCenter, barText_);
-    painter.setPen(QPen(kInk, 2.0));
+    painter.setPen(QPen(themeInUse().text, 2.0));
     const double y = 38, right = barPixels_ / unit() + 1;
     painter.drawLine(QPointF(1, y), QPointF(right, y));
     for (const double x : {1.0, right}) painter.drawLine(QPointF(x, y - 6), QPointF(x, y));
     if (brief_) return;
-    painter.setPen(kLessInk);
+    painter.setPen(themeInUse().quietText);
     painter.drawText(QRectF(0, 44, kMostBar, 18), Qt::AlignLeft | Qt::AlignVCenter, groundText_);
 }
 
 void ScalePlate::drawAxes(QPainter& painter) const {
     const QPointF middle(across() - 34, 34);
+    const std::array<QColor, 3> inks = axisInks();
     for (std::size_t n = 0; n < axes_.size(); ++n) {
         const QPointF way(axes_[n].x(), -axes_[n].y());
-        painter.setPen(QPen(kAxisInk[n], 2.0));
+        painter.setPen(QPen(inks[n], 2.0));
         painter.drawLine(middle, middle + kAxis * way);
         // The letter is drawn beyond the end of the axis. An axis that points at the eye has its letter next to the middle.
         const double length = std::hypot(way.x(), way.y());
         const QPointF beyond = length > 0.3 ? (kAxis + 8.0 / length) * way : QPointF(-7, 8);
-        painter.setPen(kInk);
+        painter.setPen(themeInUse().text);
         painter.drawText(QRectF(middle + beyond - QPointF(14, 8), QSizeF(28, 16)), Qt::AlignCenter, names_[n]);
     }
 }
 
 void ScalePlate::drawColours(QPainter& painter) const {
     const QRectF bar(0, plain().height() + 14, across(), 10);
-    painter.setPen(kLessInk);
+    painter.setPen(themeInUse().quietText);
     painter.drawText(QRectF(0, plain().height() - 6, bar.width(), 18), Qt::AlignLeft | Qt::AlignVCenter, scaleTitle());
     for (int x = 0; x < static_cast<int>(bar.width()); ++x)
         painter.fillRect(QRectF(bar.left() + x, bar.top(), 1.0, bar.height()), QColor(colourAt(x / (bar.width() - 1.0))));
-    painter.setPen(kInk);
+    painter.setPen(themeInUse().text);
     const QFontMetrics letters(painter.font());
     double free = 0.0; // x from which the line is free of text
     for (const auto& [share, text] : scaleTicks()) {
