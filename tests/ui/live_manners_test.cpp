@@ -587,7 +587,7 @@ private slots:
         QTRY_VERIFY(!v.live.scanner().following() && !v.engine.behind() && !v.rocks.behind()); // held at the end of a sweep
         const auto held = on.picture().detection->scan;
         ImageView& view = v.views.gray();
-        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.viewPort()->toPixel(QPointF(190.5, 60.5), view.size()).toPoint());
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::ShiftModifier, view.viewPort()->toPixel(QPointF(190.5, 60.5), view.size()).toPoint());
         QCOMPARE(v.targets.notebook().targets.size(), std::size_t(1));
         const auto pinned = v.targets.notebook();
         press(window, "live-follow");

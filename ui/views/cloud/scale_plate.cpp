@@ -25,7 +25,7 @@ constexpr double kAxis = 15.0;                    // px
 constexpr int kLetters = 12;                      // px, for the usual font height of the window ...
 constexpr double kUsualLetters = 17.0;            // ... which is this many px
 
-/// X, Y, Z in red, green, blue that are seen on the ground of the theme.
+/// X, Y, Z in red, green and blue, each with contrast to the ground of the theme.
 std::array<QColor, 3> axisInks() {
     const Theme& theme = themeInUse();
     const bool isDark = theme.window.lightness() < theme.text.lightness();
