@@ -265,6 +265,7 @@ void MainWindow::layOutTools() {
     viewer_.tools.toggleViewAction()->setVisible(false);
     viewer_.origin.setObjectName("origin");
     viewer_.origin.setTwoLines();
+    viewer_.origin.setRoom(viewer_.origin.widthFor("2026-11-19 08:12:05 UTC")); // its least width does not depend on what it says
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(viewer_.targetsPanel.section(), &QPushButton::clicked, &viewer_.sections, &Sections::throughMeasurement);

@@ -122,7 +122,7 @@ void ToolBar::fit() {
     };
     int taken = kAround + gap * static_cast<int>(std::ranges::count_if(actions(), &QAction::isSeparator));
     for (const Button& each : buttons_) taken += widthWith(*each.button, Qt::ToolButtonIconOnly) + 2;
-    setMinimumWidth(taken); // the badge next to it gives way before a button does
+    setMinimumWidth(std::min(taken, most_)); // the badge next to it gives way before a button does
     for (const Word next : {Word::First, Word::Next, Word::Last}) {
         for (const Button& each : buttons_) {
             if (each.shown != next) continue;
@@ -144,6 +144,10 @@ QSize ToolBar::sizeHint() const {
 void ToolBar::reserve(int pixels) {
     if (std::exchange(reserved_, pixels) == pixels) return;
     updateGeometry();
+}
+
+void ToolBar::setMost(int pixels) {
+    if (std::exchange(most_, pixels) != pixels) fit();
 }
 
 void ToolBar::setScanOpen(bool on) {

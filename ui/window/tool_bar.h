@@ -38,6 +38,8 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
     /// Pixels of the window's width for the bar of the badge right of it.
     void reserve(int pixels);
+    /// Px that its buttons may need: what has no room there is in the menu at the end.
+    void setMost(int pixels);
     /// Off: the buttons of a scan are disabled, with their commands.
     void setScanOpen(bool on);
 
@@ -60,6 +62,7 @@ private:
     std::vector<Button> buttons_;
     QList<QAction*> ofScan_;
     int reserved_ = 0; // px of the window's width
+    int most_ = QWIDGETSIZE_MAX;
     QLabel* words_;
     QAction* wordsPlace_;
     QString asked_, rockTool_, selected_;

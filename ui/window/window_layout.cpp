@@ -93,7 +93,8 @@ void MainWindow::fitOrigin() {
     const QMargins margins = badge.parentWidget()->layout()->contentsMargins();
     const int around = 2 * (style()->pixelMetric(QStyle::PM_ToolBarItemMargin) + style()->pixelMetric(QStyle::PM_ToolBarFrameWidth));
     const int frame = margins.left() + margins.right() + std::max(kLeastFrame, around);
-    const int wanted = badge.widthFor("2026-11-19 08:12:05 UTC"); // its second line
+    viewer_.tools.setMost(screen()->size().width() - badge.minimumSizeHint().width() - frame); // with large letters on a small screen
+    const int wanted = badge.widthFor("2026-11-19 08:12:05 UTC");                              // its second line
     const int room = width() - viewer_.tools.minimumWidth() - frame;
     badge.setRoom(std::max(badge.minimumSizeHint().width(), std::min(wanted, room)));
     viewer_.tools.reserve(badge.sizeHint().width() + frame);
