@@ -27,7 +27,8 @@ class BordersTest : public QObject {
     static QComboBox* shownEdges(WindowFixture& on) { return on.viewer.panel.row("rock-borders")->choice(); }
     static QString row(WindowFixture& on, const char* name) {
         const auto* place = on.viewer.legend.findChild<QWidget*>(name);
-        return place->isVisible() ? static_cast<QLabel*>(place->layout()->itemAt(1)->widget())->text() : QString();
+        const QString text = static_cast<QLabel*>(place->layout()->itemAt(1)->widget())->text();
+        return place->isVisible() ? QString(text).replace(QChar(0x00A0), ' ') : QString();
     }
 
 private slots:
