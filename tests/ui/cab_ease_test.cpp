@@ -482,6 +482,7 @@ private slots:
                     QTRY_VERIFY2(placeOf(*page).contains(placeOf(*each)), qPrintable(where));
                 }
             }
+            QVERIFY(on.activate()); // the field of the address gets the focus, and with it the keys
             press(on.window, "cab-connect");
             QTRY_VERIFY(!page->isVisible() && on.viewer.livePanel.isVisible());
             auto* close = on.viewer.livePanel.findChild<QToolButton*>("live-close");
