@@ -32,7 +32,7 @@ struct Record {
     std::string axis, topic, joint;
     int lines = 0;
     double seconds = 0.0, timeoutS = 0.0;
-    bool progress = false;
+    bool progress = false, keepRepeated = false;
     Mounting mounting;
 };
 
@@ -136,9 +136,16 @@ int run(const Record& record) {
         return failWith({"this is a file and not a scanner", record.address, "replay plays a recording"}, kWrongUsage);
     const Result<scanner::HostPort> address = scanner::hostPort(record.address);
     if (!address) return failWith(address.error(), kWrongUsage);
-    const char* ofBridge = !record.topic.empty() ? "--topic" : !record.joint.empty() ? "--joint" : nullptr;
+    const char* ofBridge = !record.topic.empty()   ? "--topic"
+                           : !record.joint.empty() ? "--joint"
+                           : record.keepRepeated   ? "--keep-repeated"
+                                                   : nullptr;
     if (!address->bridge && ofBridge != nullptr)
-        return failWith(Error{"only a robot's bridge has topics and joints", ofBridge, "give ws://HOST, or leave it out"}, kWrongUsage);
+        return failWith(Error{record.keepRepeated && record.topic.empty() && record.joint.empty()
+                                  ? "a scanner of SICK says itself which ranges it did not measure"
+                                  : "only a robot's bridge has topics and joints",
+                              ofBridge, "give ws://HOST, or leave it out"},
+                        kWrongUsage);
     if (const auto right = checkMounting(record.mounting); !right) return failWith(right.error(), kWrongUsage);
     scanner::ConnectionSettings scanner;
     scanner.host = address->host;
@@ -146,6 +153,7 @@ int run(const Record& record) {
     scanner.bridge = address->bridge;
     scanner.topic = record.topic;
     scanner.joint = record.joint;
+    scanner.keepRepeated = record.keepRepeated;
     Mounting mounting = record.mounting;
     if (!record.axis.empty()) mounting.axis = record.axis == "spin" ? Axis::Spin : Axis::Sweep;
     const Result<scanner::SweepSettings> sweep = sweepOf(mounting);
@@ -231,6 +239,10 @@ void addRecord(CLI::App& app, int& code) {
         ->group(bridge);
     command.add_option("--joint", record->joint, "Joint that turns the laser; without it transforms, then the joint that turns furthest")
         ->type_name("NAME")
+        ->group(bridge);
+    command
+        .add_flag("--keep-repeated", record->keepRepeated,
+                  "Take a range or point that repeats exactly, far apart from the rest, as measured and not as no return")
         ->group(bridge);
     command.add_flag("--progress", record->progress, "Show the progress on stderr, also where that is not a terminal");
     command.callback([record, &code] { code = run(*record); });

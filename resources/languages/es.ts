@@ -2574,6 +2574,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>its heading names %1 (%2), and points need x, y and z in metres</source><translation>su título nombra %1 (%2), y los puntos necesitan x, y y z en metros</translation></message>
 <message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escriba x, y y z, o distancias como tabla con una fila por línea; o </translation></message>
 <message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>su encabezado nombra ejes (%1), y no se entienden todos los x, y y z</translation></message>
+<message><source>its heading names no x, y and z that are understood (%1)</source><translation>su encabezado no nombra x, y y z que se entiendan (%1)</translation></message>
 <message><source>the second to the fourth</source><translation>de la segunda a la cuarta</translation></message>
 <message><source>the third to the fifth</source><translation>de la tercera a la quinta</translation></message>
 <message><source>the fourth to the sixth</source><translation>de la cuarta a la sexta</translation></message>
@@ -2592,7 +2593,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>holds %1 where a point needs %2</source><translation>contiene %1 donde un punto necesita %2</translation></message>
 <message><source>the file may be cut off here, copy it again</source><translation>el archivo puede estar cortado aquí, cópielo de nuevo</translation></message>
 <message><source>promises %1 and holds %2</source><translation>anuncia %1 y contiene %2</translation></message>
-<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidad tomada de un comentario del archivo: %1 mm por unidad.</translation></message>
 <message><source>scan %1 of this PTX file promises %2 of %3, and the file ends before them</source><translation>el escaneo %1 de este archivo PTX anuncia %2 de %3, y el archivo termina antes</translation></message>
 <message><source>behind the %1 of %2 that the header promises there are more</source><translation>después de los %1 de %2 que anuncia el encabezado hay más</translation></message>
 <message><source>scan %1 has no PTX header here</source><translation>el escaneo %1 no tiene aquí encabezado PTX</translation></message>
@@ -2601,6 +2601,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the header promises %1 and the file holds %2</source><translation>el encabezado anuncia %1 y el archivo contiene %2</translation></message>
 <message><source>The first %1 of these scans hold no point with a return.</source><translation>Los primeros %1 de estos escaneos no tienen ningún punto con retorno.</translation></message>
 <message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matriz del encabezado tiene el lugar del escáner en su última columna y no en su última fila: se leyó por columnas.</translation></message>
+<message><source>Lines 4 to 6 of the header turn the scanner to another side than its matrix: the matrix was used.</source><translation>Las líneas 4 a 6 del encabezado giran el escáner hacia otro lado que su matriz: se usó la matriz.</translation></message>
 <message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La línea 3 del encabezado pone el escáner a %1 m del lugar que da su matriz: se usó la matriz.</translation></message>
 <message><source>Behind the last of these scans there is text that is none.</source><translation>Detrás del último de estos escaneos hay texto que no lo es.</translation></message>
 <message><source>PTX holds one point per cell, and points behind the nearest of their cell were asked for</source><translation>PTX contiene un punto por celda, y se pidieron también los puntos detrás del más cercano de su celda</translation></message>
@@ -2616,6 +2617,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n columns are not ranges, by the header, and not read: %1.</source><translation>%n columnas no son distancias, según el encabezado, y no se leyeron: %1.</translation></message>
 <message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Los ángulos de los haces se tomaron del encabezado: de %1 a %2 grados.</translation></message>
 <message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Los ángulos de las líneas se tomaron de la primera columna: de %1 a %2 grados.</translation></message>
+<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidad tomada de un comentario del archivo: %1 mm por unidad.</translation></message>
 <message><source>line %1, beam %2</source><translation>línea %1, haz %2</translation></message>
 <message><source> infinite ranges were taken as no return.</source><translation> distancias infinitas se tomaron como sin retorno.</translation></message>
 <message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distancias menores que 0, todas el mismo número, se tomaron como sin retorno.</translation></message>
@@ -2796,6 +2798,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>La lista solo contiene retornos: una línea o un haz del borde sin ningún retorno no está en ella.</translation></message>
 <message><source>points are one and the same,%1</source><translation>puntos son uno y el mismo,%1</translation></message>
 <message><source>points are %1 (in the numbers of the file) from the sensor</source><translation>puntos están a %1 (en los números del archivo) del sensor</translation></message>
+<message><source>its numbers are rounded to %1, and its points are within %2 of each other</source><translation>sus números están redondeados a %1, y sus puntos distan entre sí %2 como máximo</translation></message>
+<message><source>write the coordinates again with all their decimals</source><translation>escriba de nuevo las coordenadas con todos sus decimales</translation></message>
 <message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>sus números se redondearon a %1 cifras, así que los cercanos a %2 van en pasos de %3: las cifras que ubican los puntos se han perdido</translation></message>
 <message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escriba de nuevo las coordenadas con todos sus decimales, como números y no en la forma 1.23E+06</translation></message>
 <message><source>%1 numbers per line without names are a table of ranges only with its angles; as points, %2</source><translation>%1 números por línea sin nombres son una tabla de distancias solo con sus ángulos; como puntos, %2</translation></message>
@@ -2844,8 +2848,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Unit taken as millimetres, in which the numbers fit the sensor position given.</source><translation>Se tomó el milímetro como unidad, con el que los números concuerdan con la posición del sensor indicada.</translation></message>
 <message><source>numbers up to %1 in this file have a resolution of about %2</source><translation>los números hasta %1 de este archivo tienen una resolución de unos %2</translation></message>
 <message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>El texto tiene dos bytes por carácter (UTF-16) y se leyó así.</translation></message>
+<message><source>The text has four bytes per character (UTF-32) and was read as such.</source><translation>El texto tiene cuatro bytes por carácter (UTF-32) y se leyó así.</translation></message>
 <message><source>%n byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n byte cero (NUL) sigue a la última fila, como los deja un corte de luz: faltan las filas que no se escribieron.</translation></message>
 <message><source>%n bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n bytes cero (NUL) siguen a la última fila, como los deja un corte de luz: faltan las filas que no se escribieron.</translation></message>
+<message><source>the file holds only zeros (NUL), as a power cut leaves them</source><translation>el archivo solo contiene ceros (NUL), como los deja un corte de corriente</translation></message>
+<message><source>copy it again from the scanner</source><translation>cópielo de nuevo desde el escáner</translation></message>
 <message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matriz del archivo no es una rotación y traslación, así que el escaneo queda en el sistema del escáner.</translation></message>
 <message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>El archivo %1 pone el escáner en %2, %3, %4 m, que no es un lugar de la tierra, así que el escaneo queda en el sistema del escáner.</translation></message>
 <message><source>as the %1 file has it</source><translation>como lo tiene el archivo %1</translation></message>
@@ -2900,7 +2907,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n byte del flujo no pertenece a ningún telegrama entero.</translation></message>
 <message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n bytes del flujo no pertenecen a ningún telegrama entero.</translation></message>
 <message><source>radians</source><translation>radianes</translation></message>
+<message><source>hundredths of a degree</source><translation>centésimas de grado</translation></message>
+<message><source>thousandths of a degree</source><translation>milésimas de grado</translation></message>
 <message><source>milliradians</source><translation>milirradianes</translation></message>
+<message><source>%1 (azimuth) and %2 (elevation)</source><translation>%1 (acimut) y %2 (elevación)</translation></message>
 <message><source>angles in %1, azimuths %2</source><translation>ángulos en %1, acimuts %2</translation></message>
 <message><source>angles taken as %1, azimuths %2</source><translation>ángulos tomados como %1, acimuts %2</translation></message>
 <message><source>clockwise from y</source><translation>en sentido horario desde y</translation></message>
@@ -2942,6 +2952,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>"acquisition" must be an object {...}</source><translation>"acquisition" debe ser un objeto {...}</translation></message>
 <message><source>must be greater than 0</source><translation>debe ser mayor que 0</translation></message>
 <message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>el encabezado anuncia %1 de %2 bytes y el archivo contiene %3 bytes de ellos, que es más</translation></message>
+<message><source>The last %1 of %2 points hold zeros in all bytes, as a power cut leaves them where a file was not written to its end: they count as no return.</source><translation>Los últimos %1 de %2 puntos contienen ceros en todos los bytes, como los deja un corte de corriente cuando un archivo no se escribió hasta el final: cuentan como sin retorno.</translation></message>
 <message><source>holds %1 where the header promises %2</source><translation>contiene %1 donde el encabezado anuncia %2</translation></message>
 <message><source>the header promises %1, and more text follows them here</source><translation>el encabezado anuncia %1, y aquí sigue más texto</translation></message>
 <message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return</source><translation>, que se repite exactamente y está lejos del resto, como nada medido lo está: se tomó como sin retorno</translation></message>
@@ -3089,6 +3100,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>it is not a file of a bag</source><translation>no es un archivo de un bag</translation></message>
 <message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La parte %1 del bag no se pudo leer (%2): sus mensajes no están en el escaneo.</translation></message>
 <message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta la parte %1 del bag: sus mensajes no están en el escaneo.</translation></message>
+<message><source>metadata.yaml does not name %1, a part of the bag by its name: its messages are not in the scan.</source><translation>metadata.yaml no nombra %1, que por su nombre es una parte del bag: sus mensajes no están en el escaneo.</translation></message>
 <message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nombra %1, cuyo nombre no es el de un archivo de mensajes (.mcap, .db3, .bag): no se leyó.</translation></message>
 <message><source>no part of the bag is there</source><translation>no está ninguna parte del bag</translation></message>
 <message><source>this is not the metadata of an Ouster: beam angles or columns of a frame are missing</source><translation>estos no son los metadatos de un Ouster: faltan los ángulos de los haces o las columnas de un cuadro</translation></message>
@@ -3173,6 +3185,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformaciones del bag son de más sistemas de los que tiene un robot y se dejaron fuera.</translation></message>
 <message><source>The transforms of the bag form a loop at the frame %1.</source><translation>Las transformaciones del bag forman un bucle en el marco %1.</translation></message>
 <message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>Las transformaciones del bag forman una cadena de más de %1 sistemas: los de arriba no se usan.</translation></message>
+<message><source>ranges of the topic are %1 m, the range_min of their messages</source><translation>distancias del tema son %1 m, el range_min de sus mensajes</translation></message>
 <message><source>ranges of the topic are %1 m</source><translation>distancias del topic son %1 m</translation></message>
 <message><source>it has no beams or no stamp</source><translation>no tiene haces o no tiene marca de tiempo</translation></message>
 <message><source>its angle_increment does not give the step between beams</source><translation>su angle_increment no da el paso entre haces</translation></message>

@@ -2574,6 +2574,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>its heading names %1 (%2), and points need x, y and z in metres</source><translation>son titre nomme %1 (%2), et les points demandent x, y et z en mètres</translation></message>
 <message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>écrivez x, y et z, ou les distances en tableau avec une rangée par ligne ; ou </translation></message>
 <message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>son en-tête nomme des axes (%1), et x, y et z ne sont pas tous compris</translation></message>
+<message><source>its heading names no x, y and z that are understood (%1)</source><translation>son en-tête ne nomme pas de x, y et z compris (%1)</translation></message>
 <message><source>the second to the fourth</source><translation>de la deuxième à la quatrième</translation></message>
 <message><source>the third to the fifth</source><translation>de la troisième à la cinquième</translation></message>
 <message><source>the fourth to the sixth</source><translation>de la quatrième à la sixième</translation></message>
@@ -2592,7 +2593,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>holds %1 where a point needs %2</source><translation>contient %1 là où un point en demande %2</translation></message>
 <message><source>the file may be cut off here, copy it again</source><translation>le fichier est peut-être coupé ici, copiez-le à nouveau</translation></message>
 <message><source>promises %1 and holds %2</source><translation>annonce %1 et contient %2</translation></message>
-<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unité prise d'un commentaire du fichier : %1 mm par unité.</translation></message>
 <message><source>scan %1 of this PTX file promises %2 of %3, and the file ends before them</source><translation>le scan %1 de ce fichier PTX annonce %2 de %3, et le fichier finit avant</translation></message>
 <message><source>behind the %1 of %2 that the header promises there are more</source><translation>derrière les %1 de %2 que l'en-tête annonce, il y en a d'autres</translation></message>
 <message><source>scan %1 has no PTX header here</source><translation>le scan %1 n'a pas d'en-tête PTX ici</translation></message>
@@ -2601,6 +2601,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the header promises %1 and the file holds %2</source><translation>l'en-tête annonce %1 et le fichier contient %2</translation></message>
 <message><source>The first %1 of these scans hold no point with a return.</source><translation>Les %1 premiers de ces scans n'ont aucun point avec un retour.</translation></message>
 <message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matrice de l'en-tête a la place du scanner dans sa dernière colonne et non dans sa dernière rangée : elle a été lue par colonnes.</translation></message>
+<message><source>Lines 4 to 6 of the header turn the scanner to another side than its matrix: the matrix was used.</source><translation>Les lignes 4 à 6 de l'en-tête tournent le scanner d'un autre côté que sa matrice : la matrice a été utilisée.</translation></message>
 <message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La ligne 3 de l'en-tête met le scanner à %1 m de la place que donne sa matrice : la matrice a été utilisée.</translation></message>
 <message><source>Behind the last of these scans there is text that is none.</source><translation>Derrière le dernier de ces scans il y a du texte qui n'en est pas un.</translation></message>
 <message><source>PTX holds one point per cell, and points behind the nearest of their cell were asked for</source><translation>PTX contient un point par cellule, et les points derrière le plus proche de leur cellule ont été demandés</translation></message>
@@ -2616,6 +2617,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n columns are not ranges, by the header, and not read: %1.</source><translation>%n colonnes ne sont pas de distances, d'après l'en-tête, et n'ont pas été lues : %1.</translation></message>
 <message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Les angles des faisceaux ont été pris de l'en-tête : de %1 à %2 degrés.</translation></message>
 <message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Les angles des lignes ont été pris de la première colonne : de %1 à %2 degrés.</translation></message>
+<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unité prise d'un commentaire du fichier : %1 mm par unité.</translation></message>
 <message><source>line %1, beam %2</source><translation>ligne %1, faisceau %2</translation></message>
 <message><source> infinite ranges were taken as no return.</source><translation> distances infinies ont été prises comme sans retour.</translation></message>
 <message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distances inférieures à 0, toutes le même nombre, ont été prises comme sans retour.</translation></message>
@@ -2796,6 +2798,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>La liste ne contient que des retours : une ligne ou un faisceau du bord sans aucun retour n'y est pas.</translation></message>
 <message><source>points are one and the same,%1</source><translation>points sont un seul et même point,%1</translation></message>
 <message><source>points are %1 (in the numbers of the file) from the sensor</source><translation>points sont à %1 (dans les nombres du fichier) du capteur</translation></message>
+<message><source>its numbers are rounded to %1, and its points are within %2 of each other</source><translation>ses nombres sont arrondis à %1, et ses points sont à %2 au plus les uns des autres</translation></message>
+<message><source>write the coordinates again with all their decimals</source><translation>écrivez à nouveau les coordonnées avec toutes leurs décimales</translation></message>
 <message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>ses nombres ont été arrondis à %1 chiffres, si bien que ceux proches de %2 avancent par pas de %3 : les chiffres qui placent les points sont perdus</translation></message>
 <message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>réécrivez les coordonnées avec toutes leurs décimales, en nombres et non sous la forme 1.23E+06</translation></message>
 <message><source>%1 numbers per line without names are a table of ranges only with its angles; as points, %2</source><translation>%1 nombres par ligne sans noms ne font un tableau de distances qu'avec ses angles ; comme points, %2</translation></message>
@@ -2844,8 +2848,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Unit taken as millimetres, in which the numbers fit the sensor position given.</source><translation>Le millimètre a été pris comme unité : ainsi les nombres s'accordent avec la position du capteur indiquée.</translation></message>
 <message><source>numbers up to %1 in this file have a resolution of about %2</source><translation>les nombres jusqu'à %1 de ce fichier ont une résolution d'environ %2</translation></message>
 <message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>Le texte a deux octets par caractère (UTF-16) et a été lu ainsi.</translation></message>
+<message><source>The text has four bytes per character (UTF-32) and was read as such.</source><translation>Le texte a quatre octets par caractère (UTF-32) et a été lu ainsi.</translation></message>
 <message><source>%n byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n octet nul (NUL) suit la dernière rangée, comme après une coupure de courant : les rangées non écrites manquent.</translation></message>
 <message><source>%n bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n octets nuls (NUL) suivent la dernière rangée, comme après une coupure de courant : les rangées non écrites manquent.</translation></message>
+<message><source>the file holds only zeros (NUL), as a power cut leaves them</source><translation>le fichier ne contient que des zéros (NUL), comme en laisse une coupure de courant</translation></message>
+<message><source>copy it again from the scanner</source><translation>copiez-le à nouveau depuis le scanner</translation></message>
 <message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>La matrice du fichier n'est pas une rotation et une translation ; le scan reste donc dans le repère du scanner.</translation></message>
 <message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>Le fichier %1 met le scanner à %2, %3, %4 m, ce qui n'est pas un lieu sur terre ; le scan reste donc dans le repère du scanner.</translation></message>
 <message><source>as the %1 file has it</source><translation>comme l'a le fichier %1</translation></message>
@@ -2900,7 +2907,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n octet du flux n'appartient à aucun télégramme entier.</translation></message>
 <message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n octets du flux n'appartiennent à aucun télégramme entier.</translation></message>
 <message><source>radians</source><translation>radians</translation></message>
+<message><source>hundredths of a degree</source><translation>centièmes de degré</translation></message>
+<message><source>thousandths of a degree</source><translation>millièmes de degré</translation></message>
 <message><source>milliradians</source><translation>milliradians</translation></message>
+<message><source>%1 (azimuth) and %2 (elevation)</source><translation>%1 (azimut) et %2 (élévation)</translation></message>
 <message><source>angles in %1, azimuths %2</source><translation>des angles en %1, des azimuts %2</translation></message>
 <message><source>angles taken as %1, azimuths %2</source><translation>des angles pris comme %1, des azimuts %2</translation></message>
 <message><source>clockwise from y</source><translation>dans le sens horaire depuis y</translation></message>
@@ -2942,6 +2952,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>"acquisition" must be an object {...}</source><translation>"acquisition" doit être un objet {...}</translation></message>
 <message><source>must be greater than 0</source><translation>doit être supérieur à 0</translation></message>
 <message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>l'en-tête annonce %1 de %2 octets et le fichier en contient %3 octets, ce qui est plus</translation></message>
+<message><source>The last %1 of %2 points hold zeros in all bytes, as a power cut leaves them where a file was not written to its end: they count as no return.</source><translation>Les derniers %1 de %2 points contiennent des zéros dans tous les octets, comme en laisse une coupure de courant quand un fichier n'a pas été écrit jusqu'au bout : ils comptent comme sans retour.</translation></message>
 <message><source>holds %1 where the header promises %2</source><translation>contient %1 là où l'en-tête annonce %2</translation></message>
 <message><source>the header promises %1, and more text follows them here</source><translation>l'en-tête annonce %1, et d'autre texte suit ici</translation></message>
 <message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return</source><translation>, qui se répète exactement et est loin du reste, comme rien de mesuré ne l'est : pris comme sans retour</translation></message>
@@ -3089,6 +3100,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>it is not a file of a bag</source><translation>ce n'est pas un fichier d'un bag</translation></message>
 <message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>La partie %1 du bag n'a pas pu être lue (%2) : ses messages ne sont pas dans le scan.</translation></message>
 <message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>La partie %1 du bag manque : ses messages ne sont pas dans le scan.</translation></message>
+<message><source>metadata.yaml does not name %1, a part of the bag by its name: its messages are not in the scan.</source><translation>metadata.yaml ne nomme pas %1, qui d'après son nom est une partie du bag : ses messages ne sont pas dans le scan.</translation></message>
 <message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nomme %1, dont le nom n'est pas celui d'un fichier de messages (.mcap, .db3, .bag) : il n'a pas été lu.</translation></message>
 <message><source>no part of the bag is there</source><translation>aucune partie du bag n'est là</translation></message>
 <message><source>this is not the metadata of an Ouster: beam angles or columns of a frame are missing</source><translation>ce ne sont pas les métadonnées d'un Ouster : les angles des faisceaux ou les colonnes d'une trame manquent</translation></message>
@@ -3173,6 +3185,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformations du bag concernent plus de repères qu'aucun robot n'en a et ont été laissées de côté.</translation></message>
 <message><source>The transforms of the bag form a loop at the frame %1.</source><translation>Les transformations du bag forment une boucle au repère %1.</translation></message>
 <message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>Les transformations du bag forment une chaîne de plus de %1 repères : ceux du dessus ne sont pas utilisés.</translation></message>
+<message><source>ranges of the topic are %1 m, the range_min of their messages</source><translation>distances du sujet sont de %1 m, le range_min de leurs messages</translation></message>
 <message><source>ranges of the topic are %1 m</source><translation>distances du topic sont %1 m</translation></message>
 <message><source>it has no beams or no stamp</source><translation>il n'a pas de faisceaux ou pas d'horodatage</translation></message>
 <message><source>its angle_increment does not give the step between beams</source><translation>son angle_increment ne donne pas le pas entre faisceaux</translation></message>

@@ -2574,6 +2574,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>its heading names %1 (%2), and points need x, y and z in metres</source><translation>seu título nomeia %1 (%2), e os pontos precisam de x, y e z em metros</translation></message>
 <message><source>write x, y and z, or ranges as a table with a row per scan line; or </source><translation>escreva x, y e z, ou distâncias como tabela com uma fileira por linha; ou </translation></message>
 <message><source>its heading names axes (%1), and not all of x, y and z are understood</source><translation>o seu cabeçalho nomeia eixos (%1), e nem todos os x, y e z são entendidos</translation></message>
+<message><source>its heading names no x, y and z that are understood (%1)</source><translation>o seu cabeçalho não nomeia x, y e z que se entendam (%1)</translation></message>
 <message><source>the second to the fourth</source><translation>da segunda à quarta</translation></message>
 <message><source>the third to the fifth</source><translation>da terceira à quinta</translation></message>
 <message><source>the fourth to the sixth</source><translation>da quarta à sexta</translation></message>
@@ -2592,7 +2593,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>holds %1 where a point needs %2</source><translation>contém %1 onde um ponto precisa de %2</translation></message>
 <message><source>the file may be cut off here, copy it again</source><translation>o arquivo pode estar cortado aqui, copie-o de novo</translation></message>
 <message><source>promises %1 and holds %2</source><translation>anuncia %1 e contém %2</translation></message>
-<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidade tomada de um comentário do arquivo: %1 mm por unidade.</translation></message>
 <message><source>scan %1 of this PTX file promises %2 of %3, and the file ends before them</source><translation>a varredura %1 deste arquivo PTX anuncia %2 de %3, e o arquivo termina antes</translation></message>
 <message><source>behind the %1 of %2 that the header promises there are more</source><translation>depois dos %1 de %2 que o cabeçalho anuncia há mais</translation></message>
 <message><source>scan %1 has no PTX header here</source><translation>a varredura %1 não tem cabeçalho PTX aqui</translation></message>
@@ -2601,6 +2601,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the header promises %1 and the file holds %2</source><translation>o cabeçalho anuncia %1 e o arquivo contém %2</translation></message>
 <message><source>The first %1 of these scans hold no point with a return.</source><translation>As primeiras %1 destas varreduras não têm nenhum ponto com retorno.</translation></message>
 <message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>A matriz do cabeçalho tem o lugar do scanner na última coluna e não na última fileira: foi lida por colunas.</translation></message>
+<message><source>Lines 4 to 6 of the header turn the scanner to another side than its matrix: the matrix was used.</source><translation>As linhas 4 a 6 do cabeçalho giram o scanner para outro lado que a sua matriz: a matriz foi usada.</translation></message>
 <message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>A linha 3 do cabeçalho põe o scanner a %1 m do lugar que a sua matriz dá: foi usada a matriz.</translation></message>
 <message><source>Behind the last of these scans there is text that is none.</source><translation>Depois da última destas varreduras há texto que não é uma.</translation></message>
 <message><source>PTX holds one point per cell, and points behind the nearest of their cell were asked for</source><translation>o PTX contém um ponto por célula, e foram pedidos também os pontos atrás do mais próximo de sua célula</translation></message>
@@ -2616,6 +2617,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n columns are not ranges, by the header, and not read: %1.</source><translation>%n colunas não são de distâncias, segundo o cabeçalho, e não foram lidas: %1.</translation></message>
 <message><source>The angles of the beams were taken from the header: %1 to %2 degrees.</source><translation>Os ângulos dos feixes foram tomados do cabeçalho: de %1 a %2 graus.</translation></message>
 <message><source>The angles of the lines were taken from the first column: %1 to %2 degrees.</source><translation>Os ângulos das linhas foram tomados da primeira coluna: de %1 a %2 graus.</translation></message>
+<message><source>Unit taken from a comment of the file: %1 mm per number.</source><translation>Unidade tomada de um comentário do arquivo: %1 mm por unidade.</translation></message>
 <message><source>line %1, beam %2</source><translation>linha %1, feixe %2</translation></message>
 <message><source> infinite ranges were taken as no return.</source><translation> distâncias infinitas foram tomadas como sem retorno.</translation></message>
 <message><source> ranges below 0, all the same number, were taken as no return.</source><translation> distâncias abaixo de 0, todas o mesmo número, foram tomadas como sem retorno.</translation></message>
@@ -2796,6 +2798,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>The list holds returns only: a line or beam at the border without any return is not in it.</source><translation>A lista só contém retornos: uma linha ou um feixe da borda sem nenhum retorno não está nela.</translation></message>
 <message><source>points are one and the same,%1</source><translation>pontos são um e o mesmo,%1</translation></message>
 <message><source>points are %1 (in the numbers of the file) from the sensor</source><translation>pontos estão a %1 (nos números do arquivo) do sensor</translation></message>
+<message><source>its numbers are rounded to %1, and its points are within %2 of each other</source><translation>os seus números estão arredondados a %1, e os seus pontos distam entre si %2 no máximo</translation></message>
+<message><source>write the coordinates again with all their decimals</source><translation>escreva de novo as coordenadas com todas as casas decimais</translation></message>
 <message><source>its numbers were rounded to %1 digits, so that those near %2 step by %3: the digits that place the points are lost</source><translation>os seus números foram arredondados a %1 algarismos, e os próximos de %2 avançam em passos de %3: os algarismos que posicionam os pontos perderam-se</translation></message>
 <message><source>write the coordinates again with all their decimals, as numbers and not in the form 1.23E+06</source><translation>escreva de novo as coordenadas com todas as casas decimais, como números e não na forma 1.23E+06</translation></message>
 <message><source>%1 numbers per line without names are a table of ranges only with its angles; as points, %2</source><translation>%1 números por linha sem nomes são uma tabela de distâncias só com seus ângulos; como pontos, %2</translation></message>
@@ -2844,8 +2848,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Unit taken as millimetres, in which the numbers fit the sensor position given.</source><translation>O milímetro foi tomado como unidade, com o qual os números concordam com a posição do sensor indicada.</translation></message>
 <message><source>numbers up to %1 in this file have a resolution of about %2</source><translation>os números até %1 deste arquivo têm uma resolução de cerca de %2</translation></message>
 <message><source>The text has two bytes per character (UTF-16) and was read as such.</source><translation>O texto tem dois bytes por caractere (UTF-16) e foi lido assim.</translation></message>
+<message><source>The text has four bytes per character (UTF-32) and was read as such.</source><translation>O texto tem quatro bytes por carácter (UTF-32) e foi lido assim.</translation></message>
 <message><source>%n byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n byte zero (NUL) segue a última fileira, como os deixa uma queda de energia: faltam as fileiras que não foram escritas.</translation></message>
 <message><source>%n bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing.</source><translation>%n bytes zero (NUL) seguem a última fileira, como os deixa uma queda de energia: faltam as fileiras que não foram escritas.</translation></message>
+<message><source>the file holds only zeros (NUL), as a power cut leaves them</source><translation>o ficheiro só contém zeros (NUL), como os deixa um corte de energia</translation></message>
+<message><source>copy it again from the scanner</source><translation>copie-o de novo do scanner</translation></message>
 <message><source>The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.</source><translation>A matriz do arquivo não é uma rotação e translação, portanto a varredura fica no referencial do scanner.</translation></message>
 <message><source>The %1 file puts the scanner at %2, %3, %4 m, which is not a place on earth, so the scan stays in the scanner's frame.</source><translation>O arquivo %1 põe o scanner em %2, %3, %4 m, que não é um lugar na terra, portanto a varredura fica no referencial do scanner.</translation></message>
 <message><source>as the %1 file has it</source><translation>como o tem o arquivo %1</translation></message>
@@ -2900,7 +2907,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n byte of the stream belongs to no whole telegram.</source><translation>%n byte do fluxo não pertence a nenhum telegrama inteiro.</translation></message>
 <message><source>%n bytes of the stream belong to no whole telegram.</source><translation>%n bytes do fluxo não pertencem a nenhum telegrama inteiro.</translation></message>
 <message><source>radians</source><translation>radianos</translation></message>
+<message><source>hundredths of a degree</source><translation>centésimos de grau</translation></message>
+<message><source>thousandths of a degree</source><translation>milésimos de grau</translation></message>
 <message><source>milliradians</source><translation>milirradianos</translation></message>
+<message><source>%1 (azimuth) and %2 (elevation)</source><translation>%1 (azimute) e %2 (elevação)</translation></message>
 <message><source>angles in %1, azimuths %2</source><translation>ângulos em %1, azimutes %2</translation></message>
 <message><source>angles taken as %1, azimuths %2</source><translation>ângulos tomados como %1, azimutes %2</translation></message>
 <message><source>clockwise from y</source><translation>no sentido horário desde y</translation></message>
@@ -2942,6 +2952,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>"acquisition" must be an object {...}</source><translation>"acquisition" deve ser um objeto {...}</translation></message>
 <message><source>must be greater than 0</source><translation>deve ser maior que 0</translation></message>
 <message><source>the header promises %1 of %2 bytes and the file holds %3 bytes of them, which is more</source><translation>o cabeçalho anuncia %1 de %2 bytes e o arquivo contém %3 bytes deles, o que é mais</translation></message>
+<message><source>The last %1 of %2 points hold zeros in all bytes, as a power cut leaves them where a file was not written to its end: they count as no return.</source><translation>Os últimos %1 de %2 pontos contêm zeros em todos os bytes, como os deixa um corte de energia quando um ficheiro não foi escrito até ao fim: contam como sem retorno.</translation></message>
 <message><source>holds %1 where the header promises %2</source><translation>contém %1 onde o cabeçalho anuncia %2</translation></message>
 <message><source>the header promises %1, and more text follows them here</source><translation>o cabeçalho anuncia %1, e aqui segue mais texto</translation></message>
 <message><source>, which repeats exactly and is far apart from the rest, as nothing measured is: taken as no return</source><translation>, que se repete exatamente e está longe do resto, como nada medido está: tomado como sem retorno</translation></message>
@@ -3089,6 +3100,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>it is not a file of a bag</source><translation>não é um arquivo de um bag</translation></message>
 <message><source>The part %1 of the bag could not be read (%2): its messages are not in the scan.</source><translation>A parte %1 do bag não pôde ser lida (%2): as suas mensagens não estão na varredura.</translation></message>
 <message><source>The part %1 of the bag is missing: its messages are not in the scan.</source><translation>Falta a parte %1 do bag: as suas mensagens não estão na varredura.</translation></message>
+<message><source>metadata.yaml does not name %1, a part of the bag by its name: its messages are not in the scan.</source><translation>metadata.yaml não nomeia %1, que pelo seu nome é uma parte do bag: as suas mensagens não estão no scan.</translation></message>
 <message><source>metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.</source><translation>metadata.yaml nomeia %1, cujo nome não é o de um arquivo de mensagens (.mcap, .db3, .bag): não foi lido.</translation></message>
 <message><source>no part of the bag is there</source><translation>nenhuma parte do bag está ali</translation></message>
 <message><source>this is not the metadata of an Ouster: beam angles or columns of a frame are missing</source><translation>estes não são os metadados de um Ouster: faltam os ângulos dos feixes ou as colunas de um quadro</translation></message>
@@ -3173,6 +3185,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source> transforms of the bag are of more frames than any robot has and were left out.</source><translation> transformações do bag são de mais referenciais do que um robô tem e foram deixadas de fora.</translation></message>
 <message><source>The transforms of the bag form a loop at the frame %1.</source><translation>As transformações do bag formam um laço no referencial %1.</translation></message>
 <message><source>The transforms of the bag form a chain of more than %1 frames: those above are not used.</source><translation>As transformações do bag formam uma cadeia de mais de %1 referenciais: os de cima não são usados.</translation></message>
+<message><source>ranges of the topic are %1 m, the range_min of their messages</source><translation>distâncias do tópico são %1 m, o range_min das suas mensagens</translation></message>
 <message><source>ranges of the topic are %1 m</source><translation>distâncias do tópico são %1 m</translation></message>
 <message><source>it has no beams or no stamp</source><translation>não tem feixes ou não tem marca de tempo</translation></message>
 <message><source>its angle_increment does not give the step between beams</source><translation>seu angle_increment não dá o passo entre feixes</translation></message>

@@ -190,7 +190,8 @@ private slots:
         // A click fixes the crosshair, at an edge near the pointer, and Esc removes it.
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixel);
         const QPoint fixed = *window.viewer().views.edges().crosshair();
-        QVERIFY((fixed - marked).manhattanLength() <= 6 && detection.mask->at(fixed.y(), fixed.x()) != 0);
+        const QString places = QString("%1,%2 from %3,%4").arg(fixed.x()).arg(fixed.y()).arg(marked.x()).arg(marked.y());
+        QVERIFY2((fixed - marked).manhattanLength() <= 6 && detection.mask->at(fixed.y(), fixed.x()) != 0, qPrintable(places));
         window.viewer().notice.hide(); // Esc would first close the notice about the interlaced beams of the real scan
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(!window.viewer().views.edges().crosshair().has_value());

@@ -5,6 +5,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
+#include "core/files/point_tables/axis_words.h"
 #include "core/files/point_tables/column_rows.h"
 #include "core/files/point_tables/point_columns.h"
 #include "core/files/point_tables/text_layout.h"
@@ -70,6 +71,7 @@ Result<PointTable> readObjPoints(const Source& source) {
     PrintedDigits digits;
     HeaderLines lines(source.text());
     std::size_t unknown = 0, firstUnknown = 0;
+    std::optional<double> unitMm;
     bool continued = false; // by a \ at the end of the line before
     while (lines.next()) {
         const std::string_view line = lines.line();
@@ -78,6 +80,8 @@ Result<PointTable> readObjPoints(const Source& source) {
         if (word != "v") {
             const bool known = goesOn || word.empty() || word.starts_with('#') || isObjWord(word) || isRareObjWord(word);
             if (!known && unknown++ == 0) firstUnknown = lines.number();
+            const auto unit = word.starts_with('#') && table.points.empty() ? unitInComment(line) : std::nullopt;
+            if (unit) unitMm = unit;
             continue;
         }
         const auto words = wordsOf(line);
@@ -104,6 +108,7 @@ Result<PointTable> readObjPoints(const Source& source) {
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
     table.width = table.points.size();
     table.precision = precisionOf(digits);
+    takeUnitOfComment(table, unitMm, source);
     return table;
 }
 

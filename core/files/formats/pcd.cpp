@@ -7,6 +7,7 @@
 #include "core/base/physical_limits.h"
 #include "core/base/translated_text.h"
 #include "core/files/formats/format.h"
+#include "core/files/point_tables/axis_words.h"
 #include "core/files/point_tables/cloud_columns.h"
 #include "core/files/point_tables/column_rows.h"
 #include "core/files/point_tables/point_columns.h"
@@ -123,7 +124,8 @@ struct PcdHeader {
     std::optional<Eigen::Vector3d> originM, sensorM; ///< of our own files in mine coordinates: see kPcdOrigin
     std::string encoding;
     std::string description;
-    std::size_t firstByte = 0; ///< of the points
+    std::optional<double> unitMm; ///< of a comment
+    std::size_t firstByte = 0;    ///< of the points
     std::size_t firstLine = 1;
 };
 
@@ -190,7 +192,9 @@ Result<PcdHeader> readPcdHeader(const Source& source) {
     HeaderLines lines(source.text());
     while (header.encoding.empty() && lines.next()) {
         if (lines.line().starts_with('#')) {
-            if (!addToDescription(lines.line().substr(1), header.description)) readOwnComment(lines.line(), header);
+            if (addToDescription(lines.line().substr(1), header.description)) continue;
+            readOwnComment(lines.line(), header);
+            if (const auto unit = unitInComment(lines.line())) header.unitMm = unit;
             continue;
         }
         const auto words = wordsOf(lines.line());
@@ -248,8 +252,8 @@ Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
     if (layout.points == 0) return source.refused("the file holds no points", "choose another file");
     std::vector<RecordField> fields;
     for (std::size_t i = 0; i < count; ++i) {
+        if (header.counts[i] == 0) continue; // padding that takes no bytes, as PCL makes it of a ROS message
         const auto scalar = scalarOf(header.types[i], header.sizes[i]);
-        if (scalar && header.counts[i] == 0) continue; // padding that takes no bytes, as PCL makes it of a ROS message
         if (!scalar || header.counts[i] > kLargestRecord) {
             return source.refused(withValues("the field %1 has a type or size that PCD does not know", {header.names[i].substr(0, 40)}),
                                   "export the file again");
@@ -348,6 +352,7 @@ Result<PointTable> readPcdPoints(const Source& source) {
     table.height = header->height;
     table.sensor = header->sensor;
     table.description = header->description;
+    takeUnitOfComment(table, header->unitMm, source);
     if (auto enough = checkMemory(productOf({std::min(layout->points, mostUnpackedBytes(source.bytes.size())), 32}), source.path.string());
         !enough)
         return enough.error();

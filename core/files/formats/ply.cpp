@@ -8,6 +8,7 @@
 #include "core/base/checked_size.h"
 #include "core/base/foreign_text.h"
 #include "core/base/memory.h"
+#include "core/files/point_tables/axis_words.h"
 #include "core/files/point_tables/column_rows.h"
 #include "core/files/point_tables/point_columns.h"
 
@@ -39,6 +40,7 @@ struct PlyHeader {
     std::string encoding;
     std::vector<Element> elements;
     std::string description;
+    std::optional<double> unitMm; ///< of a comment
     std::size_t firstByte = 0;
     std::size_t firstLine = 1;
     bool ended = false;
@@ -89,7 +91,12 @@ bool readProperty(const std::vector<std::string_view>& words, Element& element) 
 bool readHeaderLine(std::string_view line, PlyHeader& header) {
     const auto words = wordsOf(line);
     if (words.empty() || words[0] == "obj_info" || words[0] == "ply") return true;
-    if (words[0] == "comment") return addToDescription(line.substr(std::min<std::size_t>(line.size(), 8)), header.description), true;
+    if (words[0] == "comment") {
+        const std::string_view comment = line.substr(std::min<std::size_t>(line.size(), 8));
+        const auto unit = addToDescription(comment, header.description) ? std::nullopt : unitInComment(comment);
+        if (unit) header.unitMm = unit;
+        return true;
+    }
     if (words[0] == "end_header") return header.ended = true;
     if (words[0] == "format") return header.encoding = words.size() > 1 ? std::string(words[1]) : std::string(), true;
     if (words[0] == "element" && words.size() == 3) {
@@ -298,6 +305,7 @@ Result<PointTable> readPlyPoints(const Source& source) {
     PointTable table;
     table.format = "PLY";
     table.description = header->description;
+    takeUnitOfComment(table, header->unitMm, source);
     if (auto read = readVertices(table, *header, **vertex, *fields, source); !read) return read.error();
     std::string others;
     for (const Element* other = *vertex + 1; other <= &header->elements.back(); ++other)

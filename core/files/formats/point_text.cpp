@@ -92,7 +92,14 @@ struct Columns {
 /// Names of a table rather than a title between blanks or the numbers of its columns.
 bool areWords(const TextLayout& layout) {
     const auto isNumber = [](const std::string& name) { return name.find_first_not_of("0123456789.") == std::string::npos; };
-    return layout.separator != ' ' && layout.names.size() >= 3 && std::ranges::none_of(layout.names, isNumber);
+    return layout.names.size() >= 3 && std::ranges::none_of(layout.names, isNumber);
+}
+
+/// The heading names something, and not x, y and z in words that are understood: taking the columns by their order would be a guess.
+/// Between blanks it may be a title.
+bool namesOtherThings(const TextLayout& layout) {
+    if (!areWords(layout)) return false;
+    return layout.separator == ' ' ? namesOfAxes(layout.names) > 1 : !onlyCount(layout.names);
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -173,8 +180,11 @@ Result<Columns> columnsOf(const TextLayout& layout, const Source& source) {
     } else if (const auto other = contentsNamed(layout.names)) {
         return source.refused(withValues("its heading names %1 (%2), and points need x, y and z in metres", {*other, joined(layout.names)}),
                               std::string("write x, y and z, or ranges as a table with a row per scan line; or ") + kSayColumns);
-    } else if (!columns.named.hasPoint() && areWords(layout) && nameAnAxis(layout.names)) {
-        return source.refused(withValues("its heading names axes (%1), and not all of x, y and z are understood", {joined(layout.names)}),
+    } else if (!columns.named.hasPoint() && namesOtherThings(layout)) {
+        return source.refused(withValues(namesOfAxes(layout.names) > 0
+                                             ? "its heading names axes (%1), and not all of x, y and z are understood"
+                                             : "its heading names no x, y and z that are understood (%1)",
+                                         {joined(layout.names)}),
                               kSayColumns);
     }
     if (columns.named.hasPoint()) {
@@ -347,13 +357,8 @@ Result<Done> addRows(PointTable& table, RowReader& rows, const RowUse& use, cons
 /// What the heading, the columns and the name of the file say of the points.
 void describePoints(PointTable& table, const Columns& columns, const RowUse& use, const TextLayout& layout, const Source& source) {
     table.unitMm = use.named.unitMm;
-    if (!table.unitMm && layout.unitMm) {
-        table.unitMm = layout.unitMm;
-        if (!source.options->unitMm)
-            table.remarks.push_back(
-                withValues("Unit taken from a comment of the file: %1 mm per number.", {significantText(*layout.unitMm, 8)}));
-    }
     table.description = layout.description;
+    takeUnitOfComment(table, layout.unitMm, source);
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
     const bool cells = columns.unnamedCells && areCells(table);
     if (columns.unnamedCells && !cells) {

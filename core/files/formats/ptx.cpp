@@ -29,14 +29,20 @@ struct PtxHeader {
     bool byColumns = false;                           ///< the matrix was written with its rows as columns, and is turned back
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< the scanner's, by the matrix
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    std::size_t firstByte = 0; ///< of the points
-    std::size_t firstLine = 0; ///< its number
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< the scanner's by lines 4 to 6, a row each
+    std::size_t firstByte = 0;                          ///< of the points
+    std::size_t firstLine = 0;                          ///< its number
 
     [[nodiscard]] std::uint64_t points() const { return productOf({columns, rows}); }
     /// Line 3 and the matrix name two places: no program prints them less exactly than a centimetre.
     [[nodiscard]] bool namesTwoPlaces() const {
         constexpr double kSamePlaceM = 0.01;
         return !stated.isZero(0.0) && (stated - place).norm() > kSamePlaceM;
+    }
+    /// Lines 4 to 6 and the matrix turn the scanner to two sides. Programs that do not fill them in write the axes as they are.
+    [[nodiscard]] bool namesTwoTurns() const {
+        constexpr double kSameTurn = 1e-3;
+        return !axes.isIdentity(0.0) && !axes.isApprox(turn.transpose(), kSameTurn);
     }
 };
 
@@ -94,7 +100,11 @@ std::optional<PtxHeader> headerAt(std::string_view text, std::size_t from, std::
     for (std::size_t i = 0; i < 4; ++i) { // the place and the scanner's axes: the matrix says the same
         const auto three = numbersIn(line(), 3);
         if (!three) return std::nullopt;
-        if (i == 0) header.stated = {(*three)[0], (*three)[1], (*three)[2]};
+        const Eigen::Vector3d row((*three)[0], (*three)[1], (*three)[2]);
+        if (i == 0)
+            header.stated = row;
+        else
+            header.axes.row(static_cast<Eigen::Index>(i) - 1) = row.transpose();
     }
     Eigen::Matrix4d matrix;
     for (Eigen::Index i = 0; i < 4; ++i) {
@@ -268,6 +278,8 @@ Result<Reading> readPtx(const Source& source) {
     if (header.byColumns)
         table.remarks.emplace_back(
             "The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.");
+    if (header.namesTwoTurns())
+        table.remarks.emplace_back("Lines 4 to 6 of the header turn the scanner to another side than its matrix: the matrix was used.");
     if (header.namesTwoPlaces())
         table.remarks.push_back(
             withValues("Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.",

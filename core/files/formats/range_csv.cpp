@@ -210,7 +210,9 @@ Result<Scan> readRangeCsv(const Source& source) {
                           "The angles of the lines were taken from the first column: %1 to %2 degrees.", options.lineStartDeg,
                           options.lineStepDeg));
     if (auto known = checkWidth(layout, columns, asked); !known) return known.error();
-    if (table->whole && !options.unitMm) options.unitMm = 1.0; // numbers without a point are millimetres
+    if (layout.unitMm && !options.unitMm)
+        warn(withValues("Unit taken from a comment of the file: %1 mm per number.", {significantText(*layout.unitMm, 8)}));
+    if (!options.unitMm) options.unitMm = layout.unitMm ? layout.unitMm : table->whole ? std::optional(1.0) : std::nullopt;
     auto scan = scanFromRanges(std::move(table->ranges), kTable, asked, [&](std::size_t line, std::size_t beam) {
         return withValues("line %1, beam %2", {line, beam});
     });

@@ -286,8 +286,11 @@ struct LaterReturn {
 /// it if its number is higher. Empty, with the table as before: the file does not number them, or not one behind the other.
 std::vector<LaterReturn> removeLaterReturns(PointTable& table) {
     std::vector<LaterReturn> later;
-    const std::vector<std::uint8_t> numbers = std::move(table.returnNumber);
+    std::vector<std::uint8_t> numbers = std::move(table.returnNumber);
     table.returnNumber.clear();
+    if (std::ranges::find(numbers, 0) != numbers.end()) { // counted from 0
+        for (std::uint8_t& number : numbers) number = static_cast<std::uint8_t>(std::min(number + 1, 255));
+    }
     const bool plain = table.height == 1 && table.line.empty() && table.state.empty() && table.rangeMm.empty();
     if (numbers.size() != table.points.size() || !plain) return later;
     const auto follows = [&](std::size_t n) { return n > 0 && numbers[n] > 1 && numbers[n] > numbers[n - 1]; };
@@ -464,9 +467,24 @@ void removeRepeated(PointTable& table, const Source& source) {
         far->count, withValues("points are %1 (in the numbers of the file) from the sensor", {significantText(far->least, 6)})));
 }
 
+/// "its numbers are rounded to 1, ..." where this is `share` or more of the size of what was scanned. Else empty.
+std::string roundingOf(const PointTable& table, double share) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : table.points) {
+        if (isReturn(p)) box.extend(p);
+    }
+    const double step = 2 * table.precision.absolute;
+    if (box.isEmpty() || box.diagonal().norm() <= 0 || step < share * box.diagonal().norm()) return {};
+    return withValues("its numbers are rounded to %1, and its points are within %2 of each other",
+                      {significantText(step, 3), significantText(box.diagonal().norm(), 3)});
+}
+
 /// Numbers that were printed with so few digits that they step by a good part of what was scanned, as spreadsheets write large ones.
 Result<Done> checkDigits(const PointTable& table, const Source& source) {
-    constexpr double kOfTheirSize = 0.01, kPrinted = 10 * kFloatError;
+    constexpr double kOfTheirSize = 0.01, kPrinted = 2 * kFloatError;
+    const bool isList = table.height == 1 && table.line.empty() && table.rangeMm.empty();
+    const std::string rounding = isList ? roundingOf(table, kOfTheirSize) : std::string();
+    if (!rounding.empty()) return source.refused(rounding, "write the coordinates again with all their decimals");
     if (table.precision.relative < kPrinted) return Done{};
     Eigen::AlignedBox3d box;
     double largest = 0;
@@ -528,6 +546,9 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
     if (!scan && !table.remarks.empty() && scan.error().what != "cancelled")
         return Error{scan.error().what + "; " + table.remarks.front().substr(0, table.remarks.front().rfind('.')), scan.error().where,
                      scan.error().hint};
+    constexpr double kCoarse = 0.002;
+    const std::string rounding = scan || scan.error().what == "cancelled" ? std::string() : roundingOf(table, kCoarse);
+    if (!rounding.empty()) return Error{scan.error().what + "; " + rounding, scan.error().where, scan.error().hint};
     if (!scan) return scan;
     scan->pointsRead = returns;
     scan->pointsLeftOut = returns - std::min(returns, countCells(*scan)[static_cast<std::size_t>(CellState::Valid)]);

@@ -26,6 +26,8 @@ struct PlainText {
 
 enum class Order : std::uint8_t { Little, Big };
 
+std::string_view viewOf(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
 bool isTextByte(std::byte b) {
     return b == std::byte{'\t'} || b == std::byte{'\n'} || b == std::byte{'\r'} || (b >= std::byte{32} && b < std::byte{127});
 }
@@ -66,6 +68,24 @@ void appendUtf8(std::vector<std::byte>& text, std::uint32_t letter) {
     rest(0);
 }
 
+/// By its mark of byte order.
+std::optional<Order> orderOfUtf32(std::span<const std::byte> bytes) {
+    if (viewOf(bytes).starts_with(std::string_view("\xFF\xFE\0\0", 4))) return Order::Little;
+    return viewOf(bytes).starts_with(std::string_view("\0\0\xFE\xFF", 4)) ? std::optional(Order::Big) : std::nullopt;
+}
+
+std::vector<std::byte> utf8OfUtf32(std::span<const std::byte> bytes, Order order) {
+    constexpr std::uint32_t kMost = 0x10FFFF, kUnknown = 0xFFFD;
+    std::vector<std::byte> text;
+    for (std::size_t at = 4; at + 3 < bytes.size(); at += 4) {
+        std::uint32_t letter = 0;
+        for (std::size_t n = 0; n < 4; ++n)
+            letter = letter << 8U | std::to_integer<std::uint32_t>(bytes[at + (order == Order::Big ? n : 3 - n)]);
+        appendUtf8(text, letter <= kMost ? letter : kUnknown);
+    }
+    return text;
+}
+
 std::vector<std::byte> utf8Of(std::span<const std::byte> bytes, Order order) {
     constexpr std::uint32_t kMark = 0xFEFF, kUnknown = 0xFFFD;
     std::vector<std::byte> text;
@@ -87,8 +107,6 @@ std::vector<std::byte> utf8Of(std::span<const std::byte> bytes, Order order) {
     }
     return text;
 }
-
-std::string_view viewOf(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 /// Zeros behind a text whose last line has numbers, as they are left where the power failed while a list was written.
 std::size_t zerosBehindRows(std::span<const std::byte> bytes) {
@@ -125,6 +143,13 @@ Result<std::optional<PlainText>> plainText(const Source& source) {
         plain.warnings.emplace_back("The text has two bytes per character (UTF-16) and was read as such.");
         changed = true;
     }
+    if (const auto order = orderOfUtf32(source.bytes)) {
+        if (auto enough = checkMemory(source.bytes.size(), source.path.string()); !enough) return enough.error();
+        plain.converted = utf8OfUtf32(source.bytes, *order);
+        plain.bytes = plain.converted;
+        plain.warnings.emplace_back("The text has four bytes per character (UTF-32) and was read as such.");
+        changed = true;
+    }
     constexpr std::size_t kMark = 3; // of UTF-8
     if (viewOf(plain.bytes).starts_with("\xEF\xBB\xBF")) {
         plain.bytes = plain.bytes.subspan(kMark);
@@ -135,6 +160,11 @@ Result<std::optional<PlainText>> plainText(const Source& source) {
         plain.warnings.push_back(
             counted(zeros, "byte of zero (NUL) follows the last row, as a power cut leaves them: rows that were not written are missing.",
                     "bytes of zero (NUL) follow the last row, as a power cut leaves them: rows that were not written are missing."));
+        changed = true;
+    }
+    constexpr std::string_view kEndOfText = "\n\x1A"; // of CP/M and DOS
+    if (viewOf(plain.bytes).ends_with(kEndOfText) && !firstByteThatIsNoText(viewOf(plain.bytes).substr(0, plain.bytes.size() - 1))) {
+        plain.bytes = plain.bytes.first(plain.bytes.size() - 1);
         changed = true;
     }
     if (endsLinesWithCr(plain.bytes)) {
@@ -185,6 +215,9 @@ Result<UnpackedSource> unpack(const Source& packed) {
         plain.packed = true;
     }
     if (plain.source.bytes.empty()) return plain.refused(packed.refused("the file is empty", "copy it again or choose another"));
+    if (std::ranges::all_of(plain.source.bytes, [](std::byte b) { return b == std::byte{0}; }))
+        return plain.refused(
+            packed.refused("the file holds only zeros (NUL), as a power cut leaves them", "copy it again from the scanner"));
     auto text = plainText(plain.source);
     if (!text) return text.error();
     if (!*text) return plain;

@@ -39,10 +39,10 @@ const std::vector<AngleWords>& angleWordTable() {
          {"zenith", "zenit", "cenit", "zenital", "zenithal", "zenitwinkel", "zenitdistanz", "zenithdistance", "zenithangle", "polarangle",
           "v", "зенит", "天顶角", "天顶距", "天頂角"}},
         {AnglePart::Range,
-         {"range",   "ranges",    "distance",       "dist",           "r",          "rho",     "radius",    "slopedistance", "slopedist",
-          "sd",      "distanz",   "schraegdistanz", "schraegstrecke", "entfernung", "strecke", "distancia", "distanza",      "afstand",
-          "avstand", "etaisyys",  "odleglosc",      "vzdalenost",     "udaljenost", "mesafe",  "jarak",     "tavolsag",      "portee",
-          "alcance", "дальность", "расстояние",     "距离",           "距離",       "斜距"}}};
+         {"range",   "ranges",   "distance",       "dist",           "r",          "rho",     "radius",    "slopedistance", "slopedist",
+          "sd",      "distanz",  "schraegdistanz", "schraegstrecke", "entfernung", "strecke", "distancia", "distanza",      "afstand",
+          "avstand", "etaisyys", "odleglosc",      "vzdalenost",     "udaljenost", "mesafe",  "jarak",     "tavolsag",      "portee",
+          "alcance", "rango",    "дальность",      "расстояние",     "距离",       "距離",    "斜距"}}};
     return rows;
 }
 
@@ -53,7 +53,9 @@ std::optional<double> unitDegOf(std::string_view word) {
         std::vector<std::string_view> names;
     };
     static const std::vector<AngleUnit> rows{
-        {1.0, {"deg", "degs", "degree", "degrees", "grados", "graus", "degres", "altgrad", "градусы", "度"}},
+        {1.0, {"deg", "degs", "degree", "degrees", "grados", "graus", "degres", "altgrad", "grader", "gradi", "градусы", "度"}},
+        {1e-2, {"cdeg", "centideg", "centidegrees"}},
+        {1e-3, {"mdeg", "millideg", "millidegrees"}},
         {0.9, {"gon", "gons", "grads", "gradian", "gradians", "grades"}},
         {kDegreesPerRadian, {"rad", "rads", "radian", "radians", "radianes", "radianos", "radiant", "radianti", "радианы", "弧度"}},
         {kDegreesPerRadian * 1e-3, {"mrad", "millirad"}}};
@@ -155,18 +157,29 @@ void followFile(Ranks& ranks) {
     }
 }
 
-/// Degrees per number. Without a name of the unit numbers within one turn of radians are radians.
-double unitDegOf(std::span<const Eigen::Vector2d> angles, const AngleColumns& columns) {
-    if (columns.unitDeg) return *columns.unitDeg;
-    double largest = 0;
-    for (const Eigen::Vector2d& one : angles) largest = one.allFinite() ? std::max(largest, one.cwiseAbs().maxCoeff()) : largest;
-    constexpr double kMostRad = radians(360.0) + 1e-3;
-    if (largest > 360) return 0.9;
-    return largest > kMostRad ? 1.0 : kDegreesPerRadian;
+/// Degrees per number of azimuth and elevation. Where one has no name of its unit it has that of the other. Without any, numbers within one
+/// turn of radians are radians, and azimuths far beyond one turn are hundredths of a degree, as Velodyne counts.
+std::array<double, 2> unitsDegOf(std::span<const Eigen::Vector2d> angles, const AngleColumns& columns) {
+    constexpr double kMostRad = radians(360.0) + 1e-3, kMostGon = 4000, kMostElevation = 90;
+    const auto& [azimuth, elevation] = columns.unitDeg;
+    if (azimuth || elevation) return {azimuth ? *azimuth : *elevation, elevation ? *elevation : *azimuth};
+    Eigen::Array2d largest(0, 0);
+    for (const Eigen::Vector2d& one : angles) {
+        if (one.allFinite()) largest = largest.max(one.array().abs());
+    }
+    if (largest[0] > kMostGon) return {0.01, largest[1] > kMostElevation ? 0.01 : 1.0};
+    const double most = largest.maxCoeff();
+    const double both = most > 360 ? 0.9 : most > kMostRad ? 1.0 : kDegreesPerRadian;
+    return {both, both};
 }
 
-const char* angleUnitWord(double unitDeg) {
-    return unitDeg == 1.0 ? "degrees" : unitDeg == 0.9 ? "gon" : unitDeg > 1 ? "radians" : "milliradians";
+std::string angleUnitWords(const std::array<double, 2>& unitDeg) {
+    const auto word = [](double deg) {
+        if (deg == 0.01 || deg == 0.001) return deg == 0.01 ? "hundredths of a degree" : "thousandths of a degree";
+        return deg == 1.0 ? "degrees" : deg == 0.9 ? "gon" : deg > 1 ? "radians" : "milliradians";
+    };
+    if (unitDeg[0] == unitDeg[1]) return word(unitDeg[0]);
+    return withValues("%1 (azimuth) and %2 (elevation)", {word(unitDeg[0]), word(unitDeg[1])});
 }
 
 } // namespace
@@ -174,7 +187,6 @@ const char* angleUnitWord(double unitDeg) {
 std::optional<AngleColumns> angleColumnsNamed(std::span<const std::string> names) {
     AngleColumns columns;
     std::array<bool, 3> found{};
-    std::optional<double> unitDeg;
     bool surveyed = false;
     for (std::size_t n = 0; n < names.size(); ++n) {
         const NamedAngle name = namedAngle(names[n]);
@@ -186,21 +198,20 @@ std::optional<AngleColumns> angleColumnsNamed(std::span<const std::string> names
         if (which == 1) columns.elevation = n;
         if (which == 2) columns.range = n;
         if (which == 2) columns.rangeUnitMm = name.unitMm;
-        if (which < 2 && name.unitDeg) unitDeg = name.unitDeg;
+        if (which < 2) columns.unitDeg[which] = name.unitDeg;
         surveyed = surveyed || *name.part == AnglePart::Bearing || *name.part == AnglePart::Zenith;
         columns.fromZenith = columns.fromZenith || *name.part == AnglePart::Zenith;
     }
     if (!found[0] || !found[1]) return std::nullopt;
-    columns.unitDeg = unitDeg;
-    columns.clockwise = surveyed || unitDeg == 0.9;
+    columns.clockwise = surveyed || columns.unitDeg[0] == 0.9 || columns.unitDeg[1] == 0.9;
     return columns;
 }
 
 void setCellsFromAngles(PointTable& table, std::span<const Eigen::Vector2d> angles, const AngleColumns& columns) {
     constexpr double kFilled = 0.5, kAlone = 0.95;
     if (!table.line.empty() || angles.size() != table.points.size() || angles.size() < 4) return;
-    const double turn = 360.0 / unitDegOf(angles, columns);
-    Ranks lines = ranksOf(angles, 0, turn), beams = ranksOf(angles, 1, turn);
+    const std::array<double, 2> unitDeg = unitsDegOf(angles, columns);
+    Ranks lines = ranksOf(angles, 0, 360.0 / unitDeg[0]), beams = ranksOf(angles, 1, 360.0 / unitDeg[1]);
     const std::size_t cells = lines.values * beams.values;
     if (lines.values < 2 || beams.values < 2 || kFilled * static_cast<double>(cells) > static_cast<double>(angles.size())) return;
     std::vector<bool> filled(cells, false);
@@ -223,18 +234,21 @@ void setPointsFromAngles(PointTable& table, const AngleColumns& columns) {
     std::vector<Eigen::Vector2d> angles;
     angles.reserve(table.points.size());
     for (const Eigen::Vector3d& p : table.points) angles.emplace_back(p.x(), p.y());
-    const double unitDeg = unitDegOf(angles, columns), unitRad = radians(unitDeg);
+    const std::array<double, 2> unitDeg = unitsDegOf(angles, columns);
+    const double azimuthRad = radians(unitDeg[0]), elevationRad = radians(unitDeg[1]);
     for (Eigen::Vector3d& p : table.points) {
-        const double azimuth = columns.clockwise ? radians(90.0) - p.x() * unitRad : p.x() * unitRad;
-        const double elevation = columns.fromZenith ? radians(90.0) - p.y() * unitRad : p.y() * unitRad;
+        const double azimuth = columns.clockwise ? radians(90.0) - p.x() * azimuthRad : p.x() * azimuthRad;
+        const double elevation = columns.fromZenith ? radians(90.0) - p.y() * elevationRad : p.y() * elevationRad;
         const double range = p.z() > 0 ? p.z() : 0.0;
         p = range * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
     }
     setCellsFromAngles(table, angles, columns);
-    const double rounding = table.line.empty() ? 0.5 * std::max(angleStepOf(angles, 0), angleStepOf(angles, 1)) * unitRad : 0.0;
+    const double rounding =
+        table.line.empty() ? 0.5 * std::max(angleStepOf(angles, 0) * azimuthRad, angleStepOf(angles, 1) * elevationRad) : 0.0;
     table.precision = {0.0, 1e-14 + rounding};
-    const std::string how = withValues(columns.unitDeg ? "angles in %1, azimuths %2" : "angles taken as %1, azimuths %2",
-                                       {angleUnitWord(unitDeg), columns.clockwise ? "clockwise from y" : "counter-clockwise from x"});
+    const bool stated = columns.unitDeg[0] || columns.unitDeg[1];
+    const std::string how = withValues(stated ? "angles in %1, azimuths %2" : "angles taken as %1, azimuths %2",
+                                       {angleUnitWords(unitDeg), columns.clockwise ? "clockwise from y" : "counter-clockwise from x"});
     table.remarks.push_back(
         withValues(columns.fromZenith ? "Points were computed from the columns of angles and ranges, with %1 and heights from the zenith."
                                       : "Points were computed from the columns of angles and ranges, with %1.",

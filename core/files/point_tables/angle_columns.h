@@ -3,6 +3,7 @@
 
 #include "core/files/point_tables/point_table.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -14,10 +15,10 @@ namespace edgescan::files {
 struct AngleColumns {
     std::size_t azimuth = 0, elevation = 0;
     std::optional<std::size_t> range;
-    std::optional<double> unitDeg;     ///< degrees per number of the angles, where a name says so
-    std::optional<double> rangeUnitMm; ///< millimetres per number of the range, where its name says so
-    bool fromZenith = false;           ///< the elevation is counted from the zenith
-    bool clockwise = false;            ///< the azimuth counts clockwise from y, as surveyors do; else from x to y, as ROS and E57 do
+    std::array<std::optional<double>, 2> unitDeg; ///< degrees per number of azimuth and elevation, where a name says so
+    std::optional<double> rangeUnitMm;            ///< millimetres per number of the range, where its name says so
+    bool fromZenith = false;                      ///< the elevation is counted from the zenith
+    bool clockwise = false; ///< the azimuth counts clockwise from y, as surveyors do; else from x to y, as ROS and E57 do
 };
 
 /// By their names in the languages of axis_words.h: azimuth, Hz, rumbo; elevation, vertical angle, zenith; range, distance. Empty: azimuth

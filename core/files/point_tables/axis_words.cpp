@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace edgescan::files {
 namespace {
@@ -81,19 +82,22 @@ const std::vector<NamedAxis>& axisTable() {
         {AxisWord::East, true, {"east",       "easting", "eastings", "e",       "me",     "ost",    "osten", "ostwert",
                                 "rechtswert", "oest",    "oester",   "oestlig", "oost",   "oosten", "oos",   "este",
                                 "leste",      "est",     "itae",     "wschod",  "vychod", "istok",  "dogu",  "timur",
-                                "kelet",      "austur",  "восток",   "东",      "東",     "东坐标", "东向",  "東座標"}},
-        {AxisWord::North, true, {"north", "northing", "northings", "n",       "mn",    "nord",      "norden", "nordwert", "hochwert",
-                                 "norr",  "nordlig",  "noord",     "noorden", "norte", "pohjoinen", "polnoc", "sever",    "sjever",
-                                 "kuzey", "utara",    "eszak",     "nordur",  "север", "北",        "北坐标", "北向",     "北座標"}},
-        {AxisWord::Up, true, {"elevation", "elevations",   "elev",      "height",     "altitude", "alt",     "rl",
-                              "mrl",       "reducedlevel", "level",     "up",         "hoehe",    "hoejd",   "hoejde",
-                              "hoeyde",    "hoogte",       "korkeus",   "kote",       "kota",     "cota",    "quota",
-                              "cote",      "altura",       "altitud",   "elevacion",  "elevacao", "nivel",   "wysokosc",
-                              "vyska",     "visina",       "yukseklik", "yuekseklik", "tinggi",   "elevasi", "magassag",
-                              "высота",    "отметка",      "高",        "高程",       "标高",     "標高"}},
-        {AxisWord::East, false, {"x", "xp", "xc", "xpt", "xcoord", "coordx", "posx"}},
-        {AxisWord::North, false, {"y", "yp", "yc", "ypt", "ycoord", "coordy", "posy"}},
-        {AxisWord::Up, false, {"z", "zp", "zc", "zpt", "zcoord", "coordz", "posz"}},
+                                "kelet",      "austur",  "восток",   "东",      "東",     "东坐标", "东向",  "東座標",
+                                "eastg",      "estg",    "abscisse", "abscisa", "coorde"}},
+        {AxisWord::North, true, {"north",  "northing", "northings", "n",       "mn",       "nord",      "norden", "nordwert", "hochwert",
+                                 "norr",   "nordlig",  "noord",     "noorden", "norte",    "pohjoinen", "polnoc", "sever",    "sjever",
+                                 "kuzey",  "utara",    "eszak",     "nordur",  "север",    "北",        "北坐标", "北向",     "北座標",
+                                 "northg", "nthg",     "nth",       "norting", "ordonnee", "ordenada",  "coordn"}},
+        {AxisWord::Up, true, {"elevation",    "elevations", "elev",     "height",   "altitude", "alt",    "rl",        "mrl",
+                              "reducedlevel", "level",      "up",       "hoehe",    "hoejd",    "hoejde", "hoeyde",    "hoogte",
+                              "korkeus",      "kote",       "kota",     "cota",     "quota",    "cote",   "altura",    "altitud",
+                              "elevacion",    "elevacao",   "nivel",    "wysokosc", "vyska",    "visina", "yukseklik", "yuekseklik",
+                              "tinggi",       "elevasi",    "magassag", "высота",   "отметка",  "高",     "高程",      "标高",
+                              "標高",         "h",          "ht",       "hgt",      "elevn",    "kot",    "niveau",    "ahd",
+                              "nap",          "nn",         "nhn",      "ngf",      "rh2000",   "msl",    "navd88"}},
+        {AxisWord::East, false, {"x", "xp", "xc"}},
+        {AxisWord::North, false, {"y", "yp", "yc"}},
+        {AxisWord::Up, false, {"z", "zp", "zc"}},
     };
     return rows;
 }
@@ -107,7 +111,7 @@ bool saysNoAxis(std::string_view word) {
         "koordinate",  "koordinaten", "coordonnee",  "coordenada",  "coordinata", "koordinat", "koordinaatti", "point", "points",
         "pt",          "punkt",       "center",      "centre",      "centroid",   "mid",       "middle",       "pos",   "position",
         "ellipsoidal", "ellipsoid",   "orthometric", "ortho",       "collar",     "m",         "axis",         "achse", "координата",
-        "坐标",        "座標",        "lo",          "wg",          "surveyed",   "field"};
+        "坐标",        "座標",        "lo",          "wg",          "surveyed",   "field",     "мм",           "м"};
     const bool number = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
     if (number || std::ranges::find(kWords, word) != std::end(kWords)) return true;
     // "utm33", "mga94", "gda2020"
@@ -115,11 +119,36 @@ bool saysNoAxis(std::string_view word) {
     return digits != std::string_view::npos && digits >= 2 && saysNoAxis(word.substr(0, digits));
 }
 
-const NamedAxis* axisOf(std::string_view word) {
+using Shared = std::span<const std::string>;
+
+bool saysNoAxis(std::string_view word, Shared shared) { return saysNoAxis(word) || std::ranges::find(shared, word) != shared.end(); }
+
+/// The axis of a word, also where it is joined with one that says none: "xcollar", "midy", "nordkoordinate".
+const NamedAxis* axisOf(std::string_view word, Shared shared = {}) {
     for (const NamedAxis& axis : axisTable()) {
         if (std::ranges::find(axis.words, word) != axis.words.end()) return &axis;
     }
+    const auto joins = [&](const NamedAxis& axis, std::string_view name) {
+        constexpr std::size_t kFewestLetters = 3;
+        if (name.size() >= word.size() || (axis.compass && name.size() < kFewestLetters)) return false;
+        return (word.starts_with(name) && saysNoAxis(word.substr(name.size()), shared)) ||
+               (word.ends_with(name) && saysNoAxis(word.substr(0, word.size() - name.size()), shared));
+    };
+    for (const NamedAxis& axis : axisTable()) {
+        if (std::ranges::any_of(axis.words, [&](std::string_view name) { return joins(axis, name); })) return &axis;
+    }
     return nullptr;
+}
+
+/// What is measured along axes and is not a place.
+bool isQuantity(std::string_view word) {
+    static constexpr std::string_view kWords[]{
+        "normal",   "normals",    "vel",   "velocity",    "speed", "acc",      "accel",    "acceleration", "gyro",   "rate",   "ori",
+        "orig",     "origin",     "inc",   "size",        "min",   "max",      "std",      "stddev",       "stdev",  "sd",     "sigma",
+        "error",    "err",        "rms",   "var",         "cov",   "accuracy", "delta",    "diff",         "offset", "shift",  "rot",
+        "rotation", "angle",      "dir",   "quat",        "force", "mag",      "gradient", "vector",       "dim",    "length", "width",
+        "scale",    "resolution", "trans", "translation", "omega", "euler",    "torque"};
+    return std::ranges::find(kWords, word) != std::end(kWords);
 }
 
 } // namespace
@@ -143,18 +172,39 @@ std::string headingLetters(std::string_view text) {
     return letters;
 }
 
-std::optional<AxisWord> axisNamed(std::string_view heading) {
+std::optional<AxisWord> axisNamed(std::string_view heading, Shared shared) {
     std::optional<AxisWord> compass, letter;
     if (const NamedAxis* const whole = axisOf(headingLetters(heading))) return whole->axis; // "reduced level", "m N"
     for (const std::string& word : headingWords(heading)) {
-        const NamedAxis* const axis = axisOf(word);
-        if (axis == nullptr && saysNoAxis(word)) continue;
+        const NamedAxis* const axis = axisOf(word, shared);
+        if (axis == nullptr && saysNoAxis(word, shared)) continue;
         if (axis == nullptr) return std::nullopt;
         std::optional<AxisWord>& found = axis->compass ? compass : letter;
         if (found && *found != axis->axis) return std::nullopt;
         found = axis->axis;
     }
     return compass ? compass : letter;
+}
+
+std::vector<std::string> wordsNextToAxes(std::span<const std::string> headings) {
+    constexpr std::string_view kLetters = "xyz";
+    std::vector<std::string> once, again;
+    for (const std::string& heading : headings) {
+        const std::vector<std::string> words = headingWords(heading);
+        const bool hasAxis = std::ranges::any_of(words, [](const std::string& word) { return axisOf(word) != nullptr; });
+        std::set<std::string> own;
+        for (const std::string& word : words) {
+            if (axisOf(word) != nullptr) continue;
+            if (hasAxis) own.insert(word);
+            if (word.size() > 1 && kLetters.find(word.front()) != kLetters.npos) own.insert(word.substr(1));
+            if (word.size() > 2 && kLetters.find(word.back()) != kLetters.npos) own.insert(word.substr(0, word.size() - 1)); // not "nx"
+        }
+        for (const std::string& word : own) {
+            if (isQuantity(word)) continue;
+            (std::ranges::find(once, word) == once.end() ? once : again).push_back(word);
+        }
+    }
+    return again;
 }
 
 bool speaksOfAxis(std::string_view heading) {
@@ -173,15 +223,17 @@ std::optional<double> unitNamed(std::string_view letters) {
         std::vector<std::string_view> names;
     };
     static const std::vector<Unit> rows{
-        {1.0, {"mm", "millimetre", "millimetres", "millimeter", "millimeters", "milimetros", "millimetern"}},
-        {10.0, {"cm", "centimetre", "centimetres", "centimeter", "centimeters", "centimetros"}},
-        {1000.0, {"m", "metre", "metres", "meter", "meters", "metros", "metern"}},
+        {1.0, {"mm", "millimetre", "millimetres", "millimeter", "millimeters", "milimetros", "millimetern", "мм"}},
+        {10.0, {"cm", "centimetre", "centimetres", "centimeter", "centimeters", "centimetros", "zentimeter", "см"}},
+        {1000.0, {"m", "metre", "metres", "meter", "meters", "metro", "metros", "metern", "metri", "mts", "м"}},
         {1e6, {"km", "kilometre", "kilometres", "kilometer", "kilometers"}},
-        {kFootMm, {"ft", "feet", "foot", "ift", "internationalfeet", "internationalfoot", "intft", "ftint"}},
+        {kFootMm,
+         {"ft", "feet", "foot", "ift", "internationalfeet", "internationalfoot", "intft", "ftint", "pie", "pies", "pied", "pieds", "pes",
+          "piedi", "fuss", "voet", "fot"}},
         {kUsSurveyFootMm,
          {"usft", "ftus", "ussurveyfeet", "ussurveyfoot", "surveyfeet", "surveyfoot", "sft", "usfeet", "usfoot", "ussft", "usftsurvey",
           "footus"}},
-        {25.4, {"in", "inch", "inches"}},
+        {25.4, {"in", "inch", "inches", "pulgada", "pulgadas", "polegada", "polegadas", "pouce", "pouces", "zoll"}},
     };
     for (const Unit& unit : rows) {
         if (std::ranges::find(unit.names, letters) != unit.names.end()) return unit.mm;
@@ -190,9 +242,11 @@ std::optional<double> unitNamed(std::string_view letters) {
 }
 
 std::optional<double> unitInComment(std::string_view comment) {
-    static constexpr std::string_view kUnitWords[]{"unit",     "units",   "einheit", "einheiten", "unidad",
-                                                   "unidades", "unidade", "unite",   "unites"};
-    static constexpr std::string_view kPlaceWords[]{"coordinates", "coordinate", "coords", "xyz", "points", "koordinaten", "coordenadas"};
+    static constexpr std::string_view kUnitWords[]{"unit",  "units",  "einheit", "einheiten", "unidad",  "unidades", "unidade",
+                                                   "unite", "unites", "eenheid", "enhet",     "единица", "единицы"};
+    static constexpr std::string_view kPlaceWords[]{"coordinates", "coordinate",  "coords",    "xyz",        "points",
+                                                    "koordinaten", "coordenadas", "distances", "distance",   "values",
+                                                    "lengths",     "ranges",      "data",      "coordonnees"};
     constexpr std::size_t kMostWords = 24, kLongest = 3; // "US survey feet"
     const std::vector<std::string> words = headingWords(comment.substr(0, 400));
     if (words.size() > kMostWords) return std::nullopt;
@@ -214,7 +268,8 @@ std::optional<double> unitInComment(std::string_view comment) {
             }
         }
         const bool preposition = last == n && words[n] == "in"; // and not an inch
-        const bool stated = asUnit || (n > 0 && words[n - 1] == "in");
+        const bool inBrackets = last + 1 == words.size() && comment.find_first_of("[(") != comment.npos;
+        const bool stated = asUnit || inBrackets || (n > 0 && words[n - 1] == "in");
         if (!longest || preposition || !stated) continue;
         if (found && *found != *longest) return std::nullopt;
         found = longest;

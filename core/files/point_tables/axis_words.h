@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +20,12 @@ namespace edgescan::files {
 enum class AxisWord : std::uint8_t { East, North, Up };
 
 /// The axis that a heading names by its words: "Mine North", "UTM_N", "Y_North", "Z-Koordinate". A point of the compass goes before a
-/// letter. Empty: it names none, or several.
-[[nodiscard]] std::optional<AxisWord> axisNamed(std::string_view heading);
+/// letter. Words of `shared` say nothing. Empty: it names none, or several.
+[[nodiscard]] std::optional<AxisWord> axisNamed(std::string_view heading, std::span<const std::string> shared = {});
+
+/// Words that several headings have next to an axis, or joined with x, y or z: "Mina" of "Norte Mina" and "Este Mina". Without those that
+/// say what was measured along the axes, such as "velocity" or "error".
+[[nodiscard]] std::vector<std::string> wordsNextToAxes(std::span<const std::string> headings);
 
 /// True where a heading has a word for an axis or for its opposite ("Southing"), whatever its other words are.
 [[nodiscard]] bool speaksOfAxis(std::string_view heading);

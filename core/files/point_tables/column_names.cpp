@@ -16,6 +16,8 @@ struct KnownName {
 
 using Role = ColumnRole;
 
+constexpr std::size_t kByShared = 4; // rank of an axis that is found because other headings share its other words
+
 // A role's usual name first. Lower case, letters and digits only.
 constexpr KnownName kNames[]{
     {"x", Role::X},
@@ -87,14 +89,8 @@ constexpr KnownName kNames[]{
     {"rssi1", Role::Intensity},
     {"remission", Role::Intensity},
     {"amplitude", Role::Intensity},
-    {"returnnumber", Role::ReturnNumber},
-    {"return", Role::ReturnNumber},
-    {"returnno", Role::ReturnNumber},
-    {"returnnum", Role::ReturnNumber},
-    {"echo", Role::ReturnNumber},
-    {"echonumber", Role::ReturnNumber},
-    {"echono", Role::ReturnNumber},
-    {"este", Role::X}, // Spanish and Portuguese; French below
+    {"returnnumber", Role::ReturnNumber}, // its other names: isReturnNumber()
+    {"este", Role::X},                    // Spanish and Portuguese; French below
     {"leste", Role::X},
     {"norte", Role::Y},
     {"cota", Role::Z},
@@ -115,14 +111,16 @@ constexpr KnownName kNames[]{
 
 /// "Easting [m]", "x_mm", "z(m)", "Xmm": the name without its unit, and millimetres per unit.
 struct Name {
-    std::string_view given; ///< without the unit
+    std::string_view given; ///< without the unit and an "in" before it
     std::optional<double> unitMm;
 };
 Name nameOf(std::string_view given) {
     constexpr std::string_view kBefore = "_ ([/-";
     for (std::size_t cut = given.find_first_of(kBefore, 1); cut != std::string_view::npos; cut = given.find_first_of(kBefore, cut + 1)) {
-        const auto unit = unitNamed(headingLetters(given.substr(cut))); // the longest unit: "US survey feet" is not "feet"
-        if (unit && headingLetters(given.substr(0, cut)) != "range") return {given.substr(0, cut), unit}; // range_mm is a name of its own
+        const auto unit = unitNamed(headingLetters(given.substr(cut)));         // the longest unit: "US survey feet" is not "feet"
+        if (!unit || headingLetters(given.substr(0, cut)) == "range") continue; // range_mm is a name of its own
+        const std::string_view name = given.substr(0, cut);
+        return {name.ends_with(" in") ? name.substr(0, name.size() - 3) : name, unit};
     }
     const bool glued = given.size() > 1 && std::string_view("xyzXYZ").find(given.front()) != std::string_view::npos;
     if (const auto unit = glued ? unitNamed(headingLetters(given.substr(1))) : std::nullopt) return {given.substr(0, 1), unit};
@@ -153,17 +151,43 @@ std::optional<std::string> axisAmongWords(std::vector<std::string> words) {
     return std::nullopt;
 }
 
-/// Place in the table; a name that is only found without some of its words follows all that are found whole.
-std::optional<std::size_t> rankOf(std::string_view given) {
+/// "Echo Nr", "pulse return id", "scalar_Return_Number": which return of its pulse a point is. "Number of returns" is not one.
+bool isReturnNumber(std::string_view given) {
+    static constexpr std::string_view kBefore[]{"scalar", "field", "pulse", "laser", "las"},
+        kOwn[]{"return", "ret", "rtn", "echo", "retorno", "eco", "echonumber", "returnnumber", "returnindex", "returnnum"},
+        kBehind[]{"number", "no", "nr", "num", "index", "idx", "id", "n"};
+    std::vector<std::string> words = headingWords(given);
+    std::erase_if(words, [](const std::string& word) { return std::ranges::find(kBefore, word) != std::end(kBefore); });
+    if (words.size() == 2 && std::ranges::find(kBehind, words[1]) != std::end(kBehind)) words.pop_back();
+    const std::string letters = headingLetters(given);
+    const bool joined = letters == "returnno" || letters == "returnid" || letters == "echono" || letters == "targetindex" ||
+                        letters == "scalarreturnnumber";
+    return joined || (words.size() == 1 && std::ranges::find(kOwn, words[0]) != std::end(kOwn));
+}
+
+/// Place in the table; a name that is only found without some of its words follows all that are found whole. `shared`: axis_words.h
+std::optional<std::size_t> rankOf(std::string_view given, std::span<const std::string> shared) {
     const std::size_t whole = rankIn(headingLetters(given));
     if (whole < std::size(kNames)) return whole;
+    if (isReturnNumber(given)) return rankIn("returnnumber");
     const std::size_t bracket = given.find_first_of("([", 1); // "Easting (X)"
     const std::size_t before = bracket == std::string_view::npos ? std::size(kNames) : rankIn(headingLetters(given.substr(0, bracket)));
     if (before < std::size(kNames)) return std::size(kNames) + before;
     if (const auto axis = axisAmongWords(headingWords(given))) return 2 * std::size(kNames) + rankIn(*axis);
-    const auto axis = axisNamed(given); // axis_words.h
     static constexpr const char* kAxes[]{"x", "y", "z"};
-    return axis ? std::optional(3 * std::size(kNames) + rankIn(kAxes[static_cast<std::size_t>(*axis)])) : std::nullopt;
+    const auto alone = axisNamed(given);
+    const auto axis = alone ? alone : axisNamed(given, shared);
+    if (!axis) return std::nullopt;
+    return (alone ? 3 : kByShared) * std::size(kNames) + rankIn(kAxes[static_cast<std::size_t>(*axis)]);
+}
+
+/// Names that only count columns: "col1", "field_2", "a".
+bool isPlaceholder(const std::string& name) {
+    static constexpr std::string_view kWords[]{"",      "c", "col", "column", "columna", "coluna",  "colonne", "spalte",
+                                               "field", "f", "var", "v",      "value",   "unnamed", "channel", "ch"};
+    std::string letters = headingLetters(name);
+    std::erase_if(letters, [](char c) { return c >= '0' && c <= '9'; });
+    return letters.size() == 1 || std::ranges::find(kWords, letters) != std::end(kWords);
 }
 
 bool isOneOf(const std::string& name, std::initializer_list<std::string_view> names) {
@@ -175,13 +199,22 @@ bool isOneOf(const std::string& name, std::initializer_list<std::string_view> na
 NamedColumns columnsNamed(std::span<const std::string> names) {
     NamedColumns found;
     std::array<std::size_t, kColumnRoles> rank{};
+    std::array<bool, kColumnRoles> several{}; // columns of one rank by words that others share: which of them is meant is unknown
+    std::vector<std::string> bare;
+    for (const std::string& name : names) bare.emplace_back(nameOf(name).given);
+    const std::vector<std::string> shared = wordsNextToAxes(bare);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto itsRank = rankOf(nameOf(names[i]).given);
+        const auto itsRank = rankOf(bare[i], shared);
         if (!itsRank) continue;
         const auto role = static_cast<std::size_t>(kNames[*itsRank % std::size(kNames)].role);
+        if (found.of[role] && rank[role] == *itsRank && *itsRank >= kByShared * std::size(kNames)) several[role] = true;
         if (found.of[role] && rank[role] <= *itsRank) continue;
         found.of[role] = i;
         rank[role] = *itsRank;
+        several[role] = false;
+    }
+    for (std::size_t role = 0; role < kColumnRoles; ++role) {
+        if (several[role]) found.of[role].reset();
     }
     if (const auto line = found[ColumnRole::Line]) found.rowsAndColumns = headingLetters(names[*line]).starts_with("row");
     found.angles = found.hasCell() ? std::nullopt : angleColumnsNamed(names);
@@ -210,7 +243,9 @@ std::optional<std::string> contentsNamed(std::span<const std::string> names) {
                    std::ranges::any_of(words, [&](const std::string& word) { return isOneOf(word, any); });
         });
     };
-    if (has({"lat", "latitude"}) && has({"lon", "long", "lng", "longitude"})) return "degrees of latitude and longitude";
+    if (has({"lat", "latitude", "latitud", "breite", "breitengrad", "широта", "纬度", "緯度"}) &&
+        has({"lon", "long", "lng", "longitude", "longitud", "laenge", "laengengrad", "долгота", "经度", "経度"}))
+        return "degrees of latitude and longitude";
     if (named.angles) return "angles and no ranges";
     if (has({"range", "ranges", "distance", "dist", "radius", "rho", "r", "rangemm"}) &&
         has({"angle", "azimuth", "az", "theta", "phi", "bearing", "inclination", "zenith", "deg", "hz"}))
@@ -220,6 +255,8 @@ std::optional<std::string> contentsNamed(std::span<const std::string> names) {
     return std::nullopt;
 }
 
-bool nameAnAxis(std::span<const std::string> names) { return std::ranges::any_of(names, speaksOfAxis); }
+std::size_t namesOfAxes(std::span<const std::string> names) { return static_cast<std::size_t>(std::ranges::count_if(names, speaksOfAxis)); }
+
+bool onlyCount(std::span<const std::string> names) { return std::ranges::all_of(names, isPlaceholder); }
 
 } // namespace edgescan::files

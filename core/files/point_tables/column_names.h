@@ -55,7 +55,10 @@ struct NamedColumns {
 /// names do not say it, or where they name x, y and z.
 [[nodiscard]] std::optional<std::string> contentsNamed(std::span<const std::string> names);
 
-/// True where a name speaks of an axis. Where x, y and z are not all found among such names their order is unknown.
-[[nodiscard]] bool nameAnAxis(std::span<const std::string> names);
+/// How many names speak of an axis. Where x, y and z are not all found among such names their order is unknown.
+[[nodiscard]] std::size_t namesOfAxes(std::span<const std::string> names);
+
+/// True where names only count the columns, as "col1" and "a" do: they say nothing about their order.
+[[nodiscard]] bool onlyCount(std::span<const std::string> names);
 
 } // namespace edgescan::files

@@ -18,7 +18,10 @@ namespace {
 
 constexpr std::size_t kRecordsAtOnce = 4096; // stay in the cache while their fields are read one after the other
 
-std::uint8_t stateByte(double value) { return value >= 0 && value < 256 ? static_cast<std::uint8_t>(value) : std::uint8_t{255}; }
+std::uint8_t byteOf(double value, std::uint8_t otherwise) {
+    return value >= 0 && value < 256 ? static_cast<std::uint8_t>(value) : otherwise;
+}
+std::uint8_t stateByte(double value) { return byteOf(value, 255); }
 
 } // namespace
 
@@ -51,6 +54,7 @@ std::optional<PointFields> pickFields(const std::vector<RecordField>& fields) {
                        {},
                        named.unitMm,
                        false};
+    picked.returnNumber = field(ColumnRole::ReturnNumber);
     if (named.hasCell()) {
         picked.line = field(ColumnRole::Line);
         picked.beam = field(ColumnRole::Beam);
@@ -96,6 +100,7 @@ bool readRecords(PointTable& table, const PointFields& all, std::size_t points, 
     if (fields.state) table.state.resize(points);
     if (fields.intensity) table.intensity.resize(points);
     if (fields.filledSdMm) table.filledSdMm.resize(points);
+    if (fields.returnNumber) table.returnNumber.resize(points);
     if (fields.line) table.line.resize(points);
     if (fields.beam) table.beam.resize(points);
     if (!fields.scanner.empty()) table.scannerPoints.resize(points);
@@ -116,6 +121,7 @@ bool readRecords(PointTable& table, const PointFields& all, std::size_t points, 
         if (fields.intensity) read(*fields.intensity, [&](std::size_t n, double value) { table.intensity[n] = static_cast<float>(value); });
         if (fields.filledSdMm)
             read(*fields.filledSdMm, [&](std::size_t n, double value) { table.filledSdMm[n] = static_cast<float>(value); });
+        if (fields.returnNumber) read(*fields.returnNumber, [&](std::size_t n, double value) { table.returnNumber[n] = byteOf(value, 1); });
         if (fields.line) read(*fields.line, [&](std::size_t n, double value) { table.line[n] = indexOf(value); });
         if (fields.beam) read(*fields.beam, [&](std::size_t n, double value) { table.beam[n] = indexOf(value); });
         if (first % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(first) / static_cast<double>(points)))
@@ -133,6 +139,16 @@ Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t 
                               "export the file again");
     }
     if (auto behind = bytesBehind(rest, "the points")) table.remarks.push_back(std::move(*behind));
+    constexpr std::uint64_t kFewestEmpty = 16, kShare = 10;
+    const auto isZero = [](std::byte byte) { return byte == std::byte{0}; };
+    const auto records = held.first(promised * recordBytes);
+    const auto last = std::ranges::find_if_not(records.rbegin(), records.rend(), isZero);
+    const auto empty = static_cast<std::uint64_t>(last - records.rbegin()) / recordBytes;
+    if (empty >= kFewestEmpty && empty * kShare >= promised)
+        table.remarks.push_back(
+            withValues("The last %1 of %2 points hold zeros in all bytes, as a power cut leaves them where a file was not written to its "
+                       "end: they count as no return.",
+                       {empty, promised}));
     return Done{};
 }
 
@@ -158,6 +174,7 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
         if (fields.state) table.state.push_back(stateByte(row[fields.state->column]));
         if (fields.intensity) table.intensity.push_back(static_cast<float>(row[fields.intensity->column]));
         if (fields.filledSdMm) table.filledSdMm.push_back(static_cast<float>(row[fields.filledSdMm->column]));
+        if (fields.returnNumber) table.returnNumber.push_back(byteOf(row[fields.returnNumber->column], 1));
         if (fields.line) table.line.push_back(indexOf(row[fields.line->column]));
         if (fields.beam) table.beam.push_back(indexOf(row[fields.beam->column]));
         if (const auto& s = fields.scanner; !s.empty())
@@ -177,6 +194,13 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
     if (last && endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
     table.precision = precisionOf(rows.digits());
     return Done{};
+}
+
+void takeUnitOfComment(PointTable& table, std::optional<double> unitMm, const Source& source) {
+    if (table.unitMm || !unitMm || !table.description.empty()) return; // our own description has the unit
+    table.unitMm = unitMm;
+    if (!source.options->unitMm)
+        table.remarks.push_back(withValues("Unit taken from a comment of the file: %1 mm per number.", {significantText(*unitMm, 8)}));
 }
 
 Precision precisionOf(const PrintedDigits& digits) {

@@ -32,6 +32,7 @@ struct PointFields {
     std::vector<RecordField> scanner; ///< three or zero
     std::optional<double> unitMm;     ///< where the names of x y z say it
     bool rowsAndColumns = false;      ///< line and beam are called row and column
+    std::optional<RecordField> returnNumber{};
 };
 
 /// Empty when x, y or z is missing.
@@ -58,6 +59,9 @@ Result<Done> readRows(PointTable& table, const PointFields& fields, const Promis
 /// that the header is wrong; less is a remark, and padding with zeros is neither.
 Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t recordBytes, std::span<const std::byte> held,
                        const Source& source);
+
+/// The unit that a comment of the file states, where its columns state none. A remark says so.
+void takeUnitOfComment(PointTable& table, std::optional<double> unitMm, const Source& source);
 
 /// Rounding errors of numbers printed like that.
 [[nodiscard]] Precision precisionOf(const PrintedDigits& digits);

@@ -174,9 +174,9 @@ bool isAlone(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& one
 
 std::optional<RepeatedRange> repeatedRange(const RangesToJudge& given) {
     const Largest largest = largestOf(given);
-    if (largest.count < kFewestStated || largest.others < kFewestOthers) return std::nullopt;
-    const RepeatedRange found{largest.least, largest.count};
     const bool isStated = given.stated && *given.stated >= largest.least && *given.stated <= 2 * largest.range - largest.least;
+    if (largest.count < kFewestStated || (largest.others < kFewestOthers && !(isStated && largest.others == 0))) return std::nullopt;
+    const RepeatedRange found{largest.least, largest.count};
     const bool outnumbers =
         isStated && static_cast<double>(largest.count) >= kOftenerThanNear * static_cast<double>(mostFrequentNear(given, largest.least));
     if (outnumbers) return found;

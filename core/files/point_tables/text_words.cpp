@@ -194,6 +194,7 @@ TextHead readHead(std::string_view text, bool labels) {
         } else if (!trimmed(line.text).empty()) {
             head.header = line.text;
             head.units = {};
+            if (const auto unit = unitInComment(line.text)) head.unitMm = unit;
             emptyRows = 0;
         } else if (emptyRows > 0) {
             emptyRows = 0; // a blank line among them

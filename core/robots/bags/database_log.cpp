@@ -64,6 +64,8 @@ bool namesAnother(ByteView journal) {
     return journal.size() >= kJournalMagic.size() && std::ranges::equal(journal.last(kJournalMagic.size()), kJournalMagic);
 }
 
+bool isWalLog(ByteView log) { return log.size() >= 4 && log[0] == 0x37 && log[1] == 0x7f && log[2] == 0x06 && (log[3] | 1U) == 0x83; }
+
 /// Pages that the log began to write since its own beginning. Older ones are in the database.
 std::int64_t pagesBegun(ByteView log) {
     if (log.size() < kLogHeader) return 0;
@@ -101,6 +103,7 @@ void addLog(WholeDatabase& whole, ByteView database, const DatabaseLog& log, con
     Bytes pages = pagesIn(opened, database.size() + log.bytes.size());
     if (pages.empty()) return whole.warnings.push_back(unread);
     const bool changes = !std::ranges::equal(pages, database);
+    if (isWal && !changes && log.bytes.size() >= kLogHeader && !isWalLog(log.bytes)) whole.warnings.push_back(unread);
     if (changes) whole.database = std::move(pages);
     if (changes && isWal)
         whole.warnings.push_back(withValues("The recorder was not ended: its newest messages were read from %1.", {log.name}));

@@ -61,13 +61,15 @@ scanner::SweepSettings settingsOf(const Scan* cloud) {
 class RobotSource final : public files::LiveSource {
 public:
     /// `mutex`: the lock with which the feed calls the source.
-    RobotSource(std::string topic, std::string joint, const scanner::SweepSettings& sweep, std::function<void()> changed, std::mutex& mutex)
-        : topic_(std::move(topic)), joint_(std::move(joint)), changed_(std::move(changed)), mutex_(mutex), laser_(sweep, joint_) {}
+    RobotSource(const scanner::ConnectionSettings& asked, const scanner::SweepSettings& sweep, std::function<void()> changed,
+                std::mutex& mutex)
+        : topic_(asked.topic), joint_(asked.joint), keepRepeated_(asked.keepRepeated), changed_(std::move(changed)), mutex_(mutex),
+          laser_(sweep, joint_, keepRepeated_) {}
 
     std::unique_ptr<scanner::LiveConnection> connect(scanner::ConnectionSettings settings, Events events) override;
     void heard(const files::RecordingMessagePtr& message, std::int64_t monotonicNs) override;
     int play(const files::RecordingMessagePtr& message, scanner::SweepAssembler& to) override;
-    void useSweep(const scanner::SweepSettings& settings) override { laser_ = LiveLaser(settings, joint_); }
+    void useSweep(const scanner::SweepSettings& settings) override { laser_ = LiveLaser(settings, joint_, keepRepeated_); }
     [[nodiscard]] std::optional<scanner::SweepState> newest() const override;
     void complete(files::LiveStatus& status) const override;
     [[nodiscard]] std::vector<files::OfferedTopic> offered() const override;
@@ -76,6 +78,7 @@ public:
 
 private:
     const std::string topic_, joint_; // as asked for
+    const bool keepRepeated_;
     const std::function<void()> changed_;
     std::mutex& mutex_; // of all that follows
     LiveLaser laser_;
@@ -100,7 +103,7 @@ std::unique_ptr<scanner::LiveConnection> RobotSource::connect(scanner::Connectio
         if (!choice) return choice;
         if (linesTopic_.empty()) {
             linesTopic_ = choice->lines->topic;
-            if (isCloud(*choice->lines)) cloud_ = std::make_unique<LiveCloud>(changed_);
+            if (isCloud(*choice->lines)) cloud_ = std::make_unique<LiveCloud>(changed_, keepRepeated_);
         }
         return choice;
     };
@@ -207,6 +210,7 @@ Result<Scan> LiveCloud::scanOf(const Waiting& newest) const {
     bag.messages.push_back({0, newest.message->hostNs, newest.message->payload});
     ReadingOptions options;
     options.topic = newest.topic.name;
+    options.keepRepeated = keepRepeated_;
     options.progress = [this](const char*, double) { return !ending_; };
     const files::Source source{newest.topic.name, {}, &options, true};
     try {
@@ -310,7 +314,7 @@ Result<BridgeChoice> chooseTopics(const std::vector<BridgeChannelPtr>& offered, 
 
 std::unique_ptr<files::LiveSource> liveRobot(const scanner::ConnectionSettings& asked, const scanner::SweepSettings& sweep,
                                              std::function<void()> changed, std::mutex& mutex) {
-    return std::make_unique<RobotSource>(asked.topic, asked.joint, sweep, std::move(changed), mutex);
+    return std::make_unique<RobotSource>(asked, sweep, std::move(changed), mutex);
 }
 
 } // namespace edgescan::robots

@@ -23,7 +23,8 @@ namespace edgescan::robots {
 class LiveCloud {
 public:
     /// `changed` is called on a thread of the pool after each scan.
-    explicit LiveCloud(std::function<void()> changed) : changed_(std::move(changed)) {}
+    explicit LiveCloud(std::function<void()> changed, bool keepRepeated = false)
+        : changed_(std::move(changed)), keepRepeated_(keepRepeated) {}
     ~LiveCloud();
     LiveCloud(const LiveCloud&) = delete;
     LiveCloud& operator=(const LiveCloud&) = delete;
@@ -49,6 +50,7 @@ private:
     [[nodiscard]] Result<Scan> scanOf(const Waiting& newest) const;
 
     const std::function<void()> changed_;
+    const bool keepRepeated_;
     std::atomic<bool> ending_{false};
     mutable std::mutex mutex_; // of all that follows, but not of the lane
     std::optional<Waiting> waiting_;

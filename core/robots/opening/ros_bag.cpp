@@ -70,12 +70,12 @@ public:
         turnedFirst(bag_, options.joint, *topics, [&] { return !options.progress || options.progress("reading", 1.0); });
         if (topics->front().gives != TopicGives::Lines) return std::nullopt;
         const std::uint32_t lines = topics->front().topic;
-        return files::LinePlayer{
-            [lines](const RecordedMessage& message) { return message.sourceTopic == lines; },
-            [this, lines, laser = LiveLaser(settings, options.joint)](const RecordedMessage& message, scanner::SweepAssembler& to) mutable {
-                const RosTopic& topic = bag_.topics[message.sourceTopic];
-                if (message.sourceTopic == lines || givesAngles(topic.type)) laser.receive(topic, message.payload, to);
-            }};
+        return files::LinePlayer{[lines](const RecordedMessage& message) { return message.sourceTopic == lines; },
+                                 [this, lines, laser = LiveLaser(settings, options.joint, options.keepRepeated)](
+                                     const RecordedMessage& message, scanner::SweepAssembler& to) mutable {
+                                     const RosTopic& topic = bag_.topics[message.sourceTopic];
+                                     if (message.sourceTopic == lines || givesAngles(topic.type)) laser.receive(topic, message.payload, to);
+                                 }};
     }
 
 private:
@@ -242,6 +242,9 @@ Result<SplitBag> holdSplitBag(const BagFiles& bag, const ReadingOptions& options
     };
     for (const std::string& name : bag.missing)
         all.warnings.push_back(withValues("The part %1 of the bag is missing: its messages are not in the scan.", {name}));
+    for (const std::string& name : bag.unnamed)
+        all.warnings.push_back(
+            withValues("metadata.yaml does not name %1, a part of the bag by its name: its messages are not in the scan.", {name}));
     for (const std::string& name : bag.others)
         all.warnings.push_back(withValues(
             "metadata.yaml names %1, whose name is not that of a file of messages (.mcap, .db3, .bag): it was not read.", {name}));

@@ -96,7 +96,7 @@ bool orderParts(std::vector<fs::path>& files) {
 
 Result<BagFiles> filesOfBag(const fs::path& path) {
     std::error_code problem;
-    const BagFiles asItIs{path, {path}, {}, {}};
+    const BagFiles asItIs{path, {path}, {}, {}, {}};
     fs::path folder = path.filename() == kMetadata ? path.parent_path() : path;
     if (folder.empty()) folder = ".";
     if (!fs::is_directory(folder, problem)) return asItIs;
@@ -108,6 +108,12 @@ Result<BagFiles> filesOfBag(const fs::path& path) {
             bag.parts.push_back(folder / name);
         else
             bag.missing.push_back(name);
+    }
+    const auto first = bag.parts.empty() ? std::nullopt : numbered(bag.parts.front());
+    for (const fs::path& file : first ? filesIn(folder) : std::vector<fs::path>()) {
+        const auto part = numbered(file);
+        if (part && part->first == first->first && std::ranges::find(bag.parts, file) == bag.parts.end())
+            bag.unnamed.push_back(file.filename().string());
     }
     if (bag.parts.empty()) {
         bag.parts = filesIn(folder);

@@ -14,8 +14,9 @@ struct BagFiles {
     std::vector<std::filesystem::path> parts; ///< in the order of their times
     std::vector<std::string> missing;         ///< parts that metadata.yaml names and that are not there
     std::vector<std::string> others;          ///< what metadata.yaml names besides, which hold no messages
+    std::vector<std::string> unnamed{};       ///< further parts by their names, which metadata.yaml does not name
 
-    [[nodiscard]] bool isSplit() const { return parts.size() + missing.size() + others.size() > 1; }
+    [[nodiscard]] bool isSplit() const { return parts.size() + missing.size() + others.size() + unnamed.size() > 1; }
 };
 
 /// The files of messages of a bag's folder, or of its metadata.yaml; any other path is one file. Without metadata.yaml, which a bag that

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -136,27 +137,72 @@ void count(LaserLines& all) {
     }
 }
 
-/// Messages that a bag holds twice, as where two recorders or a relay wrote them. Lines are in order of their stamps.
+/// The time between lines with other ranges than the one before, the median.
+double periodOfOtherRangesS(const std::vector<LaserLine>& lines) {
+    std::vector<double> periods;
+    const LaserLine* before = nullptr;
+    for (const LaserLine& line : lines) {
+        if (before != nullptr && line.line.ranges.rangeMm == before->line.ranges.rangeMm) continue;
+        if (before != nullptr) periods.push_back(secondsBetween(*before, line));
+        before = &line;
+    }
+    return periods.empty() ? 0 : median(periods);
+}
+
+/// Messages that a bag holds twice, as where two recorders or a relay wrote them, each with a clock of its own. No laser measures a whole
+/// line again with the same noise, and none within half of its period. Lines are in order of their stamps.
 void leaveOutRepeated(LaserLines& all) {
+    constexpr double kSoon = 0.5; // periods
+    const double soonS = kSoon * periodOfOtherRangesS(all.lines);
     std::vector<LaserLine> once;
     once.reserve(all.lines.size());
     for (LaserLine& line : all.lines) {
         bool again = false;
         constexpr std::size_t kLookedBack = 8; // others may have the same stamp
-        for (std::size_t n = once.size(), looked = 0; n > 0 && looked < kLookedBack && once[n - 1].stampNs == line.stampNs && !again;
-             --n, ++looked)
-            again = once[n - 1].line.ranges.rangeMm == line.line.ranges.rangeMm;
+        for (std::size_t n = once.size(), looked = 0; n > 0 && looked < kLookedBack && !again; --n, ++looked)
+            again = secondsBetween(once[n - 1], line) <= soonS && once[n - 1].line.ranges.rangeMm == line.line.ranges.rangeMm;
         if (!again) once.push_back(std::move(line));
     }
     all.repeated = all.lines.size() - once.size();
     all.lines = std::move(once);
 }
 
+/// range_min is a range that was measured unless it repeats more often than any range near it.
+void markLeastRanges(LaserLines& all) {
+    constexpr std::size_t kFewest = 5, kOftener = 3;
+    constexpr float kNear = 1.1F;
+    std::map<float, std::size_t> near;
+    const auto isLeast = [](const LaserLine& line, float mm) { return line.leastM > 0 && mm == millimetresOf(line.leastM); };
+    std::size_t count = 0;
+    for (const LaserLine& line : all.lines) {
+        const auto mostMm = kNear * millimetresOf(line.leastM);
+        for (const float mm : line.line.ranges.rangeMm) {
+            count += isLeast(line, mm) ? 1 : 0;
+            if (mm > 0 && mm <= mostMm && !isLeast(line, mm)) ++near[mm];
+        }
+    }
+    std::size_t most = 0;
+    for (const auto& [mm, times] : near) most = std::max(most, times);
+    if (count < kFewest || count < kOftener * most) return;
+    for (LaserLine& line : all.lines) {
+        auto& [ranges, states] = line.line.ranges;
+        for (std::size_t j = 0; j < ranges.size(); ++j) {
+            if (!isLeast(line, ranges[j])) continue;
+            ranges[j] = 0;
+            states[j] = CellState::NoReturn;
+        }
+    }
+    all.noReturns = files::repeatedSentence(
+        count, withValues("ranges of the topic are %1 m, the range_min of their messages", {significantText(all.lines.front().leastM, 6)}));
+}
+
 void markNoReturns(LaserLines& all) {
+    markLeastRanges(all);
     const auto found = noReturnIn(all.lines);
     if (!found) return;
     for (LaserLine& line : all.lines) leaveOutFrom(line, found->least);
-    all.noReturns =
+    all.noReturns += all.noReturns.empty() ? "" : " ";
+    all.noReturns +=
         files::repeatedSentence(found->count, withValues("ranges of the topic are %1 m", {significantText(found->least / kMmPerM, 6)}));
 }
 
@@ -217,7 +263,8 @@ Result<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
     if (found.timeUnknown) found.beamS = 0;
     const double farthestM = number("range_max", 0);
     found.mostM = farthestM > 0 ? farthestM : std::numeric_limits<double>::max();
-    storeRanges(line, rangesM, number("range_min", 0), found.mostM);
+    found.leastM = number("range_min", 0);
+    storeRanges(line, rangesM, found.leastM, found.mostM);
     const std::vector<double> strengths = echoesOf(message, "intensities", echo);
     if (strengths.size() == rangesM.size()) line.intensity.assign(strengths.begin(), strengths.end());
     found.reversed = step < 0;

@@ -22,6 +22,7 @@ struct LaserLine {
     bool reversed = false;    ///< the beams run clockwise; they were put into ascending order
     bool contradicts = false; ///< angle_max is not where angle_min and angle_increment put the last beam
     bool timeUnknown = false; ///< time_increment is not a number, or far too long: the beams count as measured at once
+    double leastM = 0;        ///< range_min of the message
     double mostM = 0;         ///< range_max of the message
     scanner::SweepLine line;
 };
@@ -33,7 +34,7 @@ struct LaserLines {
     double periodS = 0.04;         ///< from line to line, the median
     std::size_t disordered = 0;    ///< messages that came before one with an earlier stamp
     std::size_t contradicting = 0; ///< messages whose angle_max contradicts their other angles
-    std::size_t repeated = 0;      ///< messages with the stamp and the ranges of one before, which were left out
+    std::size_t repeated = 0;      ///< messages with the ranges and nearly the stamp of one before, which were left out
     std::size_t unreadable = 0;    ///< messages that do not fit their definition, or hold no beams
     std::string whyUnreadable;
     std::size_t timesUnknown = 0; ///< lines, as LaserLine says

@@ -20,6 +20,7 @@ constexpr double kRestShare = 0.05; // of the median step from line to line
 constexpr double kLost = 0.7;       // periods behind its time: a line before it is lost
 constexpr double kOfNewLine = 0.2;  // share of a new line in the usual time
 constexpr double kLongestGap = 30000;
+constexpr double kSoon = 0.5;      // periods: the same ranges once more are the same line, which a relay sent with another stamp
 constexpr double kAtMostM = 0.001; // as near to range_max is range_max
 
 double middleOf(const std::deque<double>& numbers) { return median(std::vector<double>(numbers.begin(), numbers.end())); }
@@ -69,13 +70,16 @@ void LiveLaser::receiveLine(const RosValue& message) {
     auto line = laserLine(message, asked_.echo);
     if (!line) return leaveOut(line.error().what.c_str());
     if (newestNs_ != 0 && line->stampNs < newestNs_ - kRestartNs) restart();
-    if (newestNs_ != 0 && line->stampNs == newestNs_) {
+    const double sinceS = static_cast<double>(line->stampNs - newestNs_) / kSecond;
+    const bool soon = !periodsS_.empty() && sinceS <= kSoon * *std::ranges::max_element(periodsS_);
+    if (newestNs_ != 0 && (line->stampNs == newestNs_ || (soon && sinceS > 0 && line->line.ranges.rangeMm == newestMm_))) {
         ++repeated_;
         return;
     }
     if (newestNs_ != 0 && line->stampNs < newestNs_) return leaveOut("a line came out of order");
     if (newestNs_ != 0) keepLast(periodsS_, static_cast<double>(line->stampNs - newestNs_) / kSecond, kPeriods);
     newestNs_ = line->stampNs;
+    newestMm_ = line->line.ranges.rangeMm;
     if (frame_.empty()) frame_ = frameNameOf(message.text("header.frame_id"));
     leaveOutNoReturns(*line);
     waiting_.push_back(std::move(*line));
@@ -87,6 +91,7 @@ void LiveLaser::receiveLine(const RosValue& message) {
 
 /// One line is enough to see that its range_max repeats. Then it holds for the lines that wait, and for all that follow.
 void LiveLaser::leaveOutNoReturns(LaserLine& line) {
+    if (keepRepeated_) return;
     if (!noReturnMm_) {
         const auto found = noReturnIn({&line, 1});
         if (!found || found->least < (line.mostM - kAtMostM) * 1000) return;

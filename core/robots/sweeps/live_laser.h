@@ -17,8 +17,9 @@ namespace edgescan::robots {
 class LiveLaser {
 public:
     /// `asked` goes before what is found: a given axis, and a given step where no transform and no joint turns the laser. `joint`: empty:
-    /// the one that is found.
-    LiveLaser(const scanner::SweepSettings& asked, std::string joint) : asked_(asked), joint_(std::move(joint)) {}
+    /// the one that is found. `keepRepeated`: range_max is measured also where it repeats.
+    LiveLaser(const scanner::SweepSettings& asked, std::string joint, bool keepRepeated = false)
+        : asked_(asked), joint_(std::move(joint)), keepRepeated_(keepRepeated) {}
 
     /// A message of the laser, of transforms or of joints. Pushes the lines that it makes known, their number is returned. The assembler is
     /// made again with what the laser needs before its first line.
@@ -27,7 +28,7 @@ public:
     /// Lines that were left out, and why the last one was.
     [[nodiscard]] std::int64_t leftOut() const { return leftOut_; }
     [[nodiscard]] const std::string& whyLeftOut() const { return why_; }
-    /// Lines that came twice.
+    /// Lines that came twice: with the stamp of the newest, or with its ranges within half a period.
     [[nodiscard]] std::int64_t repeated() const { return repeated_; }
     /// Ranges that are range_max of their message and repeat, so that they mean "no return".
     [[nodiscard]] std::int64_t noReturns() const { return noReturns_; }
@@ -49,12 +50,14 @@ private:
 
     scanner::SweepSettings asked_;
     std::string joint_;
+    bool keepRepeated_;
     std::map<std::string, RosDefinition> definitions_; // by topic
 
     std::deque<LaserLine> waiting_;
     std::string frame_;
     std::deque<double> periodsS_;                      // of the last lines, by their stamps
     std::int64_t newestNs_ = 0;                        // stamp of the newest line
+    std::vector<float> newestMm_;                      // its ranges, as they came
     static constexpr std::size_t kMostPoses = 200'000; // that wait for the motion: 20 s of a robot have some thousand
     FrameTree tree_{kMostPoses};
     JointAngles joints_;

@@ -103,8 +103,9 @@ struct ConnectionSettings {
     std::uint16_t port = 2112;
     std::optional<Dialect> dialect; ///< empty: detect it
     ScannerTimeouts timeouts;
-    bool bridge = false;      ///< a robot's Foxglove bridge answers there, and not a scanner
-    std::string topic, joint; ///< of a bridge; empty: the one that is found
+    bool bridge = false;       ///< a robot's Foxglove bridge answers there, and not a scanner
+    std::string topic, joint;  ///< of a bridge; empty: the one that is found
+    bool keepRepeated = false; ///< of a bridge: a range or point that repeats far apart from the rest is measured and not "no return"
 };
 
 /// All functions are called on the connection's thread and delay receiving while they run. They are not called after stop() has returned.

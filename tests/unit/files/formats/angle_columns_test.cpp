@@ -80,6 +80,8 @@ TEST_F(AngleColumnsTest, InManyWordsAndUnits) {
              {"acimut_grados,elevacion_grados,distancia_m", "a,e,r"},
              {"Азимут,Угол места,Дальность", "a,e,r"},
              {"方位角,仰角,距离", "a,e,r"},
+             {"rango,azimuth_mdeg,elevation_mdeg", "r,a,e", 1000},
+             {"azimuth,elevation,range_m", "a,e,r", 100, 1, false, "hundredths of a degree"},
          }) {
         SCOPED_TRACE(table.names);
         const auto scan = opened(table);

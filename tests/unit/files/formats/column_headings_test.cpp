@@ -92,7 +92,7 @@ TEST_F(ColumnHeadings, WhatIsNoneOfThemIsNoCoordinate) {
 
 TEST_F(ColumnHeadings, AGuessIsReported) {
     for (const Heading& heading :
-         std::initializer_list<Heading>{{"", "i x y z"}, {"temperature,humidity,pressure", "x,y,z"}, {"x,y,z", "x,y,z,0.5,0.5"}}) {
+         std::initializer_list<Heading>{{"", "i x y z"}, {"column 1,column 2,column 3", "x,y,z"}, {"x,y,z", "x,y,z,0.5,0.5"}}) {
         SCOPED_TRACE(heading.names);
         const auto scan = opened(heading);
         ASSERT_TRUE(scan) << scan.error().sentence();
@@ -121,6 +121,9 @@ TEST_F(ColumnHeadings, OtherThingsThanPointsAreRefused) {
     };
     refused({"line,angle_deg,range_mm", "n,x,y"}, "angles and ranges");
     refused({"azimuth,distance", "x,y"}, "numbers where a point needs three");
+    refused({"temperature,humidity,pressure", "x,y,z"}, "no x, y and z that are understood");
+    refused({"start_n,start_e,start_rl,end_n,end_e,end_rl", "x,y,z,x,y,z"}, "names axes");
+    refused({"Southing Westing RL q", "x y z x"}, "names axes");
     refused({"lat,lon,alt", "x,y,z"}, "degrees of latitude and longitude");
     refused({"x,y,intensity", "x,y,i"}, "two coordinates of a point and not the third");
     refused({"", "n,x,y,z,ROCK"}, "words among the numbers");

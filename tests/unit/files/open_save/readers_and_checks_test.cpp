@@ -223,8 +223,22 @@ TEST_F(ReadersAndChecks, LaterReturnsOfAPulse) {
         csv += rowsOf({all[n]}, ",", "", ",") + std::to_string(number) + "\n";
         las[227 + 20 * n + 14] = static_cast<char>(number | 2 << 3); // of two returns
     }
-    const std::pair<Reader, std::string> files[]{
+    std::vector<std::pair<Reader, std::string>> files{
         {{"csv", ".csv", nullptr}, csv}, {{"las", ".las", nullptr}, las}, {{"e57", ".e57", nullptr}, e57Bytes({{e57, ""}})}};
+    const std::string rows = csv.substr(csv.find('\n') + 1), count = std::to_string(all.size());
+    for (const char* name : {"Echo Nr", "pulse_return", "scalar_Return_Number", "target_index", "rtn", "return id"})
+        files.push_back({{name, ".csv", nullptr}, std::string("x,y,z,") + name + "\n" + rows});
+    std::string blanks = rows, fromZero = "x,y,z,return_number\n";
+    std::ranges::replace(blanks, ',', ' ');
+    for (std::size_t n = 0; n < all.size(); ++n)
+        fromZero += rowsOf({all[n]}, ",", "", ",") + std::to_string(static_cast<int>(numbers[n])) + "\n";
+    files.push_back({{"from 0", ".csv", nullptr}, fromZero});
+    files.push_back({{"ply", ".ply", nullptr},
+                     "ply\nformat ascii 1.0\nelement vertex " + count +
+                         "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar ReturnNumber\nend_header\n" + blanks});
+    files.push_back({{"pcd", ".pcd", nullptr},
+                     "VERSION .7\nFIELDS x y z return_number\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH " + count +
+                         "\nHEIGHT 1\nPOINTS " + count + "\nDATA ascii\n" + blanks});
     for (const auto& [reader, bytes] : files) {
         expectSame(reader, bytes, "later returns");
         const auto scan = readBytes(bytes, reader.extension);

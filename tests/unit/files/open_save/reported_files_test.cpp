@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <functional>
 
 using namespace edgescan;
@@ -64,6 +66,11 @@ TEST_F(ReportedFiles, TextInOtherBytes) {
     }
     expectSame(readBytes("\xEF\xBB\xBF" + plain, ".xyz"));
     expectSame(readBytes(plain + std::string(2000, '\0'), ".xyz"), "2000 bytes of zero (NUL)");
+    expectSame(readBytes(plain + "\x1A", ".xyz"));
+    std::string wide("\xFF\xFE\0\0", 4);
+    for (const char c : plain) wide += std::string{c, '\0', '\0', '\0'};
+    expectSame(readBytes(wide, ".xyz"), "UTF-32");
+    expectRefused(readBytes(std::string(4096, '\0'), ".xyz"), "only zeros");
     std::string cr = plain;
     std::ranges::replace(cr, '\n', '\r');
     expectSame(readBytes(cr, ".xyz"));
@@ -100,6 +107,11 @@ TEST_F(ReportedFiles, PtxHeaders) {
     ASSERT_TRUE(byColumns && byColumns->placement);
     EXPECT_NEAR(byColumns->placement->originEnhM.y(), 2000.25, 2000); // the origin is a round place near it
     expectSame(readBytes(ptxHead(24, 28, "1000 2000 300") + rows, ".ptx"), "Line 3 of the header");
+    const std::string turned = "24\n28\n0 0 0\n0 1 0\n-1 0 0\n0 0 1\n";
+    expectSame(readBytes(turned + "0.6 0.8 0 0\n-0.8 0.6 0 0\n0 0 1 0\n0 0 0 1\n" + rows, ".ptx"), "Lines 4 to 6 of the header");
+    const auto same = readBytes(turned + "0 1 0 0\n-1 0 0 0\n0 0 1 0\n0 0 0 1\n" + rows, ".ptx");
+    expectSame(same);
+    EXPECT_FALSE(warns(*same, "Lines 4 to 6"));
 }
 
 TEST_F(ReportedFiles, RowsThatAreBeams) {
@@ -117,12 +129,15 @@ TEST_F(ReportedFiles, RowsThatAreBeams) {
 
 TEST_F(ReportedFiles, PcdWithPaddingThatTakesNoBytes) {
     std::string pcd =
-        "VERSION .7\nFIELDS x _ y z _\nSIZE 4 1 4 4 1\nTYPE F U F F U\nCOUNT 1 0 1 1 3\nWIDTH 28\nHEIGHT 24\nPOINTS 672\nDATA binary\n";
+        "VERSION .7\nFIELDS x _ y z _\nSIZE 4 0 4 4 1\nTYPE F U F F U\nCOUNT 1 0 1 1 3\nWIDTH 28\nHEIGHT 24\nPOINTS 672\nDATA binary\n";
     for (const Eigen::Vector3d& p : points_) {
         for (int axis = 0; axis < 3; ++axis) appendValue(pcd, static_cast<float>(p[axis]));
         pcd += std::string(3, '\0');
     }
     expectSame(readBytes(pcd, ".pcd"));
+    const std::size_t record = 15, lost = 200;
+    const auto cut = readBytes(pcd.substr(0, pcd.size() - lost * record) + std::string(lost * record, '\0'), ".pcd");
+    EXPECT_TRUE(cut && warns(*cut, "The last 200 of 672 points hold zeros"));
 }
 
 TEST_F(ReportedFiles, PlyWithListsAndOtherElements) {
@@ -248,14 +263,27 @@ TEST_F(ReportedFiles, AxesByTheirNames) {
                                 "\xd0\xa1\xd0\xb5\xd0\xb2\xd0\xb5\xd1\x80,\xd0\x92\xd0\xbe\xd1\x81\xd1\x82\xd0\xbe\xd0\xba,"
                                 "\xd0\x92\xd1\x8b\xd1\x81\xd0\xbe\xd1\x82\xd0\xb0",
                                 "mN,mE,mRL",
+                                "Norte Mina,Este Mina,Cota Mina",
+                                "NORTH_MGA2020,EAST_MGA2020,RL_AHD",
+                                "N_SWEREF,E_SWEREF,H_RH2000",
+                                "YCOLLAR,XCOLLAR,ZCOLLAR",
+                                "midy,midx,midz",
+                                "y0,x0,z0",
+                                "velodyne_y,velodyne_x,velodyne_z",
+                                "y_lidar,x_lidar,z_lidar",
+                                "Nordkoordinate,Ostkoordinate,Niveau",
+                                "ordonn\xc3\xa9\x65,abscisse,altitude",
+                                "Y\xe5\xba\xa7\xe6\xa8\x99,X\xe5\xba\xa7\xe6\xa8\x99,Z\xe5\xba\xa7\xe6\xa8\x99",
                                 "X(North),Y(East),Z"}) {
         SCOPED_TRACE(heading);
         expectSame(under(heading, "yxz"));
     }
-    for (const char* heading : {"Southing,Westing,RL", "North,Right,Over", "first,second,z"}) {
+    for (const char* heading : {"Southing,Westing,RL", "North,Right,Over", "first,second,z", "velocity_y,velocity_x,velocity_z", "ny,nx,nz",
+                                "\xce\x92\xce\xbf\xcf\x81,\xce\x91\xce\xbd,\xce\xa5\xcf\x88"}) {
         SCOPED_TRACE(heading);
         expectRefused(under(heading, "yxz"), "--columns");
     }
+    for (const char* heading : {"col1,col2,col3", "a,b,c"}) expectSame(under(heading, "xyz"), "were taken for them");
     ReadingOptions asked;
     for (const char* columns : {"2,1,3", "Westing,Southing,RL"}) {
         asked.columns = columns;
@@ -270,14 +298,39 @@ TEST_F(ReportedFiles, AxesByTheirNames) {
 TEST_F(ReportedFiles, UnitsInCommentsAndDigitsThatAreLost) {
     std::vector<Eigen::Vector3d> feet;
     for (const Eigen::Vector3d& p : points_) feet.emplace_back(p / 0.3048);
-    const auto scan = readBytes("# exported 2026\n# units: feet\n" + textOf(feet, {.format = "%.7f"}), ".xyz");
-    ASSERT_TRUE(scan) << scan.error().sentence();
-    for (std::size_t k = 0; k < scan->cells(); ++k) EXPECT_NEAR(scan->rangeMm[k], expected_.rangeMm[k], 0.1);
-    std::string csv = "Easting,Northing,Elevation\n";
-    for (const Eigen::Vector3d& p : points_) {
-        if (!p.isZero(0.0)) csv += textOf({p + Eigen::Vector3d(498765, 5150120, 285)}, {.format = "%.5E", .separator = ","});
+    const std::string rows = textOf(feet, {.format = "%.7f"}), table = textOf(feet, {.format = "%.7f", .separator = ","});
+    const std::string header =
+        "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 28\nHEIGHT 24\nPOINTS 672\nDATA ascii\n";
+    std::string vertices;
+    for (const Eigen::Vector3d& p : feet) vertices += p.isZero(0.0) ? "" : "v " + textOf({p}, {.format = "%.7f"});
+    for (const auto& [text, extension] : std::initializer_list<std::pair<std::string, const char*>>{
+             {"# exported 2026\n# units: feet\n" + rows, ".xyz"},
+             {"Unidad: pies\n" + rows, ".xyz"},
+             {"# XYZ [ft]\n" + rows, ".xyz"},
+             {"# distances in feet\n" + rows, ".xyz"},
+             {"x (pieds),y (pieds),z (pieds)\n" + table, ".csv"},
+             {"x in ft,y in ft,z in ft\n" + table, ".csv"},
+             {"# units: feet\n" + header + rows, ".pcd"},
+             {"ply\nformat ascii 1.0\ncomment units: feet\nelement vertex 672\nproperty float x\nproperty float y\nproperty float z\n"
+              "end_header\n" +
+                  rows,
+              ".ply"},
+             {"# units: feet\n" + vertices, ".obj"}}) {
+        SCOPED_TRACE(text.substr(0, 40));
+        const auto scan = readBytes(text, extension);
+        ASSERT_TRUE(scan) << scan.error().sentence();
+        ASSERT_EQ(scan->cells(), expected_.cells());
+        for (std::size_t k = 0; k < scan->cells(); ++k) EXPECT_NEAR(scan->rangeMm[k], expected_.rangeMm[k], 0.1);
     }
-    expectRefused(readBytes(csv, ".csv"), "rounded to 6 digits");
+    const Eigen::Matrix3d turned = Eigen::AngleAxisd(2.1, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    for (const auto& [format, words] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"%.5E", "rounded to 6 digits"}, {"%.7g", "rounded to 7 digits"}, {"%.1f", "are rounded to 0.1"}}) {
+        std::string csv = "Easting,Northing,Elevation\n";
+        for (const Eigen::Vector3d& p : points_) {
+            if (!p.isZero(0.0)) csv += textOf({turned * p + Eigen::Vector3d(498765, 5150120, 285)}, {.format = format, .separator = ","});
+        }
+        expectRefused(readBytes(csv, ".csv"), words);
+    }
 }
 
 TEST_F(ReportedFiles, TablesOfMessages) {
@@ -307,6 +360,12 @@ TEST_F(ReportedFiles, BagsWithRepeatsAndALimit) {
     EXPECT_EQ(scan->rangeMm, open(rosMessagesOf(expected_))->rangeMm);
     for (const char* topic : {"/robot/scan", "/tf"})
         EXPECT_TRUE(warns(*scan, std::string(" messages of the topic ") + topic + " are in the bag twice")) << topic;
+
+    RosMessages relayed = rosMessagesOf(expected_), again = rosMessagesOf(expected_, {.jitterNs = {1000}});
+    relayed.messages.insert(relayed.messages.end(), again.messages.begin(), again.messages.end());
+    const auto restamped = open(relayed);
+    ASSERT_TRUE(restamped) << restamped.error().sentence();
+    EXPECT_EQ(restamped->rangeMm, scan->rangeMm);
 
     Scan limited = expected_;
     std::size_t marks = 0;

@@ -66,6 +66,8 @@ TEST(RepeatedRange, AStatedLimitNeedsNoDistance) {
     EXPECT_TRUE(fan.judged(9300.0));
     EXPECT_FALSE(fan.judged());
     EXPECT_FALSE(fan.judged(30000.0));
+    const Fan nothing = rocks(1, [](std::size_t) { return 65535.0; });
+    EXPECT_TRUE(nothing.judged(65535.0));
 }
 
 TEST(RepeatedRange, SurfacesStay) {

@@ -114,18 +114,37 @@ TEST(LiveLasers, RangeMaxThatRepeatsWasNotMeasured) {
         }
     }
     const RosMessages messages = rosMessagesOf(scan, {.wire = Wire::CdrLittle});
+    for (const bool keep : {false, true}) {
+        robots::LiveLaser laser({}, "", keep);
+        scanner::SweepAssembler to{{}};
+        for (const RosMessages::Message& message : messages.messages) {
+            const auto& topic = messages.topics[message.topic];
+            laser.receive({topic.name, topic.type, topic.definition, RosEncoding::Cdr, false}, message.bytes, to);
+        }
+        to.finish();
+        EXPECT_EQ(laser.noReturns(), keep ? 0 : scan.lines() * kVoid);
+        const auto found = to.snapshot();
+        ASSERT_TRUE(found);
+        EXPECT_EQ(*std::ranges::max_element(found->rangeMm.cells) > 79000, keep);
+        EXPECT_GT(found->lines(), 0);
+    }
+}
+
+TEST(LiveLasers, ALineThatARelaySendsWithAnotherStampIsARepeat) {
+    const RosMessages messages = rosMessagesOf(boxes(), {.wire = Wire::CdrLittle}),
+                      relayed = rosMessagesOf(boxes(), {.jitterNs = {2'000'000}, .wire = Wire::CdrLittle});
     robots::LiveLaser laser({}, "");
     scanner::SweepAssembler to{{}};
-    for (const RosMessages::Message& message : messages.messages) {
-        const auto& topic = messages.topics[message.topic];
-        laser.receive({topic.name, topic.type, topic.definition, RosEncoding::Cdr, false}, message.bytes, to);
+    std::int64_t lines = 0;
+    for (std::size_t n = 0; n < messages.messages.size(); ++n) {
+        const auto& topic = messages.topics[messages.messages[n].topic];
+        const RosTopic of{topic.name, topic.type, topic.definition, RosEncoding::Cdr, false};
+        laser.receive(of, messages.messages[n].bytes, to);
+        if (topic.type.find("LaserScan") == std::string::npos) continue;
+        ++lines;
+        laser.receive(of, relayed.messages[n].bytes, to);
     }
-    to.finish();
-    EXPECT_EQ(laser.noReturns(), scan.lines() * kVoid);
-    const auto found = to.snapshot();
-    ASSERT_TRUE(found);
-    EXPECT_LT(*std::ranges::max_element(found->rangeMm.cells), 79000);
-    EXPECT_GT(found->lines(), 0);
+    EXPECT_EQ(laser.repeated(), lines - 1); // the first one shows no period
 }
 
 TEST(HostileFrames, PosesWithoutEndAreLimitedLive) {
@@ -233,6 +252,15 @@ TEST(BagFolder, MetadataThatNamesOnlyFilesThatAreGoneIsTold) {
     const auto scan = files::openScan(folder.path());
     ASSERT_FALSE(scan);
     EXPECT_NE(scan.error().what.find("bell_0.db3 and 1 more"), std::string::npos) << scan.error().sentence();
+}
+
+TEST(BagFolder, APartThatMetadataDoesNotNameIsTold) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "metadata.yaml") << "rosbag2_bagfile_information:\n  relative_file_paths:\n    - bell_0.mcap\n";
+    for (const char* name : {"bell_0.mcap", "bell_1.mcap", "other.mcap"}) std::ofstream(folder / name) << "x";
+    const auto files = filesOfBag(folder.path());
+    ASSERT_TRUE(files);
+    EXPECT_EQ(files->unnamed, std::vector<std::string>{"bell_1.mcap"});
 }
 
 #ifdef EDGESCAN_TESTS_SQLITE
