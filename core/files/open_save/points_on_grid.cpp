@@ -534,7 +534,7 @@ Result<Scan> scanOfPoints(PointTable table, const Source& source) {
         return source.refused(withValues("the file holds 0 points with a return, out of %1", {table.points.size()}),
                               "choose another file, or copy it again");
     }
-    if (auto fine = checkDigits(table, source); !fine) return fine.error();
+    if (const auto fine = checkDigits(table, source); !fine) return rangesWithoutAngles(fine.error(), table, source).value_or(fine.error());
     table.precision = withDecimals(table.precision, table.points);
     applyGivenSensor(table, source);
     const auto returns = static_cast<std::size_t>(std::count_if(table.points.begin(), table.points.end(), isReturn));
