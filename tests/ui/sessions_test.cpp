@@ -274,7 +274,7 @@ private slots:
         QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 1);
         QTRY_COMPARE(on.window.sessions().path(), file);
         // A damaged file gives one sentence, and the window does not change.
-        const QString damaged = inFolder("damaged-" + QFileInfo(file).fileName()); // the window may store the other one at any time
+        const QString damaged = inFolder("damaged.edgescan-session.json"); // the window may store the other one at any time
         test::writeText(damaged.toStdString(), before.substr(0, before.size() / 2));
         on.window.sessions().openSession(damaged);
         QTRY_VERIFY(on.viewer.notice.kind() == NoticeBar::Kind::Error);
