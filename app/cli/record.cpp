@@ -136,16 +136,13 @@ int run(const Record& record) {
         return failWith({"this is a file and not a scanner", record.address, "replay plays a recording"}, kWrongUsage);
     const Result<scanner::HostPort> address = scanner::hostPort(record.address);
     if (!address) return failWith(address.error(), kWrongUsage);
-    const char* ofBridge = !record.topic.empty()   ? "--topic"
-                           : !record.joint.empty() ? "--joint"
-                           : record.keepRepeated   ? "--keep-repeated"
-                                                   : nullptr;
+    const char* ofBridge = !record.topic.empty() ? "--topic" : !record.joint.empty() ? "--joint" : nullptr;
     if (!address->bridge && ofBridge != nullptr)
-        return failWith(Error{record.keepRepeated && record.topic.empty() && record.joint.empty()
-                                  ? "a scanner of SICK says itself which ranges it did not measure"
-                                  : "only a robot's bridge has topics and joints",
-                              ofBridge, "give ws://HOST, or leave it out"},
-                        kWrongUsage);
+        return failWith(Error{"only a robot's bridge has topics and joints", ofBridge, "give ws://HOST, or leave it out"}, kWrongUsage);
+    if (!address->bridge && record.keepRepeated)
+        return failWith(
+            Error{"a scanner of SICK says itself which ranges it did not measure", "--keep-repeated", "give ws://HOST, or leave it out"},
+            kWrongUsage);
     if (const auto right = checkMounting(record.mounting); !right) return failWith(right.error(), kWrongUsage);
     scanner::ConnectionSettings scanner;
     scanner.host = address->host;

@@ -1,6 +1,7 @@
 // The table of themes, and the palettes made from it.
 #include "ui/base/themes.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QPainter>
 #include <QWidget>
@@ -146,6 +147,12 @@ QPixmap onViewGround(const QPixmap& sign) {
     plate.fill(themes().front().window);
     QPainter(&plate).drawPixmap(kRim, kRim, sign);
     return plate;
+}
+
+void setSign(QAbstractButton& row, const QPixmap& sign) {
+    const QPixmap plate = onViewGround(sign);
+    row.setIconSize(plate.size());
+    row.setIcon(QIcon(plate));
 }
 
 void useColours(const Theme& theme) {

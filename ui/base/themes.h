@@ -12,6 +12,8 @@
 
 class QWidget;
 
+class QAbstractButton;
+
 namespace edgescan::ui {
 
 /// One theme. Each colour is named after its purpose.
@@ -49,6 +51,8 @@ struct ColourPair {
 [[nodiscard]] QPalette paletteOf(const Theme& theme);
 /// The sign of a legend on a piece of the views' dark ground, in every theme: it looks as in the views.
 [[nodiscard]] QPixmap onViewGround(const QPixmap& sign);
+/// The same as the icon of a row, in its size.
+void setSign(QAbstractButton& row, const QPixmap& sign);
 /// Sets the theme's colours for the whole application. GUI thread only.
 void useColours(const Theme& theme);
 /// Calls `paint` now and after every change of theme while `widget` exists: for colours without a palette role.

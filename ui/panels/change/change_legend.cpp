@@ -106,9 +106,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         made.box->setChecked(true);
         QPixmap swatch(16, row == ChangeRow::Nearer || row == ChangeRow::Farther ? 11 : 5);
         swatch.fill(changeColour(row));
-        const QPixmap sign = onViewGround(swatch);
-        made.box->setIconSize(sign.size());
-        made.box->setIcon(QIcon(sign));
+        setSign(*made.box, swatch);
         grid->addWidget(made.box, n + 2, 0);
         grid->addWidget(made.count, n + 2, 1, Qt::AlignRight);
         connect(made.box, &QCheckBox::toggled, this, &ChangeLegend::emitRows);

@@ -49,12 +49,6 @@ QString textOfMovedCells(int classes) {
            '\n' + EdgeLegend::tr("other classes take some of its cells, and chains get shorter: fewer edges, here and in files");
 }
 
-void setSign(QCheckBox& box, const QPixmap& sign) {
-    const QPixmap plate = onViewGround(sign);
-    box.setIconSize(plate.size());
-    box.setIcon(QIcon(plate));
-}
-
 QLabel* signOf(const QLabel* words) { return static_cast<QLabel*>(words->parentWidget()->layout()->itemAt(0)->widget()); }
 
 } // namespace
