@@ -5,7 +5,6 @@
 #include "app/shared/exits.h"
 #include "app/shared/options.h"
 #include "app/shared/usage.h"
-#include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 
 #include <memory>
@@ -20,11 +19,6 @@ struct LearnEdges {
     int each = 4000;
     lab::BoostingChoices choices;
 };
-
-std::string qualityText(const lab::AnswerQuality& quality) {
-    return "AUC " + fixedText(quality.auc, 3) + ", precision " + fixedText(quality.precisionAt90, 3) + " at recall .9, calibration error " +
-           fixedText(quality.calibration, 3);
-}
 
 // Samples of all scenes but, or only, those of a kind.
 lab::TreeSamples samplesOf(const std::vector<LessonScene>& scenes, const std::vector<lab::TreeSamples>& each, const std::string& kind,
@@ -50,12 +44,12 @@ Result<Done> learn(const LearnEdges& asked) {
     for (const std::string& kind : kinds) {
         if (kinds.size() == 1) break;
         const lab::LearntTrees without = lab::learntTrees(samplesOf(*scenes, each, kind, false), asked.choices, threads);
-        printResult(kind + " left out: " + qualityText(lab::qualityOf(samplesOf(*scenes, each, kind, true), without)));
+        printResult(kind + " left out: " + lab::qualityText(lab::qualityOf(samplesOf(*scenes, each, kind, true), without)));
     }
     const lab::TreeSamples all = samplesOf(*scenes, each, "", false);
     const lab::LearntTrees trees = lab::learntTrees(all, asked.choices, threads);
     printResult(std::to_string(all.count()) + " edges of " + std::to_string(scenes->size()) +
-                " scenes; on themselves: " + qualityText(lab::qualityOf(all, trees)));
+                " scenes; on themselves: " + lab::qualityText(lab::qualityOf(all, trees)));
     return writeWholeFile(asked.output, lab::treesText(trees, "edgescan-lab learn-edges" + drawFlags(asked.scenes) + " --each " +
                                                                   std::to_string(asked.each)));
 }

@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
           {"learn-borders", "Weights", {"edgescan-lab learn-borders -o border_weights.inc --rounds 1 --lines 60 --beams 80"}, {}},
           {"learn-confidence",
            "Weights",
-           {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80 --only hangup --scenes 1"},
+           {"edgescan-lab learn-confidence -o confidence_trees.inc --lines 60 --beams 80 --only hangup --scenes 1"},
            {}},
           {"learn-edges", "Weights", {"edgescan-lab learn-edges -o border_trees.inc --only hangup --scenes 1 --trees 2"}, {}},
           {"learn-rocks", "Weights", {"edgescan-lab learn-rocks -o merge_trees.inc --only hangup --scenes 1 --trees 2"}, {}},

@@ -2,6 +2,7 @@
 #include "app/lab/learning/boosting.h"
 
 #include "core/base/bands.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <array>
@@ -240,6 +241,11 @@ AnswerQuality qualityOf(const TreeSamples& samples, const LearntTrees& trees) {
     }
     for (std::size_t bin = 0; bin < said.size(); ++bin) quality.calibration += std::abs(said[bin] - was[bin]) / (yes + no);
     return quality;
+}
+
+std::string qualityText(const AnswerQuality& quality) {
+    return "AUC " + fixedText(quality.auc, 3) + ", precision " + fixedText(quality.precisionAt90, 3) + " at recall .9, calibration error " +
+           fixedText(quality.calibration, 3);
 }
 
 std::string treesText(const LearntTrees& trees, const std::string& madeBy) {

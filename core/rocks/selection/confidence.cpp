@@ -8,6 +8,8 @@
 namespace edgescan::rocks {
 namespace {
 
+#include "core/rocks/selection/confidence_trees.inc" // kStart and kTrees
+
 constexpr double kLeastScore = -6.0;
 constexpr double kMostScore = 12.0;
 
@@ -20,9 +22,9 @@ double chance(double logOdds) { return 1.0 / (1.0 + portable::exp(-logOdds)); }
 
 double clippedScore(const Region& region) { return std::clamp(region.score, kLeastScore, kMostScore); }
 
-/// Log odds of the mean over all rocks, within 0 and 4; 0 without rocks.
+/// Log odds of the mean over all rocks, within 0 and 1.25; 0 without rocks. Above that it says which scan it is rather than what is there.
 double ofAllRocks(const RegionMap& map) {
-    constexpr double kMostChance = 0.982; // log odds of 4
+    constexpr double kMostChance = 0.777; // log odds of 1.25
     double sum = 0.0;
     double rocks = 0.0;
     for (const Region& region : map.regions) {
@@ -47,22 +49,29 @@ std::vector<ConfidenceInputs> confidenceInputs(const RegionMap& map) {
     std::vector<ConfidenceInputs> inputs(map.regions.size());
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         const Region& region = map.regions[n];
-        inputs[n] = {region.nearShare, clippedScore(region), all, around[n] / std::max(1.0, static_cast<double>(region.outlineCracks))};
+        const double rangeM = (region.sums.sumM / std::max(1.0, static_cast<double>(region.sums.cells))).norm();
+        const std::array<double, kConfidenceInputs> numbers{region.nearShare,
+                                                            clippedScore(region),
+                                                            all,
+                                                            around[n] / std::max(1.0, static_cast<double>(region.outlineCracks)),
+                                                            region.levelsBelow,
+                                                            region.levelsAbove,
+                                                            region.evidence,
+                                                            region.bulge,
+                                                            region.edgeShare,
+                                                            region.depthRatio,
+                                                            region.boxShare,
+                                                            static_cast<double>(region.sweepSides),
+                                                            rangeM > 0 ? region.sums.areaM2 / (rangeM * rangeM) : 0.0};
+        std::ranges::transform(numbers, inputs[n].begin(), [](double number) { return static_cast<float>(number); });
     }
     return inputs;
 }
 
-const ConfidenceWeights& confidenceWeights() {
-    static constexpr ConfidenceWeights kWeights{
-#include "core/rocks/selection/confidence_weights.inc"
-    };
-    return kWeights;
-}
+ConfidenceModel confidenceModel() { return {kStart, kTrees}; }
 
-double confidenceOf(const ConfidenceInputs& inputs, const ConfidenceWeights& weights) {
-    double sum = weights[0];
-    for (std::size_t n = 0; n < inputs.size(); ++n) sum += weights[n + 1] * inputs[n];
-    return chance(sum);
+double confidenceOf(const ConfidenceInputs& inputs, const ConfidenceModel& model) {
+    return chance(static_cast<double>(logOdds(model.trees, model.start, inputs.data())) / kLogOddsUnit);
 }
 
 } // namespace edgescan::rocks

@@ -1,28 +1,32 @@
 // The confidence of regions: how probably an outline is right (docs/method/rocks.md, "Confidence").
 #pragma once
 
+#include "core/base/boosted_trees.h"
 #include "core/rocks/selection/rock_map.h"
 
 #include <array>
-#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace edgescan::rocks {
 
-/// What is known about one region: the share of its outline where it is the nearer side of a jump; R within -6 .. 12; the log odds of what
-/// the rocks of the scan have on average by their own E and R; the mean R of its neighbours.
-inline constexpr std::size_t kConfidenceInputs = 4;
-using ConfidenceInputs = std::array<double, kConfidenceInputs>;
+/// What is known about one region: its near share; R within -6 .. 12; the log odds of what the rocks of the scan have on average by their
+/// own E and R; the mean R of its neighbours; levels below and above; E; bulge, edge share, depth ratio, box share; the sides of the sweep
+/// that it reaches; its solid angle, sr. The grid and the unit do not matter.
+inline constexpr int kConfidenceInputs = 13;
+using ConfidenceInputs = std::array<float, kConfidenceInputs>;
 
 /// By region of `map`, of which borders and scores are known.
 [[nodiscard]] std::vector<ConfidenceInputs> confidenceInputs(const RegionMap& map);
 
-/// The constant, then one factor per input.
-using ConfidenceWeights = std::array<double, 1 + kConfidenceInputs>;
-/// The weights that `edgescan-lab learn-confidence` made (confidence_weights.inc).
-[[nodiscard]] const ConfidenceWeights& confidenceWeights();
+/// The trees that `edgescan-lab learn-confidence` made (confidence_trees.inc).
+struct ConfidenceModel {
+    std::int32_t start;
+    std::span<const BoostedTree> trees;
+};
+[[nodiscard]] ConfidenceModel confidenceModel();
 
 /// 0..1
-[[nodiscard]] double confidenceOf(const ConfidenceInputs& inputs, const ConfidenceWeights& weights);
+[[nodiscard]] double confidenceOf(const ConfidenceInputs& inputs, const ConfidenceModel& model);
 
 } // namespace edgescan::rocks

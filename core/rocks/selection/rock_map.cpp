@@ -126,6 +126,23 @@ void measureSpread(Region& region) {
     region.boxShare = sums.areaM2 / boxM2;
 }
 
+// How far the level of the map is from the merges that make and end each region. A group's number is its first segment.
+void measureLevels(const MergeTree& tree, RegionMap& map) {
+    std::vector<double> within(map.regionOfSegment.size(), -kMostLevels), above(within.size(), kMostLevels);
+    for (const Merge& merge : tree.merges) {
+        const double levels = merge.height - map.settings.level;
+        if (levels <= 0) {
+            within[merge.remaining] = std::max(levels, -kMostLevels);
+        } else {
+            for (const std::uint32_t group : {merge.remaining, merge.gone}) above[group] = std::min(above[group], levels);
+        }
+    }
+    for (Region& region : map.regions) {
+        region.levelsBelow = -within[region.firstSegment];
+        region.levelsAbove = above[region.firstSegment];
+    }
+}
+
 // Sums of the segments of each region; indices as in `regions`.
 void addSegments(const Segmentation& segments, RegionMap& map) {
     for (std::uint32_t segment = 1; segment <= segments.count(); ++segment)
@@ -167,12 +184,30 @@ void judge(Region& region, const RockSettings& settings) {
     region.kind = looksLikeRock(region, settings) ? RegionKind::Rock : RegionKind::NotRock;
 }
 
-// From what the scan shows: neither a region of interest nor a decision by hand changes it.
-void setConfidence(RegionMap& map) {
+// By region: the region of `plain` that has the same cells, or 0.
+std::vector<std::uint32_t> sameRegions(const Segmentation& segments, const RegionMap& map, const RegionMap& plain) {
+    constexpr std::uint32_t kUnknown = UINT32_MAX;
+    std::vector<std::uint32_t> same(map.regions.size(), kUnknown);
+    for (std::uint32_t segment = 1; segment <= segments.count(); ++segment) {
+        std::uint32_t& region = same[map.regionOfSegment[segment]];
+        const std::uint32_t before = plain.regionOfSegment[segments.cutFrom[segment]];
+        region = region == kUnknown || region == before ? before : 0;
+    }
+    for (std::size_t n = 0; n < same.size(); ++n) {
+        if (same[n] == kUnknown || plain.regions[same[n]].sums.cells != map.regions[n].sums.cells) same[n] = 0;
+    }
+    return same;
+}
+
+// From what the scan shows: neither a region of interest nor a decision by hand about other regions changes it.
+void setConfidence(const Segmentation& segments, const RegionMap* plain, RegionMap& map) {
     const std::vector<ConfidenceInputs> inputs = confidenceInputs(map);
+    const std::vector<std::uint32_t> same =
+        plain != nullptr ? sameRegions(segments, map, *plain) : std::vector<std::uint32_t>(inputs.size());
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         Region& region = map.regions[n];
-        if (region.kind != RegionKind::Fines) region.confidence = confidenceOf(inputs[n], confidenceWeights());
+        if (region.kind != RegionKind::Fines)
+            region.confidence = same[n] != 0 ? plain->regions[same[n]].confidence : confidenceOf(inputs[n], confidenceModel());
         if (region.kind == RegionKind::Rock && region.confidence < kLeastConfidence) region.kind = RegionKind::NotRock;
     }
 }
@@ -268,7 +303,8 @@ bool looksLikeRock(const Region& region, const RockSettings& settings) {
     return region.score > 0 && !surrounds && !isTooFar(region, settings);
 }
 
-RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings, std::span<const RockCall> called) {
+RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings, std::span<const RockCall> called,
+                  const RegionMap* plain) {
     RegionMap map;
     map.settings = settings;
     map.regionOfSegment = groupsAt(tree, segments.count(), settings.level);
@@ -282,6 +318,7 @@ RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const Roc
         }
         region = place[region]; // the region of this segment was found before
     }
+    measureLevels(tree, map);
     addSegments(segments, map);
     addBorders(segments, map);
     countSweepSides(segments, map);
@@ -290,7 +327,7 @@ RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const Roc
         map.regions[n].bulge = bulges[n];
         judge(map.regions[n], settings);
     }
-    setConfidence(map);
+    setConfidence(segments, plain, map);
     markOutsideRegion(segments, map);
     for (const RockCall& call : called) {
         Region& region = map.regions[map.regionOfSegment[call.segment]];

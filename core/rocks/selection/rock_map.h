@@ -24,6 +24,9 @@ enum class RegionKind : std::uint8_t {
 /// "rock", "not_rock", "fines", "outside".
 [[nodiscard]] const char* regionKindName(RegionKind kind);
 
+/// More levels say nothing more of a region.
+inline constexpr double kMostLevels = 4.0;
+
 /// A group of segments at the chosen level. The letters E, R, s1, e2 and p are those of docs/method/rocks.md, "Step 7".
 struct Region {
     std::uint32_t firstSegment = 0; ///< its smallest segment
@@ -37,11 +40,13 @@ struct Region {
     double edgeShare = 0.0;          ///< 0..1: mean of the evidence e2 (an edge is near) over the outline
     /// 0..1: standard deviation of the points along the shortest principal axis divided by that along the longest
     double depthRatio = 0.0;
-    double boxShare = 0.0;   ///< visible area divided by that of a box of 4 standard deviations along the two longer axes
-    double evidence = 0.0;   ///< E: mean log odds "two rocks" along the outline; each border counts with 6 at most
-    double longM = 0.0;      ///< s1, m: 4 standard deviations of the points along the first principal axis
-    double score = 0.0;      ///< R: log odds that it is a rock and not a wall
-    double confidence = 0.0; ///< p, 0..1: probability that its outline is right (IoU of 0.5 or more)
+    double boxShare = 0.0;            ///< visible area divided by that of a box of 4 standard deviations along the two longer axes
+    double evidence = 0.0;            ///< E: mean log odds "two rocks" along the outline; each border counts with 6 at most
+    double longM = 0.0;               ///< s1, m: 4 standard deviations of the points along the first principal axis
+    double score = 0.0;               ///< R: log odds that it is a rock and not a wall
+    double confidence = 0.0;          ///< p, 0..1: probability that its outline is right (IoU of 0.5 or more)
+    double levelsBelow = kMostLevels; ///< 0..4: how far the level may fall until it is split
+    double levelsAbove = kMostLevels; ///< 0..4: how far the level may rise until it is merged with another
 };
 
 /// The border of two regions.
@@ -66,8 +71,9 @@ struct RockCall {
 };
 
 /// Step 5 at one level and step 7. Of several decisions about a region the last one is valid.
+/// @param plain null, or the map without edits of the segments before any cut: a region that edits leave as it is has the same confidence
 [[nodiscard]] RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings,
-                                std::span<const RockCall> called = {});
+                                std::span<const RockCall> called = {}, const RegionMap* plain = nullptr);
 
 /// Region order[n] gets the number n, from 1 on; 0: no region gets it.
 void renumber(RegionMap& map, std::span<const std::uint32_t> order);
@@ -77,7 +83,7 @@ inline constexpr std::size_t kScoreInputs = 7;
 [[nodiscard]] std::array<double, kScoreInputs> scoreInputs(const Region& region, const RockSettings& settings);
 
 /// What rocksAt() asks of the confidence of a rock; docs/developer/lab-notebook.md has the trials.
-inline constexpr double kLeastConfidence = 0.25;
+inline constexpr double kLeastConfidence = 0.4;
 
 /// Whether the centre of the region is behind RockSettings::farthestM.
 [[nodiscard]] bool isTooFar(const Region& region, const RockSettings& settings);

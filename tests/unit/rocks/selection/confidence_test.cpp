@@ -13,6 +13,13 @@ Region region(RegionKind kind, double evidence, double score) {
     made.nearShare = 0.4;
     made.score = score;
     made.outlineCracks = 10;
+    made.bulge = 0.06;
+    made.edgeShare = 0.95;
+    made.depthRatio = 0.2;
+    made.boxShare = 0.75;
+    made.sums.cells = 500;
+    made.sums.sumM = {0, 500 * 5.0, 0}; // at 5 m
+    made.sums.areaM2 = 0.25;
     return made;
 }
 
@@ -30,24 +37,35 @@ RegionMap pair(double evidence, double score) {
 
 TEST(Confidence, InputsAreThoseOfTheRegionItsNeighboursAndAllRocks) {
     const auto inputs = confidenceInputs(pair(4.0, 20.0));
-    EXPECT_EQ(inputs[1][0], 0.4);
-    EXPECT_EQ(inputs[1][1], 12.0); // within -6 .. 12
+    EXPECT_EQ(inputs[1][0], 0.4F);
+    EXPECT_EQ(inputs[1][1], 12.0F); // within -6 .. 12
     EXPECT_EQ(inputs[1][2], inputs[2][2]);
-    EXPECT_DOUBLE_EQ(inputs[1][3], (5 * 8.0 + 5 * -6.0) / 10);
-    EXPECT_DOUBLE_EQ(inputs[2][3], 5 * 12.0 / 10);
+    EXPECT_FLOAT_EQ(inputs[1][3], (5 * 8.0F + 5 * -6.0F) / 10);
+    EXPECT_FLOAT_EQ(inputs[2][3], 5 * 12.0F / 10);
 }
 
 TEST(Confidence, RisesWithTheScoresOfARockAndOfTheOthers) {
-    for (std::size_t n = 1; n < confidenceWeights().size(); ++n) EXPECT_GT(confidenceWeights()[n], 0.0) << n;
-    const auto of = [](const RegionMap& map) { return confidenceOf(confidenceInputs(map)[2], confidenceWeights()); };
+    const auto of = [](const RegionMap& map) { return confidenceOf(confidenceInputs(map)[2], confidenceModel()); };
     // The same rock is less sure where the other one is doubtful.
     EXPECT_LT(of(pair(1.0, 0.5)), of(pair(6.0, 12.0)));
+}
+
+TEST(Confidence, FallsWhereTheNextMergeIsNearlyAsCheap) {
+    const auto with = [](double above) {
+        RegionMap map = pair(5.0, 8.0);
+        map.regions[2].levelsAbove = above;
+        map.regions[2].score = 2.0;
+        map.regions[2].evidence = 3.0;
+        return confidenceOf(confidenceInputs(map)[2], confidenceModel());
+    };
+    EXPECT_LT(with(0.1), with(kMostLevels));
 }
 
 TEST(Confidence, AScanWithoutRocksHasInputs) {
     RegionMap map;
     map.regions = {Region{}, region(RegionKind::NotRock, 2.0, -9.0)};
-    EXPECT_EQ(confidenceInputs(map)[1][2], 0.0);
+    EXPECT_EQ(confidenceInputs(map)[1][2], 0.0F);
+    EXPECT_FLOAT_EQ(confidenceInputs(map)[1][12], 0.25F / 25);
 }
 
 } // namespace

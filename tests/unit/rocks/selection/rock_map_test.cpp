@@ -90,6 +90,26 @@ TEST(RockMap, WhatIsARockIsSaidByItsSums) {
     }
 }
 
+TEST(RockMap, LevelsOfARegionEndWhereItIsSplitAndWhereItIsMerged) {
+    const Found& f = hangup();
+    const RegionMap map = rocksAt(f.segments, f.tree, {});
+    const auto members = [&](std::uint32_t segment, double level) {
+        const std::vector<std::uint32_t> group = groupsAt(f.tree, f.segments.count(), level);
+        return std::ranges::count(group, group[segment]);
+    };
+    std::size_t split = 0, merged = 0;
+    for (std::size_t n = 1; n < map.regions.size(); ++n) {
+        const Region& region = map.regions[n];
+        const auto now = members(region.firstSegment, 0);
+        EXPECT_EQ(members(region.firstSegment, 0.999 * region.levelsAbove), now);
+        EXPECT_EQ(members(region.firstSegment, -0.999 * region.levelsBelow), now);
+        if (region.levelsAbove < kMostLevels && ++merged) EXPECT_GT(members(region.firstSegment, region.levelsAbove + 1e-9), now);
+        if (region.levelsBelow < kMostLevels && ++split) EXPECT_LT(members(region.firstSegment, -region.levelsBelow - 1e-9), now);
+    }
+    EXPECT_GT(split, 10U);
+    EXPECT_GT(merged, 10U);
+}
+
 TEST(RockMap, BordersOfRegionsAreThoseOfTheirSegments) {
     const Found& f = hangup();
     const RegionMap map = rocksAt(f.segments, f.tree, {});
