@@ -13,7 +13,7 @@ namespace edgescan {
 /// absolute, or a % without two digits behind it.
 Result<std::string> pathOfAddress(std::string_view text);
 
-/// What to do about "https://host/a.pcd" and "sftp://host/a.pcd", given as the path of a file. Empty: it is no such address.
+/// What to do about "https://host/a.pcd" and "sftp://host/a.pcd", given as the path of a file. Empty for any other text.
 std::optional<Error> addressElsewhere(std::string_view text);
 
 } // namespace edgescan
