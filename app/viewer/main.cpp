@@ -66,6 +66,7 @@ void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const Comm
     if (const auto& scanner = understood.scanner) {
         const std::string host = scanner->bridge ? "ws://" + scanner::addressText(scanner->host, scanner->port) : scanner->host;
         const ReadingOptions options = cli::readingOptions(wanted.read);
+        window.viewer().live.panel().setKeepRepeated(options.keepRepeated);
         window.viewer().live.connectTo(QString::fromStdString(host), scanner->port, understood.sweep, options.topic, options.joint);
     }
 }

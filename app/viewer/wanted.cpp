@@ -4,6 +4,7 @@
 #include "app/shared/exits.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
+#include "core/base/file_address.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/scan/grid/reading_options.h"
@@ -63,6 +64,7 @@ std::optional<Error> idleFlag(const CommandLine& wanted) {
         ofFiles.lineStartDeg.reset();
         ofFiles.lineStepDeg.reset();
         for (std::string* text : {&ofFiles.calibration, &ofFiles.topic, &ofFiles.joint}) text->clear();
+        if (wanted.live.starts_with("ws://")) ofFiles.keepRepeated = false;
     }
     const auto firstOf = [](const std::string& flags) { return flags.substr(0, flags.find(' ')); };
     struct Flag {
@@ -93,7 +95,8 @@ std::optional<Error> missingFile(const CommandLine& wanted) {
     std::error_code none;
     for (std::size_t n = 1; n < wanted.files.size(); ++n) {
         if (!std::filesystem::exists(wanted.files[n], none))
-            return Error{"there is no such file", wanted.files[n], "check the spelling and the folder"};
+            return addressElsewhere(wanted.files[n])
+                .value_or(Error{"there is no such file", wanted.files[n], "check the spelling and the folder"});
     }
     return std::nullopt;
 }

@@ -21,7 +21,25 @@ bool isThisComputer(const std::string& host) {
     return ::gethostname(own.data(), own.size() - 1) == 0 && host == asciiLower(own.data());
 }
 
+Error onAnotherComputer(std::string_view host, std::string_view address) {
+    return {withValues("this is the address of a file on another computer, %1", {std::string(host)}), std::string(address),
+            "copy the file to this one, or give its path in a folder that is shared"};
+}
+
 } // namespace
+
+std::optional<Error> addressElsewhere(std::string_view text) {
+    constexpr std::string_view kMark = "://";
+    const std::size_t mark = text.find(kMark);
+    const std::string scheme = asciiLower(text.substr(0, mark));
+    const auto isLetter = [](char c) { return c >= 'a' && c <= 'z'; };
+    if (mark == text.npos || scheme.size() < 2 || !std::ranges::all_of(scheme, isLetter)) return std::nullopt;
+    if (scheme == "ws" || scheme == "wss")
+        return Error{"this is the address of a robot's bridge and not a file", std::string(text),
+                     "use it with record, or in the window with Connect to Scanner"};
+    const std::string_view rest = text.substr(mark + kMark.size());
+    return onAnotherComputer(rest.substr(0, rest.find('/')), text);
+}
 
 Result<std::string> pathOfAddress(std::string_view text) {
     if (asciiLower(text.substr(0, kScheme.size())) != kScheme || !text.substr(kScheme.size()).starts_with('/')) return std::string(text);
@@ -30,9 +48,7 @@ Result<std::string> pathOfAddress(std::string_view text) {
     if (text.starts_with("//")) {
         text.remove_prefix(2);
         const std::string host = asciiLower(text.substr(0, text.find('/')));
-        if (!isThisComputer(host))
-            return Error{withValues("this is the address of a file on another computer, %1", {host}), where,
-                         "copy the file to this one, or give its path in a folder that is shared"};
+        if (!isThisComputer(host)) return onAnotherComputer(host, where);
         text.remove_prefix(std::min(host.size(), text.size()));
     }
     std::string path;

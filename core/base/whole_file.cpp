@@ -2,6 +2,7 @@
 #include "core/base/whole_file.h"
 #include "core/base/translated_text.h"
 
+#include "core/base/file_address.h"
 #include "core/base/file_lock.h"
 #include "core/base/inputs.h"
 #include "core/base/memory.h"
@@ -36,6 +37,7 @@ Error readError(const fs::path& path, int code) {
     switch (code) {
     case ENOENT:
     case ENOTDIR:
+        if (const auto elsewhere = addressElsewhere(path.string())) return *elsewhere;
         if (path.string().find("\xEF\xBF\xBD") != std::string::npos) // U+FFFD, as Qt's file dialogs write a byte that is not UTF-8
             return {"there is no such file; a name with other bytes than UTF-8 does not come through a file dialog", path.string(),
                     "give the name on the command line, drag the file into the window, or rename it"};

@@ -2075,6 +2075,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n bytes behind %1 were not read.</source><translation>%n bytes detrás de %1 no se leyeron.</translation></message>
 <message><source>this is the address of a file on another computer, %1</source><translation>esta es la dirección de un archivo en otro ordenador, %1</translation></message>
 <message><source>copy the file to this one, or give its path in a folder that is shared</source><translation>copie el archivo a este, o dé su ruta en una carpeta compartida</translation></message>
+<message><source>this is the address of a robot's bridge and not a file</source><translation>es una dirección del puente de un robot y no un archivo</translation></message>
+<message><source>use it with record, or in the window with Connect to Scanner</source><translation>úsela con record, o en la ventana con Conectar al escáner</translation></message>
 <message><source>this address has a % without the two digits of a byte</source><translation>esta dirección tiene un % sin las dos cifras de un byte</translation></message>
 <message><source>write % as %25, or give the path</source><translation>escriba % como %25, o dé la ruta</translation></message>
 <message><source>this address names no file</source><translation>esta dirección no nombra ningún archivo</translation></message>
@@ -2320,9 +2322,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%n picture</source><translation>%n imagen</translation></message>
 <message><source>%n pictures</source><translation>%n imágenes</translation></message>
 <message><source>this E57 file holds no scan</source><translation>este archivo E57 no contiene ningún escaneo</translation></message>
-<message><source>The first scan of the file holds no points.</source><translation>El primer escaneo del archivo no contiene puntos.</translation></message>
-<message><source>The first %1 scans of the file hold no points.</source><translation>Los primeros %1 escaneos del archivo no contienen puntos.</translation></message>
 <message><source>The file holds %1 scans; this is number %2, --scan chooses another.</source><translation>El archivo contiene %1 escaneos; este es el número %2, --scan elige otro.</translation></message>
+<message><source>The first %1 of these scans hold no point with a return.</source><translation>Los primeros %1 de estos escaneos no tienen ningún punto con retorno.</translation></message>
 <message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>Las filas y columnas que el archivo da a sus puntos no forman una cuadrícula y no se usaron.</translation></message>
 <message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>El archivo no dice en qué sentido van las líneas: sus columnas se tomaron como líneas, sus filas como haces.</translation></message>
 <message><source>scan %1 of this E57 file</source><translation>el escaneo %1 de este archivo E57</translation></message>
@@ -2330,6 +2331,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>choose another scan or file</source><translation>elija otro escaneo o archivo</translation></message>
 <message><source>%1 has neither cartesian nor spherical coordinates, only %2</source><translation>%1 no tiene coordenadas cartesianas ni esféricas, solo %2</translation></message>
 <message><source>export it with coordinates</source><translation>expórtelo con coordenadas</translation></message>
+<message><source>The angles of the points were taken as degrees, because no elevation in radians is so large.</source><translation>Los ángulos de los puntos se tomaron como grados, porque ninguna elevación en radianes es tan grande.</translation></message>
+<message><source>%n point has a range below 0 and counts as no return.</source><translation>%n punto tiene una distancia menor que 0 y cuenta como sin retorno.</translation></message>
+<message><source>%n points have a range below 0 and count as no return.</source><translation>%n puntos tienen una distancia menor que 0 y cuentan como sin retorno.</translation></message>
 <message><source>%n point is marked as invalid in the file and counts as no return.</source><translation>%n punto está marcado como no válido en el archivo y cuenta como sin retorno.</translation></message>
 <message><source>%n points are marked as invalid in the file and count as no return.</source><translation>%n puntos están marcados como no válidos en el archivo y cuentan como sin retorno.</translation></message>
 <message><source>What else a point of this file has is not read: %1.</source><translation>Lo demás que tiene un punto de este archivo no se lee: %1.</translation></message>
@@ -2599,7 +2603,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the scan of this PTX file holds 0 points</source><translation>el escaneo de este archivo PTX contiene 0 puntos</translation></message>
 <message><source>the %1 scans of this PTX file hold 0 points</source><translation>los %1 escaneos de este archivo PTX contienen 0 puntos</translation></message>
 <message><source>the header promises %1 and the file holds %2</source><translation>el encabezado anuncia %1 y el archivo contiene %2</translation></message>
-<message><source>The first %1 of these scans hold no point with a return.</source><translation>Los primeros %1 de estos escaneos no tienen ningún punto con retorno.</translation></message>
 <message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matriz del encabezado tiene el lugar del escáner en su última columna y no en su última fila: se leyó por columnas.</translation></message>
 <message><source>Lines 4 to 6 of the header turn the scanner to another side than its matrix: the matrix was used.</source><translation>Las líneas 4 a 6 del encabezado giran el escáner hacia otro lado que su matriz: se usó la matriz.</translation></message>
 <message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La línea 3 del encabezado pone el escáner a %1 m del lugar que da su matriz: se usó la matriz.</translation></message>
@@ -2712,7 +2715,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, from the size of the numbers.</source><translation>, por el tamaño de los números.</translation></message>
 <message><source>a recording is being written already</source><translation>ya se está escribiendo una grabación</translation></message>
 <message><source>stop it first</source><translation>deténgala primero</translation></message>
-<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distancias son el range_max de sus mensajes, se repiten y se tomaron como sin retorno.</translation></message>
+<message><source> ranges are range_min or range_max of their messages, repeat, and were taken as no return.</source><translation> distancias son el range_min o el range_max de sus mensajes, se repiten y se tomaron como sin retorno.</translation></message>
 <message><source>no return </source><translation>sin retorno </translation></message>
 <message><source>sweep complete</source><translation>barrido completo</translation></message>
 <message><source>sweep ended</source><translation>barrido terminado</translation></message>

@@ -2075,6 +2075,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n bytes behind %1 were not read.</source><translation>%n octets derrière %1 n'ont pas été lus.</translation></message>
 <message><source>this is the address of a file on another computer, %1</source><translation>c'est l'adresse d'un fichier sur un autre ordinateur, %1</translation></message>
 <message><source>copy the file to this one, or give its path in a folder that is shared</source><translation>copiez le fichier sur celui-ci, ou donnez son chemin dans un dossier partagé</translation></message>
+<message><source>this is the address of a robot's bridge and not a file</source><translation>c'est l'adresse du pont d'un robot et non un fichier</translation></message>
+<message><source>use it with record, or in the window with Connect to Scanner</source><translation>utilisez-la avec record, ou dans la fenêtre avec Connecter au scanner</translation></message>
 <message><source>this address has a % without the two digits of a byte</source><translation>cette adresse a un % sans les deux chiffres d'un octet</translation></message>
 <message><source>write % as %25, or give the path</source><translation>écrivez % sous la forme %25, ou donnez le chemin</translation></message>
 <message><source>this address names no file</source><translation>cette adresse ne nomme aucun fichier</translation></message>
@@ -2320,9 +2322,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%n picture</source><translation>%n image</translation></message>
 <message><source>%n pictures</source><translation>%n images</translation></message>
 <message><source>this E57 file holds no scan</source><translation>ce fichier E57 ne contient aucun scan</translation></message>
-<message><source>The first scan of the file holds no points.</source><translation>Le premier scan du fichier ne contient pas de points.</translation></message>
-<message><source>The first %1 scans of the file hold no points.</source><translation>Les %1 premiers scans du fichier ne contiennent pas de points.</translation></message>
 <message><source>The file holds %1 scans; this is number %2, --scan chooses another.</source><translation>Le fichier contient %1 scans ; celui-ci est le numéro %2, --scan en choisit un autre.</translation></message>
+<message><source>The first %1 of these scans hold no point with a return.</source><translation>Les %1 premiers de ces scans n'ont aucun point avec un retour.</translation></message>
 <message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>Les rangées et colonnes que le fichier donne à ses points ne forment pas de grille et n'ont pas été utilisées.</translation></message>
 <message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>Le fichier ne dit pas dans quel sens vont les lignes : ses colonnes ont été prises comme lignes, ses rangées comme faisceaux.</translation></message>
 <message><source>scan %1 of this E57 file</source><translation>le scan %1 de ce fichier E57</translation></message>
@@ -2330,6 +2331,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>choose another scan or file</source><translation>choisissez un autre scan ou fichier</translation></message>
 <message><source>%1 has neither cartesian nor spherical coordinates, only %2</source><translation>%1 n'a de coordonnées ni cartésiennes ni sphériques, seulement %2</translation></message>
 <message><source>export it with coordinates</source><translation>exportez-le avec des coordonnées</translation></message>
+<message><source>The angles of the points were taken as degrees, because no elevation in radians is so large.</source><translation>Les angles des points ont été pris comme des degrés, car aucune élévation en radians n'est aussi grande.</translation></message>
+<message><source>%n point has a range below 0 and counts as no return.</source><translation>%n point a une distance inférieure à 0 et compte comme sans retour.</translation></message>
+<message><source>%n points have a range below 0 and count as no return.</source><translation>%n points ont une distance inférieure à 0 et comptent comme sans retour.</translation></message>
 <message><source>%n point is marked as invalid in the file and counts as no return.</source><translation>%n point est marqué comme non valide dans le fichier et compte comme sans retour.</translation></message>
 <message><source>%n points are marked as invalid in the file and count as no return.</source><translation>%n points sont marqués comme non valides dans le fichier et comptent comme sans retour.</translation></message>
 <message><source>What else a point of this file has is not read: %1.</source><translation>Ce qu'un point de ce fichier a d'autre n'est pas lu : %1.</translation></message>
@@ -2599,7 +2603,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the scan of this PTX file holds 0 points</source><translation>le scan de ce fichier PTX contient 0 point</translation></message>
 <message><source>the %1 scans of this PTX file hold 0 points</source><translation>les %1 scans de ce fichier PTX contiennent 0 point</translation></message>
 <message><source>the header promises %1 and the file holds %2</source><translation>l'en-tête annonce %1 et le fichier contient %2</translation></message>
-<message><source>The first %1 of these scans hold no point with a return.</source><translation>Les %1 premiers de ces scans n'ont aucun point avec un retour.</translation></message>
 <message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>La matrice de l'en-tête a la place du scanner dans sa dernière colonne et non dans sa dernière rangée : elle a été lue par colonnes.</translation></message>
 <message><source>Lines 4 to 6 of the header turn the scanner to another side than its matrix: the matrix was used.</source><translation>Les lignes 4 à 6 de l'en-tête tournent le scanner d'un autre côté que sa matrice : la matrice a été utilisée.</translation></message>
 <message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>La ligne 3 de l'en-tête met le scanner à %1 m de la place que donne sa matrice : la matrice a été utilisée.</translation></message>
@@ -2712,7 +2715,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, from the size of the numbers.</source><translation>, d'après la grandeur des nombres.</translation></message>
 <message><source>a recording is being written already</source><translation>un enregistrement est déjà en cours</translation></message>
 <message><source>stop it first</source><translation>arrêtez-le d'abord</translation></message>
-<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distances sont le range_max de leurs messages, se répètent et ont été prises comme sans retour.</translation></message>
+<message><source> ranges are range_min or range_max of their messages, repeat, and were taken as no return.</source><translation> distances sont le range_min ou le range_max de leurs messages, se répètent et ont été prises comme sans retour.</translation></message>
 <message><source>no return </source><translation>sans retour </translation></message>
 <message><source>sweep complete</source><translation>balayage complet</translation></message>
 <message><source>sweep ended</source><translation>balayage terminé</translation></message>

@@ -2075,6 +2075,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n bytes behind %1 were not read.</source><translation>%n bytes depois de %1 não foram lidos.</translation></message>
 <message><source>this is the address of a file on another computer, %1</source><translation>este é o endereço de um arquivo em outro computador, %1</translation></message>
 <message><source>copy the file to this one, or give its path in a folder that is shared</source><translation>copie o arquivo para este, ou dê seu caminho numa pasta compartilhada</translation></message>
+<message><source>this is the address of a robot's bridge and not a file</source><translation>este é o endereço da ponte de um robô e não um arquivo</translation></message>
+<message><source>use it with record, or in the window with Connect to Scanner</source><translation>use-o com record, ou na janela com Conectar ao scanner</translation></message>
 <message><source>this address has a % without the two digits of a byte</source><translation>este endereço tem um % sem os dois algarismos de um byte</translation></message>
 <message><source>write % as %25, or give the path</source><translation>escreva % como %25, ou dê o caminho</translation></message>
 <message><source>this address names no file</source><translation>este endereço não nomeia arquivo algum</translation></message>
@@ -2320,9 +2322,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%n picture</source><translation>%n imagem</translation></message>
 <message><source>%n pictures</source><translation>%n imagens</translation></message>
 <message><source>this E57 file holds no scan</source><translation>este arquivo E57 não contém nenhuma varredura</translation></message>
-<message><source>The first scan of the file holds no points.</source><translation>A primeira varredura do arquivo não contém pontos.</translation></message>
-<message><source>The first %1 scans of the file hold no points.</source><translation>As primeiras %1 varreduras do arquivo não contêm pontos.</translation></message>
 <message><source>The file holds %1 scans; this is number %2, --scan chooses another.</source><translation>O arquivo contém %1 varreduras; esta é a número %2, --scan escolhe outra.</translation></message>
+<message><source>The first %1 of these scans hold no point with a return.</source><translation>As primeiras %1 destas varreduras não têm nenhum ponto com retorno.</translation></message>
 <message><source>The rows and columns that the file gives its points make no grid and were not used.</source><translation>As fileiras e colunas que o arquivo dá aos seus pontos não formam uma grade e não foram usadas.</translation></message>
 <message><source>The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.</source><translation>O arquivo não diz em que sentido vão as linhas: as suas colunas foram tomadas como linhas, as suas fileiras como feixes.</translation></message>
 <message><source>scan %1 of this E57 file</source><translation>a varredura %1 deste arquivo E57</translation></message>
@@ -2330,6 +2331,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>choose another scan or file</source><translation>escolha outra varredura ou arquivo</translation></message>
 <message><source>%1 has neither cartesian nor spherical coordinates, only %2</source><translation>%1 não tem coordenadas cartesianas nem esféricas, só %2</translation></message>
 <message><source>export it with coordinates</source><translation>exporte-o com coordenadas</translation></message>
+<message><source>The angles of the points were taken as degrees, because no elevation in radians is so large.</source><translation>Os ângulos dos pontos foram tomados como graus, porque nenhuma elevação em radianos é tão grande.</translation></message>
+<message><source>%n point has a range below 0 and counts as no return.</source><translation>%n ponto tem uma distância menor que 0 e conta como sem retorno.</translation></message>
+<message><source>%n points have a range below 0 and count as no return.</source><translation>%n pontos têm uma distância menor que 0 e contam como sem retorno.</translation></message>
 <message><source>%n point is marked as invalid in the file and counts as no return.</source><translation>%n ponto está marcado como inválido no arquivo e conta como sem retorno.</translation></message>
 <message><source>%n points are marked as invalid in the file and count as no return.</source><translation>%n pontos estão marcados como inválidos no arquivo e contam como sem retorno.</translation></message>
 <message><source>What else a point of this file has is not read: %1.</source><translation>O mais que um ponto deste arquivo tem não é lido: %1.</translation></message>
@@ -2599,7 +2603,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the scan of this PTX file holds 0 points</source><translation>a varredura deste arquivo PTX contém 0 pontos</translation></message>
 <message><source>the %1 scans of this PTX file hold 0 points</source><translation>as %1 varreduras deste arquivo PTX contêm 0 pontos</translation></message>
 <message><source>the header promises %1 and the file holds %2</source><translation>o cabeçalho anuncia %1 e o arquivo contém %2</translation></message>
-<message><source>The first %1 of these scans hold no point with a return.</source><translation>As primeiras %1 destas varreduras não têm nenhum ponto com retorno.</translation></message>
 <message><source>The matrix of the header has the scanner's place in its last column and not in its last row: it was read by columns.</source><translation>A matriz do cabeçalho tem o lugar do scanner na última coluna e não na última fileira: foi lida por colunas.</translation></message>
 <message><source>Lines 4 to 6 of the header turn the scanner to another side than its matrix: the matrix was used.</source><translation>As linhas 4 a 6 do cabeçalho giram o scanner para outro lado que a sua matriz: a matriz foi usada.</translation></message>
 <message><source>Line 3 of the header puts the scanner %1 m from the place that its matrix gives: the matrix was used.</source><translation>A linha 3 do cabeçalho põe o scanner a %1 m do lugar que a sua matriz dá: foi usada a matriz.</translation></message>
@@ -2712,7 +2715,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, from the size of the numbers.</source><translation>, pelo tamanho dos números.</translation></message>
 <message><source>a recording is being written already</source><translation>uma gravação já está em andamento</translation></message>
 <message><source>stop it first</source><translation>pare-a primeiro</translation></message>
-<message><source> ranges are range_max of their messages, repeat, and were taken as no return.</source><translation> distâncias são o range_max das suas mensagens, repetem-se e foram tomadas como sem retorno.</translation></message>
+<message><source> ranges are range_min or range_max of their messages, repeat, and were taken as no return.</source><translation> distâncias são o range_min ou o range_max das suas mensagens, repetem-se e foram tomadas como sem retorno.</translation></message>
 <message><source>no return </source><translation>sem retorno </translation></message>
 <message><source>sweep complete</source><translation>varredura completa</translation></message>
 <message><source>sweep ended</source><translation>varredura terminada</translation></message>

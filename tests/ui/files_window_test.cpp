@@ -335,6 +335,10 @@ private slots:
         QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&on.window, &drop);
         QVERIFY(eventually([&] { return shown(on) == second && !on.viewer.engine.working(); }));
+        mime.setUrls({QUrl("smb://nas/scans/a.pcd")});
+        QCoreApplication::sendEvent(&on.window, &enter);
+        QCoreApplication::sendEvent(&on.window, &drop);
+        QVERIFY(eventually([&] { return on.viewer.notice.text().contains("on another computer, nas"); }));
         // A file dialog of Qt replaces the byte.
         QSignalSpy failures(&on.viewer.engine, &Engine::failed);
         on.viewer.files.open({exactText(place + "/n\xef\xbf\xbd.json")});

@@ -15,6 +15,7 @@
 #include "ui/window/start.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLineEdit>
@@ -110,6 +111,39 @@ private slots:
         QVERIFY(eventually([&] { return !timeline.playing() && !on.viewer.engine.behind() && linesShown() == kLines; }));
         QCOMPARE(shownMask(on), whole);
         QVERIFY(on.viewer.notice.kind() != NoticeBar::Kind::Error);
+    }
+
+    // The switch is behind the address of a bridge, and nowhere else: 1,000 m is range_max of the emulated laser.
+    void repeatedRangesOfARobotAreKeptOnRequest() {
+        auto lines = robots::bridgeSweepOf(scan_);
+        QVERIFY(lines);
+        for (robots::BridgeLine& line : lines->lines) std::fill_n(line.rangesM.begin() + 20, 12, 1000.0F);
+        scanner::EmulatedScannerSettings settings;
+        settings.linesPerSecond = 300;
+        const auto bridge = robots::serveBridge(std::move(*lines), settings);
+        QVERIFY(bridge);
+        WindowFixture on;
+        QVERIFY(on.show() && on.activate());
+        LivePanel& panel = on.viewer.live.panel();
+        auto* keep = panel.findChild<QCheckBox*>("live-keep-repeated");
+        panel.askAddress();
+        QVERIFY(!keep->isVisible());
+        panel.setAddress("ws://127.0.0.1", (*bridge)->port());
+        QVERIFY(keep->isVisible() && !keep->isChecked());
+        for (const bool wanted : {false, true}) {
+            if (wanted) QTest::mouseClick(keep, Qt::LeftButton, {}, {8, keep->height() / 2});
+            QCOMPARE(keep->isChecked(), wanted);
+            QTest::mouseClick(panel.findChild<QPushButton*>("live-connect"), Qt::LeftButton);
+            QVERIFY(!keep->isVisible());
+            const auto stream = [&] { return on.viewer.live.scanner().stream(); };
+            QVERIFY(eventually([&] {
+                const auto& shown = on.viewer.engine.picture();
+                return shown != nullptr && shown->source.stream == stream() && shown->detection->scan->lines() > 20;
+            }));
+            QCOMPARE(std::ranges::count(on.picture().detection->scan->rangeMm.cells, 1e6F) > 0, wanted);
+            QTest::mouseClick(panel.findChild<QPushButton*>("live-connect"), Qt::LeftButton);
+            QVERIFY(eventually([&] { return keep->isVisible(); }));
+        }
     }
 
     // A scanner that sends whole clouds: the picture is the newest one, and what was recorded opens with the same edges.

@@ -295,6 +295,7 @@ private slots:
             {{"--session", session, "--unit", "cm"}, 2, "--unit: the session says how its scan is read; leave it out."},
             {{"--demo", "--unit", "cm"}, 2, "--unit: this is of a file, and none is named; leave it out."},
             {{"--live", silent_.address(), "--unit", "cm"}, 2, "--unit: this is of a file"},
+            {{"--live", silent_.address(), "--keep-repeated"}, 2, "--keep-repeated: this is of a file"},
             {{"--pin", "5,5"}, 2, "--pin: there is no scan to show"},
             {{"--compare", scan_}, 2, "--compare: there is no scan to show"},
             {{scan_, "--screenshot-lines", "5"}, 2, "--screenshot-lines: no screenshot is asked for"},

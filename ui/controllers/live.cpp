@@ -175,6 +175,7 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     scanner.port = static_cast<std::uint16_t>(panel_.port());
     scanner.topic = topic;
     scanner.joint = joint;
+    scanner.keepRepeated = panel_.keepsRepeated();
     scanner_.connectTo(scanner, sweep);
     if (scanner.bridge || (!sweep.axisAssumed && !sweep.stepAssumed)) return;
     askMounting();

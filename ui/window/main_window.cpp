@@ -413,7 +413,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     QStringList paths;
     for (const QUrl& url : event->mimeData()->urls()) {
         // url.toLocalFile() loses bytes that are not UTF-8
-        if (url.isLocalFile()) paths << exactText(QByteArray::fromPercentEncoding(url.path(QUrl::FullyEncoded).toLatin1()).toStdString());
+        paths << (url.isLocalFile() ? exactText(QByteArray::fromPercentEncoding(url.path(QUrl::FullyEncoded).toLatin1()).toStdString())
+                                    : url.toString());
     }
     if (!paths.isEmpty()) event->acceptProposedAction();
     sessions_->open(paths);

@@ -1,4 +1,5 @@
 // E57: scans as lists of points or as grids by row and column, with the pose of each.
+#include "core/base/angles.h"
 #include "core/base/bytes_behind.h"
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
@@ -58,7 +59,7 @@ std::optional<E57Columns> columnsOf(const containers::E57Scan& scan) {
         columns.row = wholeField(scan, "rowIndex");
         columns.column = wholeField(scan, "columnIndex");
         columns.intensity = scan.field("intensity");
-        columns.returnIndex = wholeField(scan, "returnIndex");
+        columns.returnIndex = scan.field("returnIndex");
         if (!columns.row || !columns.column) columns.row = columns.column = std::nullopt;
         return columns;
     }
@@ -109,20 +110,42 @@ Result<E57Numbers> numbersOf(containers::E57File& file, const containers::E57Sca
     return numbers;
 }
 
-/// x y z of each point, not finite where it is marked as invalid. Counts these.
-std::vector<Eigen::Vector3d> pointsOf(const E57Numbers& numbers, bool spherical, std::size_t& invalid) {
+/// Points that were not measured.
+struct Unmeasured {
+    std::size_t invalid = 0, negative = 0; ///< marked as invalid; with a range below 0
+};
+
+/// Some programs write degrees where the standard has radians: no elevation in radians is so large.
+bool areDegrees(const E57Numbers& numbers) {
+    constexpr double kMostRad = 1.6, kMostDeg = 90.5;
+    double most = 0;
+    for (std::size_t n = 0; n < numbers.lists[2].size(); ++n) {
+        const bool measured = numbers.lists[0][n] > 0 && (numbers.invalid == nullptr || (*numbers.invalid)[n] == 0.0);
+        if (measured && std::isfinite(numbers.lists[2][n])) most = std::max(most, std::abs(numbers.lists[2][n]));
+    }
+    return most > kMostRad && most <= kMostDeg;
+}
+
+/// x y z of each point, not finite where it was not measured. Counts these.
+std::vector<Eigen::Vector3d> pointsOf(const E57Numbers& numbers, bool spherical, bool inDegrees, Unmeasured& unmeasured) {
     const auto& [a, b, c] = std::tie(numbers.lists[0], numbers.lists[1], numbers.lists[2]);
+    const double unitRad = inDegrees ? radians(1.0) : 1.0;
     std::vector<Eigen::Vector3d> points(a.size());
     for (std::size_t n = 0; n < points.size(); ++n) {
         if (numbers.invalid != nullptr && (*numbers.invalid)[n] != 0.0) { // 1: a direction only, 2: nothing
             points[n] = kNoPoint;
-            ++invalid;
+            ++unmeasured.invalid;
             continue;
         }
         points[n] = {a[n], b[n], c[n]};
         if (!spherical) continue;
-        const double flat = a[n] * std::cos(c[n]);
-        points[n] = {flat * std::cos(b[n]), flat * std::sin(b[n]), a[n] * std::sin(c[n])};
+        if (a[n] < 0) {
+            points[n] = kNoPoint;
+            ++unmeasured.negative;
+            continue;
+        }
+        const double azimuth = b[n] * unitRad, elevation = c[n] * unitRad, flat = a[n] * std::cos(elevation);
+        points[n] = {flat * std::cos(azimuth), flat * std::sin(azimuth), a[n] * std::sin(elevation)};
     }
     return points;
 }
@@ -208,9 +231,11 @@ struct E57Choice {
     std::size_t index = 0; ///< of the scan in the file
 };
 
-Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
-    const auto withPoints = std::ranges::find_if(file.scans, [](const containers::E57Scan& scan) { return scan.points > 0; });
-    const auto first = withPoints == file.scans.end() ? std::size_t{0} : static_cast<std::size_t>(withPoints - file.scans.begin());
+/// Where the options name no scan: the first one from `from` on that holds points.
+Result<E57Choice> chosenScan(const containers::E57File& file, const Source& source, std::size_t from) {
+    const auto withPoints = std::find_if(file.scans.begin() + static_cast<std::ptrdiff_t>(from), file.scans.end(),
+                                         [](const containers::E57Scan& scan) { return scan.points > 0; });
+    const auto first = withPoints == file.scans.end() ? from : static_cast<std::size_t>(withPoints - file.scans.begin());
     const std::size_t wanted = source.options->scanIndex.value_or(first);
     if (file.scans.empty()) {
         return source.refused(file.pictures > 0 ? withValues("this E57 file holds no scan, only %1", {counted(file.pictures, "picture")})
@@ -219,13 +244,12 @@ Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
     }
     if (wanted >= file.scans.size()) return noSuchScan(wanted, file.scans.size());
     E57Choice choice{file.scans[wanted], {}, wanted};
-    if (!source.options->scanIndex && wanted > 0)
-        choice.table.remarks.push_back(wanted == 1 ? "The first scan of the file holds no points."
-                                                   : withValues("The first %1 scans of the file hold no points.", {wanted}));
     if (file.scans.size() > 1) {
         choice.table.remarks.push_back(
             withValues("The file holds %1 scans; this is number %2, --scan chooses another.", {file.scans.size(), wanted + 1}));
     }
+    if (!source.options->scanIndex && wanted > 0)
+        choice.table.remarks.push_back(withValues("The first %1 of these scans hold no point with a return.", {wanted}));
     return choice;
 }
 
@@ -240,7 +264,7 @@ Result<Done> applyGrid(PointTable& table, const containers::E57Scan& scan, const
     }
     if (auto enough = checkMemory(grid->lines * grid->beams * sizeof(Eigen::Vector3d), source.path.string()); !enough) return enough;
     spread(table, *grid, numbers, linesAreRows);
-    table.mayBeTurned = scan.lineIndex.empty();
+    table.mayBeTurned = true; // also where the file says it: some say the other index
     if (scan.lineIndex.empty()) {
         table.remarks.emplace_back(
             "The file does not say which way the scan lines run: its columns were taken as lines, its rows as beams.");
@@ -248,10 +272,8 @@ Result<Done> applyGrid(PointTable& table, const containers::E57Scan& scan, const
     return Done{};
 }
 
-Result<E57Choice> readChoice(const Source& source) {
-    auto file = containers::openE57(source.bytes, source.path.string());
-    if (!file) return file.error();
-    auto choice = chosenScan(*file, source);
+Result<E57Choice> readChoice(containers::E57File& file, const Source& source, std::size_t from) {
+    auto choice = chosenScan(file, source, from);
     if (!choice) return choice;
     containers::E57Scan& scan = choice->scan;
     PointTable& table = choice->table;
@@ -262,30 +284,54 @@ Result<E57Choice> readChoice(const Source& source) {
         return source.refused(withValues("%1 has neither cartesian nor spherical coordinates, only %2", {which, fieldNames(scan, nullptr)}),
                               "export it with coordinates");
     }
-    auto numbers = numbersOf(*file, scan, *columns, source);
+    auto numbers = numbersOf(file, scan, *columns, source);
     if (!numbers) return numbers.error();
-    std::size_t invalid = 0;
+    Unmeasured unmeasured;
+    const bool inDegrees = columns->spherical && areDegrees(*numbers);
     table.format = "E57";
     table.unitMm = 1000.0;
     table.precision = precisionOf(scan, *columns);
-    table.points = pointsOf(*numbers, columns->spherical, invalid);
+    table.points = pointsOf(*numbers, columns->spherical, inDegrees, unmeasured);
     table.width = table.points.size();
     if (numbers->intensity != nullptr) table.intensity.assign(numbers->intensity->begin(), numbers->intensity->end());
     if (auto taken = applyGrid(table, scan, *numbers, source); !taken) return taken.error();
     if (numbers->returnIndex != nullptr && !table.gridIsGiven) {
-        for (const double index : *numbers->returnIndex) // from 0
-            table.returnNumber.push_back(index >= 0 && index < 255 ? static_cast<std::uint8_t>(index + 1) : std::uint8_t{1});
+        for (const double index : *numbers->returnIndex) // from 0 in the standard, from 1 in some files
+            table.returnNumber.push_back(index >= 0 && index < 255 ? static_cast<std::uint8_t>(index) : std::uint8_t{1});
     }
-    if (invalid > 0)
-        table.remarks.push_back(counted(invalid, "point is marked as invalid in the file and counts as no return.",
+    if (inDegrees)
+        table.remarks.emplace_back("The angles of the points were taken as degrees, because no elevation in radians is so large.");
+    if (unmeasured.negative > 0)
+        table.remarks.push_back(counted(unmeasured.negative, "point has a range below 0 and counts as no return.",
+                                        "points have a range below 0 and count as no return."));
+    if (unmeasured.invalid > 0)
+        table.remarks.push_back(counted(unmeasured.invalid, "point is marked as invalid in the file and counts as no return.",
                                         "points are marked as invalid in the file and count as no return."));
     if (const std::string unread = fieldNames(scan, &*columns); !unread.empty())
         table.remarks.push_back(withValues("What else a point of this file has is not read: %1.", {unread}));
-    if (file->pictures > 0) table.remarks.push_back(withValues("The pictures of this file (%1) are not read.", {file->pictures}));
-    if (auto behind = bytesBehind(file->rest, "the end that the header gives")) table.remarks.push_back(std::move(*behind));
+    if (file.pictures > 0) table.remarks.push_back(withValues("The pictures of this file (%1) are not read.", {file.pictures}));
+    if (auto behind = bytesBehind(file.rest, "the end that the header gives")) table.remarks.push_back(std::move(*behind));
     if (scan.poseIsNone)
         table.remarks.emplace_back("The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.");
     return choice;
+}
+
+/// The scan that the options ask for, else the first one with a return.
+Result<E57Choice> firstWithReturn(const Source& source) {
+    constexpr int kMostTried = 16; // several scans of a hostile file may share their points
+    auto file = containers::openE57(source.bytes, source.path.string());
+    if (!file) return file.error();
+    auto first = readChoice(*file, source, 0);
+    const auto isEmpty = [](const Result<E57Choice>& choice) { return choice && std::ranges::none_of(choice->table.points, hasRange); };
+    if (source.options->scanIndex || !isEmpty(first)) return first;
+    std::size_t from = first->index + 1;
+    for (int tried = 1; tried < kMostTried && from < file->scans.size(); ++tried) {
+        auto next = readChoice(*file, source, from);
+        if (!next) break;
+        if (!isEmpty(next)) return next;
+        from = next->index + 1;
+    }
+    return first;
 }
 
 bool looksLikeE57(const Source& source) { return source.text().starts_with(containers::kE57Magic); }
@@ -303,7 +349,7 @@ std::shared_ptr<const Acquisition> sensorOf(const containers::E57Scan& e57) {
 
 /// The points of the scan that the options ask for, its pose and its names.
 Result<Reading> readE57(const Source& source) {
-    auto choice = readChoice(source);
+    auto choice = firstWithReturn(source);
     if (!choice) return choice.error();
     const containers::E57Scan& e57 = choice->scan;
     Reading reading(std::move(choice->table));

@@ -50,7 +50,8 @@ public:
 };
 
 /// Behind LiveStatus::noReturns in a sentence.
-inline constexpr const char* kNoReturnsOfLaser = " ranges are range_max of their messages, repeat, and were taken as no return.";
+inline constexpr const char* kNoReturnsOfLaser =
+    " ranges are range_min or range_max of their messages, repeat, and were taken as no return.";
 
 /// Everything that the health of a live scan is derived from (docs/reference/rules.md, "S2", "S4", "S5"). A copy, true at the moment it was
 /// asked for.
@@ -64,7 +65,7 @@ struct LiveStatus {
     std::int64_t linesAfter = 0;             ///< scan telegrams that came after the last line that is taken
     std::int64_t undecodable = 0;            ///< scan telegrams that could not be decoded
     std::string whyUndecodable;              ///< of one of them
-    std::int64_t noReturns = 0;              ///< ranges of a bridge's laser that repeat range_max and were not measured
+    std::int64_t noReturns = 0;              ///< ranges of a bridge's laser that repeat range_min or range_max and were not measured
     std::optional<double> secondsSinceLine;  ///< empty before the first
     double linesPerSecond = 0.0;             ///< over the last lines; 0: not known
     bool wholeClouds = false;                ///< each message is a whole cloud, so that the next one is due at once

@@ -83,18 +83,19 @@ struct NamedAngle {
     std::optional<AnglePart> part; ///< empty: the name is about something else
     std::optional<double> unitDeg, unitMm;
 };
-NamedAngle namedAngle(const std::string& name) {
+NamedAngle namedAngle(const std::string& heading) {
     NamedAngle found;
+    const auto [name, factor] = withoutFactor(heading);
     found.part = anglePartOf(headingLetters(name)); // "vertical angle", "Hz"
     const bool degreeSign = name.find("\xC2\xB0") != std::string::npos || name.find('\xB0') != std::string::npos;
-    if (degreeSign) found.unitDeg = 1.0;
+    if (degreeSign) found.unitDeg = factor;
     std::vector<std::string> words = headingWords(name);
     std::erase_if(words, goesWithAngle);
     for (std::size_t n = 0; n < words.size(); ++n) {
         if (const auto unit = n > 0 ? unitDegOf(words[n]) : std::nullopt)
-            found.unitDeg = unit;
+            found.unitDeg = factor * *unit;
         else if (const auto length = n > 0 ? unitNamed(words[n]) : std::nullopt)
-            found.unitMm = length;
+            found.unitMm = factor * *length;
         else if (const auto part = anglePartOf(words[n]); part && !found.part)
             found.part = part;
         else if (n > 0 || !part)

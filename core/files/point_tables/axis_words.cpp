@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <set>
 
 namespace edgescan::files {
@@ -51,6 +52,13 @@ std::string smallCyrillic(std::string_view letter) {
 
 /// The letter at the front of a text in small letters without marks; empty for what is not a letter or a digit. Removes it.
 std::string nextLetter(std::string_view& text) {
+    constexpr MarkedLetter kSigns[]{{"(')", "ft"},  {"[']", "ft"},  {"(\u2032)", "ft"}, {"[\u2032]", "ft"},
+                                    {"(\")", "in"}, {"[\"]", "in"}, {"(\u2033)", "in"}};
+    for (const auto& [sign, letters] : kSigns) {
+        if (!text.starts_with(sign)) continue;
+        text.remove_prefix(sign.size());
+        return std::string(letters);
+    }
     const std::size_t bytes = letterBytes(text);
     const std::string_view letter = text.substr(0, bytes);
     text.remove_prefix(bytes);
@@ -166,6 +174,21 @@ std::vector<std::string> headingWords(std::string_view text) {
     return words;
 }
 
+ScaledHeading withoutFactor(std::string_view heading) {
+    const std::size_t open = std::min(heading.find_first_of("(["), heading.size() - 1);
+    ScaledHeading found{std::string(heading)};
+    double factor = 0, below = 1;
+    const char* const end = heading.data() + heading.size();
+    const char* const from = heading.data() + open + 1;
+    auto [rest, problem] = std::from_chars(from, end, factor);
+    if (problem == std::errc{} && rest < end && *rest == '/') rest = std::from_chars(rest + 1, end, below).ptr; // "1/100 deg"
+    const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+    if (!(factor > 0 && factor < 1e9) || !(below > 0) || headingWords(unit).size() > 1 || unit.starts_with('-')) return found;
+    found.factor = factor / below;
+    found.name = std::string(heading.substr(0, open + 1)) + std::string(unit);
+    return found;
+}
+
 std::string headingLetters(std::string_view text) {
     std::string letters;
     while (!text.empty()) letters += nextLetter(text);
@@ -267,10 +290,11 @@ std::optional<double> unitInComment(std::string_view comment) {
                 last = end;
             }
         }
-        const bool preposition = last == n && words[n] == "in"; // and not an inch
+        const bool counted = n > 0 && words[n - 1][0] >= '0' && words[n - 1][0] <= '9'; // "to 5 mm", "0.01 m": not the unit of the points
+        const bool preposition = last == n && words[n] == "in";                         // and not an inch
         const bool inBrackets = last + 1 == words.size() && comment.find_first_of("[(") != comment.npos;
         const bool stated = asUnit || inBrackets || (n > 0 && words[n - 1] == "in");
-        if (!longest || preposition || !stated) continue;
+        if (!longest || counted || preposition || !stated) continue;
         if (found && *found != *longest) return std::nullopt;
         found = longest;
         n = last;

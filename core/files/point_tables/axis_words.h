@@ -30,6 +30,13 @@ enum class AxisWord : std::uint8_t { East, North, Up };
 /// True where a heading has a word for an axis or for its opposite ("Southing"), whatever its other words are.
 [[nodiscard]] bool speaksOfAxis(std::string_view heading);
 
+/// "azimuth (0.01 deg)" without the number before its unit.
+struct ScaledHeading {
+    std::string name;
+    double factor = 1;
+};
+[[nodiscard]] ScaledHeading withoutFactor(std::string_view heading);
+
 /// Millimetres per unit of a name in letters: "mm", "metres", "ussurveyfeet".
 [[nodiscard]] std::optional<double> unitNamed(std::string_view letters);
 

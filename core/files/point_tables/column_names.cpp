@@ -89,8 +89,17 @@ constexpr KnownName kNames[]{
     {"rssi1", Role::Intensity},
     {"remission", Role::Intensity},
     {"amplitude", Role::Intensity},
-    {"returnnumber", Role::ReturnNumber}, // its other names: isReturnNumber()
-    {"este", Role::X},                    // Spanish and Portuguese; French below
+    {"returnnumber", Role::ReturnNumber}, // these also with a word for a number: rankOfReturn()
+    {"return", Role::ReturnNumber},
+    {"ret", Role::ReturnNumber},
+    {"rtn", Role::ReturnNumber},
+    {"rn", Role::ReturnNumber},
+    {"echo", Role::ReturnNumber},
+    {"retorno", Role::ReturnNumber},
+    {"eco", Role::ReturnNumber},
+    {"targetindex", Role::ReturnNumber},
+    {"scalarreturnnumber", Role::ReturnNumber},
+    {"este", Role::X}, // Spanish and Portuguese; French below
     {"leste", Role::X},
     {"norte", Role::Y},
     {"cota", Role::Z},
@@ -116,11 +125,12 @@ struct Name {
 };
 Name nameOf(std::string_view given) {
     constexpr std::string_view kBefore = "_ ([/-";
-    for (std::size_t cut = given.find_first_of(kBefore, 1); cut != std::string_view::npos; cut = given.find_first_of(kBefore, cut + 1)) {
-        const auto unit = unitNamed(headingLetters(given.substr(cut)));         // the longest unit: "US survey feet" is not "feet"
-        if (!unit || headingLetters(given.substr(0, cut)) == "range") continue; // range_mm is a name of its own
+    const auto [bare, factor] = withoutFactor(given);
+    for (std::size_t cut = bare.find_first_of(kBefore, 1); cut != std::string::npos; cut = bare.find_first_of(kBefore, cut + 1)) {
+        const auto unit = unitNamed(headingLetters(std::string_view(bare).substr(cut))); // the longest: "US survey feet" is not "feet"
+        if (!unit || headingLetters(given.substr(0, cut)) == "range") continue;          // range_mm is a name of its own
         const std::string_view name = given.substr(0, cut);
-        return {name.ends_with(" in") ? name.substr(0, name.size() - 3) : name, unit};
+        return {name.ends_with(" in") ? name.substr(0, name.size() - 3) : name, factor * *unit};
     }
     const bool glued = given.size() > 1 && std::string_view("xyzXYZ").find(given.front()) != std::string_view::npos;
     if (const auto unit = glued ? unitNamed(headingLetters(given.substr(1))) : std::nullopt) return {given.substr(0, 1), unit};
@@ -152,24 +162,23 @@ std::optional<std::string> axisAmongWords(std::vector<std::string> words) {
 }
 
 /// "Echo Nr", "pulse return id", "scalar_Return_Number": which return of its pulse a point is. "Number of returns" is not one.
-bool isReturnNumber(std::string_view given) {
+std::size_t rankOfReturn(std::string_view given) {
     static constexpr std::string_view kBefore[]{"scalar", "field", "pulse", "laser", "las"},
-        kOwn[]{"return", "ret", "rtn", "echo", "retorno", "eco", "echonumber", "returnnumber", "returnindex", "returnnum"},
-        kBehind[]{"number", "no", "nr", "num", "index", "idx", "id", "n"};
-    std::vector<std::string> words = headingWords(given);
-    std::erase_if(words, [](const std::string& word) { return std::ranges::find(kBefore, word) != std::end(kBefore); });
-    if (words.size() == 2 && std::ranges::find(kBehind, words[1]) != std::end(kBehind)) words.pop_back();
-    const std::string letters = headingLetters(given);
-    const bool joined = letters == "returnno" || letters == "returnid" || letters == "echono" || letters == "targetindex" ||
-                        letters == "scalarreturnnumber";
-    return joined || (words.size() == 1 && std::ranges::find(kOwn, words[0]) != std::end(kOwn));
+        kBehind[]{"", "number", "no", "nr", "num", "index", "idx", "id", "n"};
+    std::string letters;
+    for (const std::string& word : headingWords(given)) letters += std::ranges::find(kBefore, word) == std::end(kBefore) ? word : "";
+    for (const std::string_view behind : kBehind) {
+        const std::size_t rank = letters.ends_with(behind) ? rankIn(letters.substr(0, letters.size() - behind.size())) : std::size(kNames);
+        if (rank < std::size(kNames) && kNames[rank].role == Role::ReturnNumber) return rank;
+    }
+    return std::size(kNames);
 }
 
 /// Place in the table; a name that is only found without some of its words follows all that are found whole. `shared`: axis_words.h
 std::optional<std::size_t> rankOf(std::string_view given, std::span<const std::string> shared) {
     const std::size_t whole = rankIn(headingLetters(given));
     if (whole < std::size(kNames)) return whole;
-    if (isReturnNumber(given)) return rankIn("returnnumber");
+    if (const std::size_t number = rankOfReturn(given); number < std::size(kNames)) return number;
     const std::size_t bracket = given.find_first_of("([", 1); // "Easting (X)"
     const std::size_t before = bracket == std::string_view::npos ? std::size(kNames) : rankIn(headingLetters(given.substr(0, bracket)));
     if (before < std::size(kNames)) return std::size(kNames) + before;

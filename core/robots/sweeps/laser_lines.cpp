@@ -167,48 +167,8 @@ void leaveOutRepeated(LaserLines& all) {
     all.lines = std::move(once);
 }
 
-/// range_min is a range that was measured unless it repeats more often than any range near it.
-void markLeastRanges(LaserLines& all) {
-    constexpr std::size_t kFewest = 5, kOftener = 3;
-    constexpr float kNear = 1.1F;
-    std::map<float, std::size_t> near;
-    const auto isLeast = [](const LaserLine& line, float mm) { return line.leastM > 0 && mm == millimetresOf(line.leastM); };
-    std::size_t count = 0;
-    for (const LaserLine& line : all.lines) {
-        const auto mostMm = kNear * millimetresOf(line.leastM);
-        for (const float mm : line.line.ranges.rangeMm) {
-            count += isLeast(line, mm) ? 1 : 0;
-            if (mm > 0 && mm <= mostMm && !isLeast(line, mm)) ++near[mm];
-        }
-    }
-    std::size_t most = 0;
-    for (const auto& [mm, times] : near) most = std::max(most, times);
-    if (count < kFewest || count < kOftener * most) return;
-    for (LaserLine& line : all.lines) {
-        auto& [ranges, states] = line.line.ranges;
-        for (std::size_t j = 0; j < ranges.size(); ++j) {
-            if (!isLeast(line, ranges[j])) continue;
-            ranges[j] = 0;
-            states[j] = CellState::NoReturn;
-        }
-    }
-    all.noReturns = files::repeatedSentence(
-        count, withValues("ranges of the topic are %1 m, the range_min of their messages", {significantText(all.lines.front().leastM, 6)}));
-}
-
-void markNoReturns(LaserLines& all) {
-    markLeastRanges(all);
-    const auto found = noReturnIn(all.lines);
-    if (!found) return;
-    for (LaserLine& line : all.lines) leaveOutFrom(line, found->least);
-    all.noReturns += all.noReturns.empty() ? "" : " ";
-    all.noReturns +=
-        files::repeatedSentence(found->count, withValues("ranges of the topic are %1 m", {significantText(found->least / kMmPerM, 6)}));
-}
-
-} // namespace
-
-std::optional<files::RepeatedRange> noReturnIn(std::span<const LaserLine> lines) {
+/// A range in millimetres that is far apart from the rest, as range_max is where it repeats.
+std::optional<files::RepeatedRange> farApartIn(std::span<const LaserLine> lines) {
     std::vector<double> ranges;
     std::vector<double> beamDeg;
     double mostM = lines.empty() ? 0 : lines.front().mostM;
@@ -225,11 +185,46 @@ std::optional<files::RepeatedRange> noReturnIn(std::span<const LaserLine> lines)
     return files::repeatedRange(given);
 }
 
-std::size_t leaveOutFrom(LaserLine& line, double leastMm) {
+bool isLeast(const LaserLine& line, float mm) { return line.leastM > 0 && mm == millimetresOf(line.leastM); }
+
+void markNoReturns(LaserLines& all) {
+    NoReturns found;
+    if (!found.look(all.lines)) return;
+    for (LaserLine& line : all.lines) found.leaveOut(line);
+    const auto add = [&](std::size_t count, const char* what, double metres) {
+        all.noReturns += all.noReturns.empty() ? "" : " ";
+        all.noReturns += files::repeatedSentence(count, withValues(what, {significantText(metres, 6)}));
+    };
+    if (found.least() > 0) add(found.least(), "ranges of the topic are %1 m, the range_min of their messages", all.lines.front().leastM);
+    if (found.most()) add(found.most()->count, "ranges of the topic are %1 m", found.most()->least / kMmPerM);
+}
+
+} // namespace
+
+bool NoReturns::look(std::span<const LaserLine> lines) {
+    constexpr std::size_t kFewest = 5, kOftener = 3, kMostNear = 4096;
+    constexpr float kNear = 1.1F;
+    constexpr double kAtMostM = 0.001; // as near to range_max is range_max
+    const bool knewLeast = leastRepeats_, knewMost = most_.has_value();
+    for (const LaserLine& line : knewLeast ? std::span<const LaserLine>() : lines) {
+        const auto mostMm = kNear * millimetresOf(line.leastM);
+        for (const float mm : line.line.ranges.rangeMm) {
+            const bool near = mm > 0 && mm <= mostMm && !isLeast(line, mm);
+            least_ += isLeast(line, mm) ? 1 : 0;
+            if (near && nearLeast_.size() < kMostNear) mostNear_ = std::max(mostNear_, ++nearLeast_[mm]);
+        }
+    }
+    leastRepeats_ = knewLeast || (least_ >= kFewest && least_ >= kOftener * mostNear_);
+    if (!knewMost) most_ = farApartIn(lines);
+    if (!knewMost && most_ && lines.size() == 1 && most_->least < (lines[0].mostM - kAtMostM) * kMmPerM) most_.reset();
+    return leastRepeats_ != knewLeast || most_.has_value() != knewMost;
+}
+
+std::size_t NoReturns::leaveOut(LaserLine& line) const {
     std::size_t count = 0;
     auto& [mm, state] = line.line.ranges;
     for (std::size_t j = 0; j < mm.size(); ++j) {
-        if (static_cast<double>(mm[j]) < leastMm) continue;
+        if (!(most_ && static_cast<double>(mm[j]) >= most_->least) && !(leastRepeats_ && isLeast(line, mm[j]))) continue;
         mm[j] = 0;
         state[j] = CellState::NoReturn;
         ++count;

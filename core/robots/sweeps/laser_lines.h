@@ -8,6 +8,7 @@
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,10 +45,23 @@ struct LaserLines {
 /// The line in a message; its counters are set by others. Error, of which only `what` is set: no beams, no stamp, or angles that no laser
 /// has. Numbers that are not finite are never replaced by others.
 [[nodiscard]] Result<LaserLine> laserLine(const RosValue& message, scanner::Echo echo);
-/// A range in millimetres that means "no return" in these lines, as range_max does where it repeats (repeated_values.h).
-[[nodiscard]] std::optional<files::RepeatedRange> noReturnIn(std::span<const LaserLine> lines);
-/// Ranges from `leastMm` on become missing returns; returns how many.
-std::size_t leaveOutFrom(LaserLine& line, double leastMm);
+/// Ranges of a laser that mean "no return": range_min where it repeats more often than any range near it, and one that is far apart, as
+/// range_max is where it repeats (repeated_values.h).
+class NoReturns {
+public:
+    /// Looks at lines that follow those before; of a single one, only range_max can be far apart. True: it found what it did not know.
+    bool look(std::span<const LaserLine> lines);
+    /// Makes missing returns of what was found; returns how many.
+    std::size_t leaveOut(LaserLine& line) const;
+    [[nodiscard]] std::size_t least() const { return leastRepeats_ ? least_ : 0; } ///< how many are range_min; 0: it is measured
+    [[nodiscard]] const std::optional<files::RepeatedRange>& most() const { return most_; }
+
+private:
+    std::map<float, std::size_t> nearLeast_; // other ranges near range_min, and how many have each
+    std::size_t least_ = 0, mostNear_ = 0;
+    bool leastRepeats_ = false;
+    std::optional<files::RepeatedRange> most_;
+};
 /// Of the fan, degrees.
 [[nodiscard]] double middleOf(const LaserLine& line);
 /// Its beams in the scan's own frame (LaserMotion::beamShiftDeg), and the time from beam to beam, if the message says it.

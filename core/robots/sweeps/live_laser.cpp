@@ -20,8 +20,7 @@ constexpr double kRestShare = 0.05; // of the median step from line to line
 constexpr double kLost = 0.7;       // periods behind its time: a line before it is lost
 constexpr double kOfNewLine = 0.2;  // share of a new line in the usual time
 constexpr double kLongestGap = 30000;
-constexpr double kSoon = 0.5;      // periods: the same ranges once more are the same line, which a relay sent with another stamp
-constexpr double kAtMostM = 0.001; // as near to range_max is range_max
+constexpr double kSoon = 0.5; // periods: the same ranges once more are the same line, which a relay sent with another stamp
 
 double middleOf(const std::deque<double>& numbers) { return median(std::vector<double>(numbers.begin(), numbers.end())); }
 
@@ -89,16 +88,13 @@ void LiveLaser::receiveLine(const RosValue& message) {
     }
 }
 
-/// One line is enough to see that its range_max repeats. Then it holds for the lines that wait, and for all that follow.
+/// What is found holds for the lines that wait, and for all that follow.
 void LiveLaser::leaveOutNoReturns(LaserLine& line) {
     if (keepRepeated_) return;
-    if (!noReturnMm_) {
-        const auto found = noReturnIn({&line, 1});
-        if (!found || found->least < (line.mostM - kAtMostM) * 1000) return;
-        noReturnMm_ = found->least;
-        for (LaserLine& waiting : waiting_) noReturns_ += static_cast<std::int64_t>(leaveOutFrom(waiting, *noReturnMm_));
+    if (rule_.look({&line, 1})) {
+        for (LaserLine& waiting : waiting_) noReturns_ += static_cast<std::int64_t>(rule_.leaveOut(waiting));
     }
-    noReturns_ += static_cast<std::int64_t>(leaveOutFrom(line, *noReturnMm_));
+    noReturns_ += static_cast<std::int64_t>(rule_.leaveOut(line));
 }
 
 void LiveLaser::receiveTransforms(const RosValue& message) {

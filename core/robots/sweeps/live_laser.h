@@ -17,7 +17,7 @@ namespace edgescan::robots {
 class LiveLaser {
 public:
     /// `asked` goes before what is found: a given axis, and a given step where no transform and no joint turns the laser. `joint`: empty:
-    /// the one that is found. `keepRepeated`: range_max is measured also where it repeats.
+    /// the one that is found. `keepRepeated`: NoReturns are measured.
     LiveLaser(const scanner::SweepSettings& asked, std::string joint, bool keepRepeated = false)
         : asked_(asked), joint_(std::move(joint)), keepRepeated_(keepRepeated) {}
 
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const std::string& whyLeftOut() const { return why_; }
     /// Lines that came twice: with the stamp of the newest, or with its ranges within half a period.
     [[nodiscard]] std::int64_t repeated() const { return repeated_; }
-    /// Ranges that are range_max of their message and repeat, so that they mean "no return".
+    /// Ranges that are range_min or range_max of their message and repeat, so that they mean "no return".
     [[nodiscard]] std::int64_t noReturns() const { return noReturns_; }
     /// Why no line was pushed so far; empty: a line was pushed, or did not come yet.
     [[nodiscard]] std::string waitsFor() const;
@@ -73,7 +73,7 @@ private:
     double periodS_ = 0;
     std::uint64_t number_ = 0;
     std::int64_t leftOut_ = 0, repeated_ = 0, noReturns_ = 0;
-    std::optional<double> noReturnMm_; // this range and all above it mean "no return"
+    NoReturns rule_;
     std::string why_;
 };
 

@@ -26,4 +26,8 @@ TEST(FileAddress, OfAnotherComputerIsRefused) {
     for (const char* address : {"file://server.example/data/a.pcd", "file:///a%2", "file:///a%zz", "file:///a%00b", "file://"})
         EXPECT_FALSE(pathOfAddress(address)) << address;
     EXPECT_NE(pathOfAddress("file://server.example/a.pcd").error().sentence().find("another computer, server.example"), std::string::npos);
+    for (const char* address : {"https://h.example/a.pcd", "smb://h.example/share/a.pcd", "sftp://h.example/a.pcd", "http://h.example"})
+        EXPECT_NE(addressElsewhere(address)->sentence().find("another computer, h.example"), std::string::npos);
+    EXPECT_NE(addressElsewhere("ws://robot:8765")->sentence().find("a robot's bridge"), std::string::npos);
+    for (const char* path : {"/data/a.pcd", "C:/data/a.pcd", "/data/http://a", "://", ""}) EXPECT_FALSE(addressElsewhere(path)) << path;
 }

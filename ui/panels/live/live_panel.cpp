@@ -15,6 +15,7 @@
 #include "ui/panels/live/topic_menu.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -67,7 +68,8 @@ void reserveWidth(QPushButton& button, std::initializer_list<QString> texts) {
 LivePanel::LivePanel(QWidget* parent)
     : QWidget(parent), title_(new QLabel(tr("Scanner"))), host_(new QLineEdit), port_(new QSpinBox),
       connect_(button("live-connect", tr("Connect"), tr("EdgeScan sends only read requests and one subscription to the scanner"))),
-      sweepButton_(new QToolButton), sweepDialog_(new QDialog(this)), sweep_(new SweepForm), topics_(new TopicMenu),
+      keepRepeated_(new QCheckBox(tr("Keep Repeated Values"))), sweepButton_(new QToolButton), sweepDialog_(new QDialog(this)),
+      sweep_(new SweepForm), topics_(new TopicMenu),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, unchanged, as it arrives"))),
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
       hold_(button("live-hold", tr("Hold"), tr("The picture stays as it is while the scanner goes on."))),
@@ -85,6 +87,9 @@ LivePanel::LivePanel(QWidget* parent)
     port_->setPrefix(portWord());
     port_->setRange(1, 65535);
     port_->setValue(kUsualPort);
+    keepRepeated_->setObjectName("live-keep-repeated");
+    keepRepeated_->setToolTip(tr("Take a value or point that repeats exactly, far apart from the rest, as measured and not as no return"));
+    keepRepeated_->setFocusPolicy(Qt::TabFocus);
     addSweepDialog();
     record_->setCheckable(true);
     recorded_->setObjectName("live-recorded");
@@ -99,8 +104,8 @@ LivePanel::LivePanel(QWidget* parent)
     auto* row = buttons_ = new FlowLayout(head);
     row->setContentsMargins(6, 0, 6, 0);
     row->setSpacing(kBetween);
-    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, topics_, record_, recorded_, keep_,
-                                                         scanner_, close_})
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, keepRepeated_, sweepButton_, connect_, topics_, record_,
+                                                         recorded_, keep_, scanner_, close_})
         row->addWidget(each);
     auto* first = stripRow_ = new QHBoxLayout;
     first->setContentsMargins(6, 6, 0, 0);
@@ -180,6 +185,7 @@ void LivePanel::followAddress() {
         port_->setValue(bridge ? kBridgePort : kUsualPort);
     bridge_ = bridge;
     port_->setEnabled(!connected_ && typed <= 0);
+    keepRepeated_->setHidden(!bridge || title_->isHidden());
 }
 
 void LivePanel::splitAddress() {
@@ -191,6 +197,8 @@ void LivePanel::splitAddress() {
 
 QString LivePanel::host() const { return host_->text().trimmed(); }
 int LivePanel::port() const { return port_->value(); }
+bool LivePanel::keepsRepeated() const { return bridge_ && keepRepeated_->isChecked(); }
+void LivePanel::setKeepRepeated(bool on) { keepRepeated_->setChecked(on); }
 void LivePanel::setSweep(const scanner::SweepSettings& settings) { sweep_->showSettings(settings); }
 void LivePanel::showAxisFromRanges(std::optional<Axis> axis) { sweep_->showAxisFromRanges(axis); }
 scanner::SweepSettings LivePanel::sweep() const { return sweep_->settings(); }
@@ -282,6 +290,7 @@ void LivePanel::setBrief(bool on) {
 void LivePanel::showFields() {
     const bool few = brief_ && (connected_ || (!others_.isEmpty() && !asking_));
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_ || few);
+    keepRepeated_->setHidden(!bridge_ || connected_ || few);
     sweepButton_->setHidden(few);
     scanner_->setHidden(few || (brief_ && !connected_)); // without words it would push Close into a line of its own
     record_->setHidden(!connected_);

@@ -9,6 +9,7 @@
 
 class QDialog;
 class QHBoxLayout;
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QMenu;
@@ -36,6 +37,9 @@ public:
     [[nodiscard]] int port() const;
     /// The address is that of a robot's bridge.
     [[nodiscard]] bool bridge() const { return bridge_; }
+    /// Of a bridge: ranges that repeat far apart from the rest are measured.
+    [[nodiscard]] bool keepsRepeated() const;
+    void setKeepRepeated(bool on);
     void setSweep(const scanner::SweepSettings& settings);
     [[nodiscard]] scanner::SweepSettings sweep() const;
     /// The axis that the ranges show, in the field of the mounting; empty: they show none.
@@ -103,6 +107,7 @@ private:
     QLineEdit* host_;
     QSpinBox* port_;
     QPushButton* connect_;
+    QCheckBox* keepRepeated_;
     QToolButton* sweepButton_;
     QDialog* sweepDialog_;
     SweepForm* sweep_;

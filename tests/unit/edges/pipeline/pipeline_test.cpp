@@ -7,6 +7,7 @@
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "tests/support/scans.h"
+#include "tests/support/simulated_bell.h"
 #include "tests/support/wait_until.h"
 
 #include <gtest/gtest.h>
@@ -228,6 +229,35 @@ TEST(Pipeline, OnALaneManySettingsEndWithTheLast) {
     }
     ASSERT_TRUE(test::waitUntil([&] { return done.load(); }));
     EXPECT_EQ(*detection->mask, *detectEdges(scan, settings)->mask);
+}
+
+// What is measured for a whole scan, the noise, is the same of its parts: so their edges are, 12 cells within the rim.
+TEST(Pipeline, EdgesOfAPartAreThoseOfTheWhole) {
+    constexpr int kLines = 200, kBeams = 300, kPart = 100, kRim = 12;
+    const auto bell = test::simulatedBell(kLines, kBeams);
+    ASSERT_TRUE(bell);
+    const Grid<std::uint8_t> whole = *detectEdges(std::make_shared<const Scan>(*bell), {})->mask;
+    for (const int first : {0, kLines - kPart}) {
+        auto part = std::make_shared<Scan>(*bell);
+        auto& angles = std::get<PolarGeometry>(part->geometry).lineDeg;
+        angles = std::vector<double>(angles.begin() + first, angles.begin() + first + kPart);
+        part->rangeMm = Grid<float>(kPart, kBeams);
+        part->state = Grid<CellState>(kPart, kBeams);
+        const auto from = static_cast<std::ptrdiff_t>(first) * kBeams;
+        std::copy_n(bell->rangeMm.cells.begin() + from, part->cells(), part->rangeMm.cells.begin());
+        std::copy_n(bell->state.cells.begin() + from, part->cells(), part->state.cells.begin());
+        const Grid<std::uint8_t> mask = *detectEdges(part, {})->mask;
+        int both = 0, either = 0;
+        for (int i = kRim; i < kPart - kRim; ++i) {
+            for (int j = kRim; j < kBeams - kRim; ++j) {
+                const bool ofPart = mask.at(i, j) != 0, ofWhole = whole.at(first + i, j) != 0;
+                both += ofPart && ofWhole ? 1 : 0;
+                either += ofPart || ofWhole ? 1 : 0;
+            }
+        }
+        EXPECT_GT(either, 1000);
+        EXPECT_GE(both, 0.99 * either) << first;
+    }
 }
 
 } // namespace

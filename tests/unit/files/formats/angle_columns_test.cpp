@@ -81,6 +81,8 @@ TEST_F(AngleColumnsTest, InManyWordsAndUnits) {
              {"Азимут,Угол места,Дальность", "a,e,r"},
              {"方位角,仰角,距离", "a,e,r"},
              {"rango,azimuth_mdeg,elevation_mdeg", "r,a,e", 1000},
+             {"azimuth (0.01 deg),elevation (0.01 deg),distance (2 mm)", "a,e,r", 100, 500},
+             {"Azimuth [1/100 °],Elevation [1/100 °],Range (0.1 m)", "a,e,r", 100, 10},
              {"azimuth,elevation,range_m", "a,e,r", 100, 1, false, "hundredths of a degree"},
          }) {
         SCOPED_TRACE(table.names);

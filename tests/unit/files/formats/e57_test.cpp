@@ -70,6 +70,11 @@ std::vector<E57Column> e57Spherical(const std::vector<Eigen::Vector3d>& points, 
     return columns;
 }
 
+std::string groupedBy(const std::string& index) {
+    return "<pointGroupingSchemes type=\"Structure\"><groupingByLine type=\"Structure\"><idElementName type=\"String\"><![CDATA[" + index +
+           "]]></idElementName></groupingByLine></pointGroupingSchemes>";
+}
+
 /// Reads a file whose rows are the scan's lines.
 Result<Scan> readWithLinesAsRows(const Scan& scan, const std::string& grouping) {
     const E57Cells cells = e57CellsOf(scan, 9);
@@ -152,9 +157,7 @@ TEST(E57, GridsComeBackAsTheGridsTheyAre) {
 
 TEST(E57, LinesAreRowsWhereTheFileSaysSo) {
     const Scan expected = makeScan(ScanShape{});
-    const auto scan =
-        readWithLinesAsRows(expected, "<pointGroupingSchemes type=\"Structure\"><groupingByLine type=\"Structure\"><idElementName "
-                                      "type=\"String\"><![CDATA[rowIndex]]></idElementName></groupingByLine></pointGroupingSchemes>");
+    const auto scan = readWithLinesAsRows(expected, groupedBy("rowIndex"));
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(scan->rangeMm, expected.rangeMm);
     EXPECT_EQ(scan->state, expected.state);
@@ -163,11 +166,13 @@ TEST(E57, LinesAreRowsWhereTheFileSaysSo) {
 
 TEST(E57, LinesAreRowsWhereOnlyThatMakesFans) {
     const Scan expected = makeScan({.beamStart = 20, .noReturns = 0.2});
-    const auto scan = readWithLinesAsRows(expected, ""); // neither bounds nor grouping
-    ASSERT_TRUE(scan) << scan.error().sentence();
-    EXPECT_EQ(scan->rangeMm, expected.rangeMm);
-    EXPECT_EQ(scan->state, expected.state);
-    EXPECT_TRUE(e57Told(*scan, "Lines and beams were exchanged"));
+    for (const std::string& grouping : {std::string(), groupedBy("columnIndex")}) { // unsaid, and wrong
+        const auto scan = readWithLinesAsRows(expected, grouping);
+        ASSERT_TRUE(scan) << scan.error().sentence();
+        EXPECT_EQ(scan->rangeMm, expected.rangeMm);
+        EXPECT_EQ(scan->state, expected.state);
+        EXPECT_TRUE(e57Told(*scan, "Lines and beams were exchanged"));
+    }
 }
 
 TEST(E57, SphericalGridsAreTheSameGrids) {
@@ -186,6 +191,32 @@ TEST(E57, SphericalGridsAreTheSameGrids) {
         EXPECT_EQ(scan->state, expected.state);
         EXPECT_EQ(std::get<PolarGeometry>(scan->geometry), std::get<PolarGeometry>(expected.geometry));
     }
+}
+
+TEST(E57, SphericalRangesBelowZeroAreNoReturnsAndDegreesAreAngles) {
+    const Scan expected = makeScan({.axis = Axis::Spin, .beamStart = -15});
+    const E57Cells cells = e57CellsOf(expected, 3);
+    constexpr std::size_t kBelow = 40;
+    std::vector<E57Column> columns = e57Spherical(cells.points, As::Double);
+    std::fill_n(columns[0].values.begin(), kBelow, -1.0);
+    for (const std::size_t angle : {1U, 2U}) {
+        for (double& value : columns[angle].values) value *= 180 / std::numbers::pi;
+    }
+    E57Part part{columns, e57Bounds(expected)};
+    part.columns.push_back(e57Whole("rowIndex", cells.beams));
+    part.columns.push_back(e57Whole("columnIndex", cells.lines));
+    const auto scan = readBytes(e57Bytes({part}), ".e57");
+    ASSERT_TRUE(scan) << scan.error().sentence();
+    EXPECT_TRUE(e57Told(*scan, "40 points have a range below 0") && e57Told(*scan, "taken as degrees"));
+    Scan wanted = expected;
+    for (std::size_t n = 0; n < kBelow; ++n) {
+        const int line = static_cast<int>(cells.lines[n]), beam = static_cast<int>(cells.beams[n]);
+        wanted.rangeMm.at(line, beam) = 0;
+        wanted.state.at(line, beam) = CellState::NoReturn;
+    }
+    EXPECT_EQ(scan->rangeMm, wanted.rangeMm);
+    EXPECT_EQ(scan->state, wanted.state);
+    EXPECT_EQ(std::get<PolarGeometry>(scan->geometry), std::get<PolarGeometry>(expected.geometry));
 }
 
 TEST(E57, GridsWithoutEvenAnglesKeepEveryCell) {

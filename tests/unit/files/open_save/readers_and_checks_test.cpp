@@ -188,6 +188,8 @@ TEST_F(ReadersAndChecks, AnEmptyScanBeforeIt) {
         const std::string both =
             e57 ? e57Bytes({{e57Cartesian({}), ""}, {e57Cartesian(points_), ""}}) : reader.bytes(none, {2, 2}) + reader.bytes(points_, {});
         expectSame(reader, both, "no point");
+        const E57Part empty{e57Cartesian({}), ""}, zeros{e57Cartesian(none), ""}, whole{e57Cartesian(points_), ""};
+        if (e57) expectSame(reader, e57Bytes({empty, zeros, whole}), "no point");
         ReadingOptions second, first;
         second.scanIndex = 1;
         first.scanIndex = 0;
@@ -225,8 +227,12 @@ TEST_F(ReadersAndChecks, LaterReturnsOfAPulse) {
     }
     std::vector<std::pair<Reader, std::string>> files{
         {{"csv", ".csv", nullptr}, csv}, {{"las", ".las", nullptr}, las}, {{"e57", ".e57", nullptr}, e57Bytes({{e57, ""}})}};
+    for (double& number : numbers) ++number;
+    e57.back() = {"returnIndex", E57Column::As::Double, numbers};
+    files.push_back({{"e57 from 1", ".e57", nullptr}, e57Bytes({{e57, ""}})});
+    for (double& number : numbers) --number;
     const std::string rows = csv.substr(csv.find('\n') + 1), count = std::to_string(all.size());
-    for (const char* name : {"Echo Nr", "pulse_return", "scalar_Return_Number", "target_index", "rtn", "return id"})
+    for (const char* name : {"Echo Nr", "pulse_return", "scalar_Return_Number", "target_index", "rtn", "rn", "return id"})
         files.push_back({{name, ".csv", nullptr}, std::string("x,y,z,") + name + "\n" + rows});
     std::string blanks = rows, fromZero = "x,y,z,return_number\n";
     std::ranges::replace(blanks, ',', ' ');
