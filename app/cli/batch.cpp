@@ -105,7 +105,7 @@ void warnOfOtherFiles(const fs::path& results) {
     }
     if (others.empty()) return;
     printError(Error{"this folder holds files that batch did not write, such as " + *std::ranges::min_element(others), results.string(),
-                     "give -o a folder that is used for nothing else"});
+                     "the run goes on; next time give -o a folder that is used for nothing else"});
 }
 
 Result<BatchWork> planned(const Batch& batch, const Json& settings) {
@@ -364,7 +364,11 @@ int run(Batch& batch) {
     WriteFlags ofFiles = batch.write;
     if (std::ranges::any_of(*wanted, [](const WantedFile& file) { return file.extension == ".html"; }))
         ofFiles.operatorName = ofFiles.role = ""; // the report names them
-    if (const auto used = checkWriting(ofFiles, written); !used) return failWith(used.error(), kWrongUsage);
+    if (batch.noSidecars && written.empty())
+        return failWith({"no file that is written has a record", "--no-sidecars", "leave it out, or add a picture or a cloud to --results"},
+                        kWrongUsage);
+    if (const auto one = checkOnePose(batch.asked, batch.read); !one) return failWith(one.error(), kWrongUsage);
+    if (const auto used = checkWriting(ofFiles, written, batch.method); !used) return failWith(used.error(), kWrongUsage);
     batch.withRocks = batch.withRocks || std::ranges::any_of(*wanted, &WantedFile::isOfRocks);
     if (const auto rocks = checkRocks(batch.rocks); !rocks) return failWith(rocks.error(), kWrongUsage);
     if (!batch.withRocks && anyTyped(batch.rocks))

@@ -46,9 +46,13 @@ Result<inspect::RegistrationRequest> wishOf(const CompareFlags& flags) {
     return wish;
 }
 
-Result<Done> compare(const CompareFlags& flags) {
+Result<Done> checkUsage(const CompareFlags& flags) {
+    if (auto method = checkMethodAndWarn(flags.method); !method) return method;
     if (auto distinct = checkDistinct(std::array{flags.json, flags.picture}); !distinct) return distinct;
-    if (auto one = checkOnePose({flags.before, flags.now}, flags.read); !one) return one;
+    return checkOnePose({flags.before, flags.now}, flags.read);
+}
+
+Result<Done> compare(const CompareFlags& flags) {
     claimInput(flags.before);
     claimInput(flags.now);
     if (auto can = checkOutputs(std::array{flags.json, flags.picture}); !can) return can;
@@ -59,6 +63,8 @@ Result<Done> compare(const CompareFlags& flags) {
     const auto now = detected(flags, flags.now);
     if (!now) return now.error();
     const Scan& later = *(*now)->scan;
+    if (flags.bySurfaces && flags.poses.empty() && !later.placement && !(*before)->scan->placement)
+        printError("--by-surfaces has no effect: no scan has a pose; leave it out.");
     const auto found = inspect::sceneChange({(*now)->scan, (*now)->mask}, {(*before)->scan, (*before)->mask}, *wish);
     if (!found) return found.error();
     if (!flags.picture.empty()) {
@@ -90,9 +96,9 @@ void addCompare(CLI::App& app, int& code) {
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     command.callback([flags, &code] {
-        const Result<Done> method = checkMethodAndWarn(flags->method);
-        const Result<Done> result = method ? compare(*flags) : method;
-        code = result ? kDone : method ? kRefused : kWrongUsage;
+        const Result<Done> usage = checkUsage(*flags);
+        const Result<Done> result = usage ? compare(*flags) : usage;
+        code = result ? kDone : usage ? kRefused : kWrongUsage;
         if (!result) printError(result.error());
     });
 }

@@ -21,11 +21,13 @@ struct Convert {
 };
 
 int run(const Convert& convert) {
-    if (files::writtenFormat(convert.out) == nullptr)
-        return failWith({"the extension names no format that can be written", convert.out, "use " + files::writtenExtensions(true)},
-                        kWrongUsage);
-    if (auto used = checkWriting(convert.write, {{&exports::exportKind(exports::ExportContent::WholeScan), convert.out}}); !used)
-        return failWith(used.error(), kWrongUsage);
+    const exports::ExportKind& whole = exports::exportKind(exports::ExportContent::WholeScan);
+    if (auto known = exports::checkExtension(whole, convert.out, convert.out, ", "); !known) {
+        Error unknown = known.error();
+        if (const std::string flags = flagsFor(convert.out); !flags.empty()) unknown.hint += "; such a file is made by " + flags;
+        return failWith(unknown, kWrongUsage);
+    }
+    if (auto used = checkWriting(convert.write, {{&whole, convert.out}}); !used) return failWith(used.error(), kWrongUsage);
     claimInput(convert.in);
     if (auto can = checkOutputs(std::array{convert.out}); !can) return failWith(can.error());
     Result<Scan> opened = openAndWarn(convert.in, convert.read);
@@ -38,12 +40,11 @@ int run(const Convert& convert) {
     const std::vector<std::string> lost = files::lostOnSaving(
         scan, convert.out,
         {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached, .choices = options.choices});
-    const std::string replaced = replacedMark(convert.out);
     const auto saved = exports::exportWithProvenance(exports::ExportContent::WholeScan, detection, convert.out, options);
     if (!saved) return failWith(saved.error());
     for (const std::string& sentence : lost) printError(printable(convert.in) + ": " + sentence);
     printError(printable(convert.in) + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) +
-               " beams; written to " + placesText({convert.out}) + replaced + ".");
+               " beams; written to " + placesText({convert.out}) + ".");
     printError(placesText({convert.out}) + ": " + exports::coordinatesText(*saved->coordinates));
     return kDone;
 }

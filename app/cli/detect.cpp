@@ -67,7 +67,7 @@ Result<std::string> writeOutputs(const Detect& detect, const Outputs& out, const
         outputs.leftOut(out.json);
     }
     if (auto all = outputs.outcome(); !all) return all.error();
-    return outputs.coordinates();
+    return outputs.coordinates(detect.out.folder);
 }
 
 std::string filledText(const edges::Detection& detection) {
@@ -103,7 +103,7 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     else if (writesFiles(out.paths()))
         printError(found + "; written to " + places + (detect.out.folder.empty() ? "" : ": " + namesText(out.paths(), detect.out.folder)) +
                    ".");
-    if (!coordinates->empty()) printError(places + ": " + *coordinates);
+    if (!coordinates->empty()) printError(*coordinates);
     return Done{};
 }
 
@@ -126,13 +126,14 @@ Result<Done> checkUsage(const Detect& detect) {
     if (auto one = checkOnePose(detect.files, detect.read); !one) return one;
     if (auto known = checkExtensions(detect.out); !known) return known;
     const auto wanted = wantedExports(detect.out, exports::ExportKind::Needs::Edges, "scan", CoordinateFrame::Mine);
-    if (auto used = checkWriting(detect.write, wanted); !used) return used;
+    if (auto used = checkWriting(detect.write, wanted, detect.method); !used) return used;
     if (auto distinct = checkDistinct(typedOutputs(detect)); !distinct) return distinct;
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
         claimInput(file); // before the first scan writes results
         const std::string stem = files::scanName(file);
         if (detect.out.folder.empty() || stems.insert(stem).second) continue;
+        if (std::ranges::count(detect.files, file) > 1) return Error{"this scan is given twice", file, "give it once"};
         return Error{"two scans have the name " + stem + ", and so would their results", file, "give one folder each"};
     }
     return Done{};

@@ -2,7 +2,7 @@
 #include "app/cli/export_flags.h"
 
 #include "app/shared/exits.h"
-#include "core/base/foreign_text.h"
+#include "app/shared/outputs.h"
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/files/formats/formats.h"
@@ -33,12 +33,24 @@ std::vector<const exports::ExportKind*> kindsOf(exports::ExportKind::Needs needs
 }
 
 void addExportFlags(CLI::App& command, exports::ExportKind::Needs needs, ExportPaths& paths, const std::string& group) {
-    for (const exports::ExportKind* kind : kindsOf(needs))
-        command.add_option(kind->flag, paths.of(*kind), helpOf(*kind))->type_name("FILE")->group(group);
+    for (const exports::ExportKind* kind : kindsOf(needs)) {
+        CLI::Option* option = command.add_option(kind->flag, paths.of(*kind), helpOf(*kind))->type_name("FILE")->group(group);
+        if (kind->content == exports::ExportContent::RockReport) option->check(replacesOnly({command.get_name()}));
+    }
 }
 
 void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& group) {
     command.add_option("-o,--output", paths.folder, "Folder for all of these, under the scan's name")->type_name("DIR")->group(group);
+}
+
+std::string flagsFor(const std::string& path) {
+    std::string flags;
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        const std::string extension = asciiLower(fs::path(path).extension().string());
+        if (kind.flag == nullptr || std::ranges::find(kind.files, extension, &exports::ExportFile::extension) == kind.files.end()) continue;
+        flags += (flags.empty() ? "" : ", ") + std::string(exports::isOfRocks(kind.content) ? "rocks " : "detect ") + kind.flag;
+    }
+    return flags;
 }
 
 bool writesFiles(const std::vector<std::string>& paths) {
@@ -58,7 +70,10 @@ Result<Done> checkFolder(const std::string& folder) {
                  "give a folder, or a flag of a single file in place of -o"};
 }
 
-Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExport>& wanted) {
+Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExport>& wanted, const MethodFlags& method) {
+    const auto settings = settingsOf(method);
+    if (settings && write.choices.filled && settings->fillCells == 0)
+        return Error{"no gap is filled", "--with-filled", "give --fill and how many cells, or leave this out"};
     const char* idle = idleWriting(write, wanted);
     if (idle == nullptr) return Done{};
     return Error{"this flag changes no file that is written", std::string("--") + idle, "leave it out, or write a file that it changes"};
@@ -91,23 +106,6 @@ std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::Expor
         }
     }
     return wanted;
-}
-
-std::string namesText(const std::vector<std::string>& paths, const std::string& folder) {
-    std::string names;
-    for (const std::string& path : paths) {
-        const bool isInside = fs::path(path).parent_path() == fs::path(folder + "/").parent_path();
-        if (!path.empty()) names += (names.empty() ? "" : ", ") + printable(isInside ? fs::path(path).filename().string() : path);
-    }
-    return names;
-}
-
-std::string placesText(const std::vector<std::string>& paths) {
-    std::string places;
-    for (const std::string& path : paths) {
-        if (!path.empty()) places += (places.empty() ? "" : ", ") + (isStreamOrDevice(path) ? "standard output" : printable(path));
-    }
-    return places;
 }
 
 } // namespace edgescan::cli

@@ -30,6 +30,9 @@ void addExportFlags(CLI::App& command, exports::ExportKind::Needs needs, ExportP
 /// Adds -o DIR, for all of them at once.
 void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& group);
 
+/// "detect --mask, detect --gray": the commands and flags that write a file of this name; empty: there are none.
+[[nodiscard]] std::string flagsFor(const std::string& path);
+
 /// Error: an extension that names no format for the kind, or a folder with the name of a file.
 Result<Done> checkExtensions(const ExportPaths& paths);
 
@@ -43,12 +46,7 @@ Result<Done> checkFolder(const std::string& folder);
 [[nodiscard]] std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::ExportKind::Needs needs,
                                                       const std::string& scanName, CoordinateFrame frame);
 
-/// Error: a writing flag that changes no file among these.
-Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExport>& wanted);
-
-/// Their names in the folder; of those elsewhere the paths.
-[[nodiscard]] std::string namesText(const std::vector<std::string>& paths, const std::string& folder);
-/// "a.pcd, standard output".
-[[nodiscard]] std::string placesText(const std::vector<std::string>& paths);
+/// Error: a writing flag that changes no file among these, or filled cells without filling.
+Result<Done> checkWriting(const WriteFlags& write, const std::vector<WantedExport>& wanted, const MethodFlags& method = noFlags());
 
 } // namespace edgescan::cli

@@ -105,10 +105,16 @@ int main(int argc, char** argv) {
     cli::surviveFileLimit();
     const BindInputs inputs; // no input file can be overwritten
     std::vector<cli::CommandText> texts;
-    for (const Command& command : commandsFor(argc, argv)) {
+    const std::vector<Command> typed = commandsFor(argc, argv);
+    for (const Command& command : typed) {
         command.add(app, code);
         texts.push_back(command.text);
     }
+    const auto addOthers = [&] {
+        for (const Command& command : typed.size() == 1 ? commands() : std::vector<Command>()) {
+            if (command.text.name != typed.front().text.name) command.add(app, code);
+        }
+    };
     cli::addPages(app, {"edgescan-cli",
                         "edges of rocks in laser range scans",
                         {"edgescan-lab simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
@@ -118,5 +124,5 @@ int main(int argc, char** argv) {
                          {"SCAN.u16", "the ranges of the raw grid SCAN.json"},
                          {"~/.config/edgescan/audit.jsonl", "the viewer's audit log, which audit checks"}},
                         texts});
-    return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
+    return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv, addOthers).value_or(code); });
 }

@@ -100,6 +100,7 @@ Result<Done> make(const ReportCommand& report) {
     if (!report.before.empty()) {
         auto found = changeSince(report, *detection);
         if (!found) return found.error();
+        for (const std::string& warning : found->earlier.how.warnings) printError(printable(report.before) + ": " + warning);
         notes.change = &change.emplace(std::move(*found));
     }
     const std::string page = exports::scanPage(*detection, words, notes);

@@ -137,7 +137,7 @@ Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detecti
     if (auto all = outputs.outcome(); !all) return all;
     const bool inFolder = !flags.out.folder.empty();
     std::string places = inFolder ? printable(flags.out.folder) : placesText({paths.begin() + 1, paths.end()});
-    if (!flags.writeEdits.empty()) places += (places.empty() ? "" : ", ") + printable(flags.writeEdits);
+    if (!flags.writeEdits.empty()) places += (places.empty() ? "" : ", ") + placesText({flags.writeEdits});
     if (flags.why.empty() && places.empty())
         printResult(summary(*study, flags.file));
     else if (flags.why.empty() && writesFiles(paths))
@@ -146,7 +146,7 @@ Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detecti
     if (study->rocks.empty() && !files.empty())
         printError(printable(flags.file) +
                    ": no rock was found, so the files hold none; a smaller --min-cells or another --level finds more.");
-    if (const std::string coordinates = outputs.coordinates(); !coordinates.empty()) printError(places + ": " + coordinates);
+    if (const std::string coordinates = outputs.coordinates(flags.out.folder); !coordinates.empty()) printError(coordinates);
     return Done{};
 }
 
@@ -177,7 +177,8 @@ std::vector<std::string> typedOutputs(const RocksFlags& flags) {
 // Wrong usage is reported before any file is read.
 Result<Done> checkUsage(RocksFlags& flags) {
     if (auto known = checkExtensions(flags.out); !known) return known;
-    if (auto used = checkWriting(flags.write, wantedExports(flags.out, kRocks, "scan", CoordinateFrame::Mine)); !used) return used;
+    if (auto used = checkWriting(flags.write, wantedExports(flags.out, kRocks, "scan", CoordinateFrame::Mine), flags.method); !used)
+        return used;
     if (auto distinct = checkDistinct(typedOutputs(flags)); !distinct) return distinct;
     const bool noPlane = flags.through.empty() && flags.throughRock == 0;
     if (const std::string& section = flags.out.of(exports::exportKind(exports::ExportContent::Section)); noPlane != section.empty())
@@ -261,6 +262,7 @@ void addRocks(CLI::App& app, int& code) {
         ->group(group);
     command.add_option("--write-edits", flags->writeEdits, "New file for settings and edits, those of --split included")
         ->type_name("FILE")
+        ->check(replacesOnly({"rock-edits"}))
         ->group(group);
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);

@@ -1,6 +1,7 @@
 // edgescan-cli thumbnail: a small picture of a scan, for file managers.
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
+#include "app/shared/outputs.h"
 #include "core/base/foreign_text.h"
 #include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
@@ -47,7 +48,7 @@ int run(const Thumbnail& thumbnail) {
     const Grid<std::uint8_t> picture = shrunk(*scan, edges::grayImage(*scan, edges::Settings{}).levels, thumbnail.size);
     const Result<Done> saved = containers::savePng8(picture, thumbnail.out);
     printError(saved ? printable(thumbnail.in) + ": " + std::to_string(picture.beams) + " x " + std::to_string(picture.lines) +
-                           " pixels; written to " + printable(thumbnail.out) + "."
+                           " pixels; written to " + placesText({thumbnail.out}) + "."
                      : saved.error().sentence());
     return saved ? kDone : kRefused;
 }

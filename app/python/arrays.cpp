@@ -138,8 +138,11 @@ void warnOfSeldomMeant(Scan& scan, const Arrays& arrays) {
     const auto withinTurn = [](const std::vector<double>& angles) {
         return std::ranges::all_of(angles, [](double angle) { return std::abs(angle) <= kTurn; });
     };
-    if (arrays.beamDeg.size() >= kFewestBeams && std::abs(arrays.beamDeg.back() - arrays.beamDeg.front()) >= kWideFan &&
-        withinTurn(arrays.beamDeg) && withinTurn(arrays.lineDeg))
+    const double fan = arrays.beamDeg.empty() ? 0 : std::abs(arrays.beamDeg.back() - arrays.beamDeg.front());
+    if (arrays.beamDeg.size() >= kFewestBeams && fan < 1)
+        scan.warnings.push_back("The beams span " + significantText(fan, 2) +
+                                " degrees: check that the angles are degrees and not radians.");
+    if (arrays.beamDeg.size() >= kFewestBeams && fan >= kWideFan && withinTurn(arrays.beamDeg) && withinTurn(arrays.lineDeg))
         scan.warnings.emplace_back(
             "All angles are below 6.29 degrees, so they may be radians: give numpy.degrees() of them where they are.");
 }

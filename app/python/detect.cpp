@@ -112,8 +112,6 @@ std::size_t write(const edges::Detection& detection, exports::ExportContent cont
         const BindInputs inputs;
         const Scan& scan = *detection.scan;
         if (!scan.path.empty()) claimInput(scan.path);
-        if (content == exports::ExportContent::WholeScan && files::writtenFormat(path) == nullptr)
-            throw Refused{{"the extension names no format that can be written", path, "use " + files::writtenExtensions(true)}};
         const exports::ExportOptions options = cli::exportOptions(flags, scan, path);
         return valueOf(exports::exportWithProvenance(content, detection, path, options)).count;
     });

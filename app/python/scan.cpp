@@ -4,6 +4,7 @@
 
 #include "core/base/file_address.h"
 #include "core/base/foreign_text.h"
+#include "core/base/inputs.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/scan/georef/placed_points.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace edgescan::python {
 namespace {
@@ -33,9 +35,12 @@ ReadingOptions optionsOf(const Typed& typed) {
 
 ScanObject openFile(const std::string& path, const Typed& typed) {
     const ReadingOptions options = optionsOf(typed);
+    const BindInputs inputs; // no file that the scan was read from is replaced while there is the scan
     Result<Scan> scan = unlocked([&] { return files::openAsAsked(path, options); });
     raiseSignal();
-    return {std::make_shared<const Scan>(valueOf(std::move(scan)))};
+    const auto held =
+        std::make_shared<const std::pair<Scan, std::shared_ptr<const InputClaims>>>(valueOf(std::move(scan)), inputs.claims());
+    return {ScanPtr(held, &held->first)};
 }
 
 /// A scan of a file's content, given its extension.

@@ -2,8 +2,10 @@
 #include "app/shared/outputs.h"
 
 #include "app/shared/exits.h"
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/own_kind.h"
+#include "core/base/replaced_files.h"
 #include "core/base/whole_file.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/sidecar_grid.h"
@@ -24,6 +26,8 @@ fs::path whole(const fs::path& path) {
     const auto target = finalTarget(path); // a link may lead to a file that does not exist yet
     return fs::weakly_canonical(fs::absolute(target ? *target : path, ignored), ignored);
 }
+
+std::string placeText(const std::string& path) { return isStreamOrDevice(path) ? "standard output" : printable(path); }
 
 std::string namesOf(const std::vector<std::string>& paths) {
     std::string names;
@@ -50,9 +54,8 @@ Result<Done> writeDocument(const std::string& path, const Json& document, bool i
     return writeWholeFile(path, exports::reportText(document, indented) + "\n");
 }
 
-CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what, std::vector<std::string> documents) {
-    if (documents.empty()) documents = {command.get_name()};
-    const auto replaces = [documents](const std::string& file) {
+CLI::Validator replacesOnly(std::vector<std::string> documents) {
+    const auto replaces = [documents = std::move(documents)](const std::string& file) {
         std::string refused;
         for (const std::string& name : documents) {
             const auto same = checkIsOfKind(file, "edgescan-" + name);
@@ -61,10 +64,15 @@ CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string
         }
         return refused;
     };
+    return {replaces, ""};
+}
+
+CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what, std::vector<std::string> documents) {
+    if (documents.empty()) documents = {command.get_name()};
     return *command.add_option("--json", path, what + "; - is standard output")
                 ->type_name("FILE")
                 ->check(namedAs("JSON", ".json"))
-                ->check(CLI::Validator(replaces, ""));
+                ->check(replacesOnly(std::move(documents)));
 }
 
 void JsonLines::add(const Json& document) {
@@ -101,9 +109,23 @@ Result<Done> checkOutputs(std::span<const std::string> outputs) {
     return Done{};
 }
 
-std::string replacedMark(const std::string& path) {
-    std::error_code none;
-    return !isStreamOrDevice(path) && fs::is_regular_file(path, none) ? " (replaced)" : "";
+std::string placesText(const std::vector<std::string>& paths) {
+    std::string places;
+    for (const std::string& path : paths) {
+        if (!path.empty()) places += (places.empty() ? "" : ", ") + placeText(path) + (popReplaced(path) ? " (replaced)" : "");
+    }
+    return places;
+}
+
+std::string namesText(const std::vector<std::string>& paths, const std::string& folder) {
+    std::string names;
+    for (const std::string& path : paths) {
+        if (path.empty()) continue;
+        const bool isInside = fs::path(path).parent_path() == fs::path(folder + "/").parent_path();
+        names += (names.empty() ? "" : ", ") + printable(isInside ? fs::path(path).filename().string() : path) +
+                 (popReplaced(path) ? " (replaced)" : "");
+    }
+    return names;
 }
 
 CLI::Validator namedAs(const char* kind, const char* extension, bool orStream) {
@@ -119,6 +141,7 @@ CLI::Validator namedAs(const char* kind, const char* extension, bool orStream) {
 void WrittenOutputs::add(const std::string& path, const Result<exports::Written>& written) {
     add<exports::Written>(path, written);
     if (!written || !written->coordinates) return;
+    placed_.push_back(placeText(path));
     const auto same = std::ranges::find(coordinates_, written->coordinates->frame, &exports::WrittenCoordinates::frame);
     if (same != coordinates_.end())
         same->add(*written->coordinates);
@@ -126,10 +149,12 @@ void WrittenOutputs::add(const std::string& path, const Result<exports::Written>
         coordinates_.push_back(*written->coordinates);
 }
 
-std::string WrittenOutputs::coordinates() const {
-    std::string text;
-    for (const exports::WrittenCoordinates& each : coordinates_) text += (text.empty() ? "" : " ") + exports::coordinatesText(each);
-    return text;
+std::string WrittenOutputs::coordinates(const std::string& folder) const {
+    std::string text = printable(folder);
+    for (const std::string& place : folder.empty() ? placed_ : std::vector<std::string>()) text += (text.empty() ? "" : ", ") + place;
+    for (const exports::WrittenCoordinates& each : coordinates_)
+        text += (&each == &coordinates_.front() ? ": " : " ") + exports::coordinatesText(each);
+    return coordinates_.empty() ? std::string() : text;
 }
 
 Result<Done> WrittenOutputs::outcome() const {

@@ -23,6 +23,9 @@ namespace edgescan::cli {
 /// Writes a document as a whole file; "-" is standard output. Indented, or on one line.
 [[nodiscard]] Result<Done> writeDocument(const std::string& path, const nlohmann::ordered_json& document, bool indented = true);
 
+/// Refuses a file that holds something else than one of these documents.
+[[nodiscard]] CLI::Validator replacesOnly(std::vector<std::string> documents);
+
 /// Adds --json FILE, which has one meaning in every command. `what`: what the JSON holds. `documents`: the names given to document(), if
 /// not that of the command; a file that is neither is not replaced.
 CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what, std::vector<std::string> documents = {});
@@ -46,8 +49,10 @@ Result<Done> checkDistinct(std::span<const std::string> outputs);
 /// Error if one of them cannot be written, as far as this is known before the work begins: no folder, an input, a name that is too long.
 Result<Done> checkOutputs(std::span<const std::string> outputs);
 
-/// " (replaced)" if there is a file of this name, before it is written.
-[[nodiscard]] std::string replacedMark(const std::string& path);
+/// "a.pcd (replaced), standard output": what was written, and what of it was there before.
+[[nodiscard]] std::string placesText(const std::vector<std::string>& paths);
+/// Their names in the folder; of those elsewhere the paths.
+[[nodiscard]] std::string namesText(const std::vector<std::string>& paths, const std::string& folder);
 
 /// Refuses other names than of this kind ("a picture", ".png"). `orStream`: standard output and devices have any.
 [[nodiscard]] CLI::Validator namedAs(const char* kind, const char* extension, bool orStream = true);
@@ -70,13 +75,14 @@ public:
     [[nodiscard]] bool allWritten() const { return !first_; }
     /// Error: the first one, with the names of what was written and of what else was not.
     [[nodiscard]] Result<Done> outcome() const;
-    /// The frame and the extent of all of them, by frame: the last line of a command. Empty where there are no coordinates.
-    [[nodiscard]] std::string coordinates() const;
+    /// The frame and the extent of all of them, by frame, behind the folder or else the files that have them: the last line of a command.
+    /// Empty where there are no coordinates.
+    [[nodiscard]] std::string coordinates(const std::string& folder) const;
 
 private:
     std::optional<Error> first_;
     std::vector<exports::WrittenCoordinates> coordinates_; ///< one per frame
-    std::vector<std::string> written_, missing_;           ///< missing: besides the first
+    std::vector<std::string> written_, placed_, missing_;  ///< placed: with coordinates; missing: besides the first
 };
 
 } // namespace edgescan::cli

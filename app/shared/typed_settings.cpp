@@ -65,7 +65,10 @@ namespace {
 std::string neededFor(const edges::Parameter& parameter, const edges::Settings& settings) {
     for (const edges::Parameter& other : edges::parameters()) {
         if (std::string_view(other.key) == "method" || &other == &parameter || !other.usedBy(settings)) continue;
-        for (const double value : {1.0, other.minimum, other.maximum}) {
+        std::vector<double> values; // the smallest choice that will do
+        for (const edges::Choice& choice : other.choices) values.push_back(choice.value);
+        values.insert(values.end(), {1.0, other.minimum, other.maximum});
+        for (const double value : values) {
             edges::Settings tried = settings;
             other.set(tried, std::clamp(value, other.minimum, other.maximum));
             if (parameter.usedBy(tried)) return edges::flagOf(other) + " " + edges::formatValue(other, other.get(tried));
@@ -173,7 +176,8 @@ const char* idleWriting(const WriteFlags& flags, std::span<const WantedExport> w
     };
     const auto holdsCoordinates = [&](const WantedExport& one) {
         using File = exports::ExportFile;
-        if (extensionOf(one).empty()) // standard output
+        if (one.kind->holds == Holds::Scan && !holdsPoints(one)) return false; // a grid or a recording holds ranges
+        if (extensionOf(one).empty())                                          // standard output
             return std::ranges::any_of(one.kind->files, [](const File& file) { return file.coordinates != File::Coordinates::None; });
         return exports::frameOfFile(one.kind->content, one.path, {.frame = CoordinateFrame::Mine}).has_value();
     };

@@ -5,7 +5,10 @@
 #include "core/base/file_address.h"
 #include "core/base/instruction_set.h"
 #include "core/base/nearest_name.h"
+#include "core/base/replaced_files.h"
 #include "core/base/result.h"
+#include "core/edges/settings/parameters.h"
+#include "core/rocks/selection/rock_settings.h"
 
 #include <algorithm>
 #include <array>
@@ -23,8 +26,15 @@ void checkValues(CLI::App& app, const std::vector<std::string>& words) {
     const auto someValue = [](const std::string& value) {
         return value.empty() ? std::string("the value is empty; give one, or leave this out") : std::string();
     };
-    for (CLI::Option* option : app.get_options([](const CLI::Option* one) { return one->get_items_expected_max() > 0; }))
+    const auto noFile = [](const std::string& value) {
+        std::error_code ignored;
+        return std::filesystem::is_regular_file(value, ignored) ? value + ": this is the name of one file; give the name of a folder"
+                                                                : std::string();
+    };
+    for (CLI::Option* option : app.get_options([](const CLI::Option* one) { return one->get_items_expected_max() > 0; })) {
         option->check(someValue);
+        if (option->get_type_name() == "DIR") option->check(noFile);
+    }
     const auto trueOrFalse = [](const std::string& value) {
         return value == "true" || value == "false" ? std::string()
                                                    : "\"" + value + "\" is not true or false; write the flag alone, or with =false";
@@ -51,12 +61,6 @@ struct Renamed {
 constexpr std::array kRenamed = std::to_array<Renamed>({
     {"", "change", "compare"},
     {"", "serve", "edgescan-lab emulate"},
-    {"", "simulate", "edgescan-lab simulate"},
-    {"", "emulate", "edgescan-lab emulate"},
-    {"", "calibrate", "edgescan-lab calibrate"},
-    {"", "evaluate", "edgescan-lab evaluate"},
-    {"", "benchmark", "edgescan-lab benchmark"},
-    {"", "repeatability", "edgescan-lab repeatability"},
     {"", "help", "COMMAND --help"},
     {"*", "--threshold", "--edge-strength, or --lower for gray levels"},
     {"*", "--strength", "--edge-strength"},
@@ -74,22 +78,48 @@ constexpr std::array kRenamed = std::to_array<Renamed>({
     {"batch", "--strict", "the exit code: it is 4 where a scan was refused or failed"},
     {"emulate", "--split", "--split-sends"},
     {"emulate", "--merge", "--merge-sends"},
+    {"emulate", "--loss", "--lose-every N"},
     {"simulate", "--repeat", "--sweep-number"},
     {"simulate", "--rocks", "--rock-count"},
     {"simulate", "--hole", "--hole-shape"},
     {"simulate", "--holes", "--hole-count"},
 });
 
-std::string hintFor(std::string_view command, const std::string& typed, const std::vector<std::string>& known, const std::string& list) {
-    const auto renamed = std::ranges::find_if(kRenamed, [&](const Renamed& one) {
-        return (one.command == command || (one.command == "*" && !command.empty())) && one.old == std::string_view(typed);
-    });
-    const bool isThere =
-        renamed != kRenamed.end() &&
-        (renamed->command != "*" || std::ranges::any_of(known, [&](const std::string& one) { return renamed->now.starts_with(one); }));
-    if (isThere) return "use " + std::string(renamed->now);
-    const std::string meant = nearestName(typed, known);
-    return (meant.empty() ? "" : "did you mean " + meant + "? ") + list;
+/// The programs and their commands.
+struct Program {
+    std::string_view name, commands;
+};
+constexpr std::array kPrograms{
+    Program{"edgescan-cli", " audit batch compare convert detect info record replay report rocks thumbnail verify why "},
+    Program{"edgescan-lab", " benchmark calibrate clicks emulate evaluate families learn-borders learn-confidence learn-edges learn-rocks "
+                            "repeatability simulate stones "}};
+
+/// A name that can be meant, and what to do then.
+struct Meaning {
+    std::string name, hint;
+};
+
+/// The hint of the name that was typed, or of the nearest one; at last `list`.
+std::string hintFor(const std::vector<Meaning>& meanings, const std::string& typed, const std::string& list) {
+    if (const auto same = std::ranges::find(meanings, typed, &Meaning::name); same != meanings.end()) return same->hint;
+    std::vector<std::string> names;
+    for (const Meaning& one : meanings) {
+        if (one.name.size() > 2) names.push_back(one.name); // every letter is near to every other
+    }
+    const auto near = std::ranges::find(meanings, nearestName(typed, names), &Meaning::name);
+    return near == meanings.end() ? list : near->hint + (near->hint.ends_with('?') ? " " + list : "");
+}
+
+/// Old names first, then the names themselves.
+std::vector<Meaning> meaningsOf(std::string_view command, const std::vector<std::string>& known) {
+    std::vector<Meaning> all;
+    for (const Renamed& one : kRenamed) {
+        const auto isKnown = [&](const std::string& name) { return one.now.starts_with(name); };
+        if (one.command == command || (one.command == "*" && !command.empty() && std::ranges::any_of(known, isKnown)))
+            all.push_back({std::string(one.old), "use " + std::string(one.now)});
+    }
+    for (const std::string& name : known) all.push_back({name, "did you mean " + name + "?"});
+    return all;
 }
 
 using Apps = std::vector<const CLI::App*>;
@@ -111,7 +141,13 @@ std::optional<Error> unknownCommand(const CLI::App& app, const std::vector<std::
     if (std::ranges::find(names, words[1]) != names.end()) return std::nullopt;
     if (std::ranges::find(names, "detect") != names.end() && isThere(words[1]))
         return Error{"this is a file, not a command", words[1], "type " + programName() + " detect " + words[1]};
-    return Error{"there is no such command", words[1], hintFor("", words[1], names, list)};
+    if (app.get_option_no_throw("--" + words[1]) != nullptr) return Error{"there is no such command", words[1], "use --" + words[1]};
+    std::vector<Meaning> meanings = meaningsOf("", names);
+    for (const Program& other : kPrograms) {
+        if (other.commands.find(" " + words[1] + " ") != std::string_view::npos)
+            meanings.push_back({words[1], "use " + std::string(other.name) + " " + words[1]});
+    }
+    return Error{"there is no such command", words[1], hintFor(meanings, words[1], list)};
 }
 
 bool isFlag(const std::string& word) { return word.size() > 1 && word.starts_with('-'); }
@@ -120,6 +156,71 @@ bool isFlag(const std::string& word) { return word.size() > 1 && word.starts_wit
 const CLI::App& commandOf(const CLI::App& app) {
     const auto typed = app.get_subcommands();
     return typed.empty() ? app : *typed.front();
+}
+
+/// "FILE", "NUMBER 0..1": the value of a flag; only a number with its limits.
+std::string valueOf(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    const std::string word = type.substr(0, type.find_first_of(type.starts_with("NUMBER") ? "{:" : " {:"));
+    return word.empty() || word == "TEXT" ? "VALUE" : word;
+}
+
+/// "FILE", "-o DIR", "--cell LINE,BEAM LINE,BEAM": how an argument or a flag is written, with each value that it must have.
+std::string valuesOf(const CLI::Option& option) {
+    const std::string one = option.get_positional() ? option.get_name() : valueOf(option);
+    std::string text = option.get_positional() ? "" : option.get_snames().empty() ? option.get_name() : "-" + option.get_snames().front();
+    for (int n = 0; n < std::max(1, option.get_items_expected_min()); ++n) text += (text.empty() ? "" : " ") + one;
+    return text;
+}
+
+/// A command with the arguments and flags that it needs; of an argument or a flag with several values as many.
+std::string usageOf(const CLI::App& app, const CLI::App& command) {
+    std::string line = programName() + (&command == &app ? "" : " " + command.get_name());
+    for (const bool arguments : {true, false}) {
+        for (const CLI::Option* one : command.get_options([&](const CLI::Option* o) { return o->get_required(); })) {
+            if (one->get_positional() == arguments) line += " " + valuesOf(*one);
+        }
+    }
+    return line;
+}
+
+/// The flags with their names, "--jump", that the help shows.
+std::vector<std::string> longFlagsOf(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options([](const CLI::Option* one) { return !one->get_group().empty(); }))
+        for (const std::string& one : option->get_lnames()) names.push_back("--" + one);
+    return names;
+}
+
+/// "Crease angle" of the window is --crease-angle.
+template <class Rows>
+void addLabels(std::vector<Meaning>& meanings, const Rows& rows, const std::vector<std::string>& known) {
+    for (const auto& row : rows) {
+        std::string label = std::string("--") + row.label;
+        std::ranges::transform(label, label.begin(), [](char c) {
+            return c == ' ' ? '-' : c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+        });
+        const std::string flag = std::string("--") + row.key;
+        if (std::ranges::find(known, flag) != known.end()) meanings.push_back({label, "use " + flag});
+    }
+}
+
+/// What an unknown flag can mean: an old name, the name in the window, or a flag of other commands.
+std::vector<Meaning> flagMeanings(const CLI::App& app, const CLI::App& command, const std::string& typed) {
+    const std::string name = &command == &app ? "" : command.get_name();
+    const std::vector<std::string> known = longFlagsOf(command);
+    std::vector<Meaning> meanings = meaningsOf(name, known);
+    addLabels(meanings, edges::parameters(), known);
+    addLabels(meanings, rocks::rockParameters(), known);
+    std::string others;
+    for (const CLI::App* other : app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); })) {
+        if ("--" + other->get_name() == typed && name.empty())
+            meanings.push_back({typed, "this is a command: type " + usageOf(app, *other)});
+        const std::vector<std::string> flags = longFlagsOf(*other);
+        if (std::ranges::find(flags, typed) != flags.end()) others += (others.empty() ? "" : ", ") + other->get_name();
+    }
+    if (!others.empty()) meanings.push_back({typed, "it is a flag of " + others});
+    return meanings;
 }
 
 /// Of a command line with `left` that are not expected.
@@ -134,32 +235,21 @@ Error unexpected(const CLI::App& app, const std::vector<std::string>& words, con
         // "--cell 1 2": the values of one flag, with a blank between them
         const CLI::Option* option = at - words.begin() < 3 || at == words.end() ? nullptr : command.get_option_no_throw(*(at - 2));
         const bool pair = option != nullptr && option->get_type_name().find(',') != std::string::npos;
-        return Error{"this argument is one too many", extra, pair ? "write " + *(at - 2) + " " + option->get_type_name() : list};
+        return Error{"this argument is one too many", extra,
+                     pair ? "write " + *(at - 2) + " " + option->get_type_name()
+                          : "type " + usageOf(app, command) + (isThere(extra) ? ", once for each" : "")};
     }
     if (isThere(*flag)) return Error{"this file is read as a flag", *flag, "write ./" + *flag};
     const std::string typed = flag->substr(0, flag->find('='));
     if (words.size() > 1 && isFlag(words[1]) && !name.empty() && *flag == words[1])
         return Error{"this flag belongs behind the command", typed, "type " + programName() + " " + name + " " + typed};
-    std::vector<std::string> known;
-    for (const CLI::Option* option : command.get_options([](const CLI::Option* one) { return !one->get_group().empty(); }))
-        for (const std::string& one : option->get_lnames()) known.push_back("--" + one);
-    return Error{"there is no such flag", typed, hintFor(name, typed, known, list)};
-}
-
-/// "FILE", "NUMBER 0..1": the value of a flag; only a number with its limits.
-std::string valueOf(const CLI::Option& option) {
-    const std::string type = option.get_type_name();
-    const std::string word = type.substr(0, type.find_first_of(type.starts_with("NUMBER") ? "{:" : " {:"));
-    return word.empty() || word == "TEXT" ? "VALUE" : word;
+    return Error{"there is no such flag", typed, hintFor(flagMeanings(app, command, typed), typed, list)};
 }
 
 /// An argument that must be there and is not.
 Error missing(const CLI::App& app, const CLI::App& command, const CLI::Option& option) {
     if (!option.get_positional()) return {option.get_name() + " is missing", "", "give " + option.get_name() + " " + valueOf(option)};
-    std::string line = programName() + (&command == &app ? "" : " " + command.get_name());
-    for (const CLI::Option* one : command.get_options([](const CLI::Option* o) { return o->get_positional() && o->get_required(); }))
-        line += " " + one->get_name();
-    return {option.get_name() + " is missing", "", "type " + line};
+    return {option.get_name() + " is missing", "", "type " + usageOf(app, command)};
 }
 
 Error noValue(const CLI::Option& option) {
@@ -167,7 +257,7 @@ Error noValue(const CLI::Option& option) {
 }
 
 /// Another number of values than the option takes: none, too few, or too many.
-Error otherCount(const CLI::Option& option, const std::string& sentence, const std::vector<std::string>& words) {
+Error otherCount(const CLI::App& app, const CLI::Option& option, const std::string& sentence, const std::vector<std::string>& words) {
     constexpr std::string_view kReceived = "received ";
     const std::size_t at = sentence.find(kReceived);
     const int least = option.get_items_expected_min();
@@ -182,10 +272,12 @@ Error otherCount(const CLI::Option& option, const std::string& sentence, const s
     }
     if (least < 2 && names.find(' ') != names.npos) return {names + " are one flag", "", "give one of them, once"};
     if (least < 2) return {option.get_name() + " is given more than once", "", "give it once"};
-    return {"takes " + std::to_string(least) + " values and got " + sentence.substr(at + kReceived.size()), option.get_name(),
-            (option.get_delimiter() == ',' ? "write \"" + typed + "\" as " + std::to_string(least) + " numbers with commas between them: "
-                                           : "its values: ") +
-                option.get_description()};
+    const std::string count = std::to_string(least);
+    const std::string hint = option.get_delimiter() == ','
+                                 ? "write \"" + typed + "\" as " + count + " numbers with commas between them: " + option.get_description()
+                             : option.get_positional() ? "type " + usageOf(app, commandOf(app))
+                                                       : "give " + valuesOf(option);
+    return {"takes " + count + " values and got " + sentence.substr(at + kReceived.size()), option.get_name(), hint};
 }
 
 /// "\"inch\" is not one of its values; use mm, cm or m" of CLI11's "inch not in {mm,cm,m}"; our own sentences stay.
@@ -211,7 +303,8 @@ Error inOurWords(const CLI::App& app, const std::vector<std::string>& words, con
     const CLI::Option* option = command.get_option_no_throw(name);
     const std::string list = (&command == &app ? "" : command.get_name() + " ") + "--help lists all flags";
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && option != nullptr) return missing(app, command, *option);
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && option != nullptr) return otherCount(*option, sentence, words);
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && option != nullptr)
+        return otherCount(app, *option, sentence, words);
     if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) return {sentence, "", "give one of them"};
     if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return {sentence, "", "give both"};
     if (dynamic_cast<const CLI::ValidationError*>(&error) == nullptr) return {sentence, "", list};
@@ -243,15 +336,25 @@ std::string withTwoDashes(std::string_view word) {
 }
 
 /// What the parser would take for something else: a flag as a value or as a file. After -- every word is a file: `words` gets "./-x" for
-/// "-x".
+/// "-x". "-.ply" is standard output, and the parser gets it last.
 Result<Done> checkFlags(const CLI::App& app, std::vector<std::string>& words) {
     const Apps commands = app.get_subcommands([&](const CLI::App* one) { return words.size() > 1 && one->get_name() == words[1]; });
     const CLI::App& command = commands.empty() ? app : *commands.front();
     const auto optionOf = [&](const std::string& word) {
         return isFlag(word) ? command.get_option_no_throw(word.substr(0, word.find('='))) : nullptr;
     };
+    std::vector<std::string> streams;
+    const auto addStreams = [&] {
+        if (!streams.empty()) words.emplace_back("--");
+        words.insert(words.end(), streams.begin(), streams.end());
+    };
     std::size_t n = 1;
     for (; n < words.size() && words[n] != "--"; ++n) {
+        if (words[n].starts_with("-.") && !isThere(words[n])) {
+            streams.push_back(words[n]);
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(n--));
+            continue;
+        }
         std::string flag = withTwoDashes(words[n]);
         if (flag.size() == 3 && optionOf(flag) == nullptr) flag.erase(0, 1); // of one letter
         if (optionOf(flag) != nullptr) return Error{"this begins with a long dash", words[n], "write " + flag};
@@ -266,18 +369,19 @@ Result<Done> checkFlags(const CLI::App& app, std::vector<std::string>& words) {
             if (words[n] == "--" || optionOf(words[n]) != nullptr) return noValue(*option);
         }
     }
-    if (n >= words.size()) return Done{};
+    if (n >= words.size()) return addStreams(), Done{};
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(n));
     for (; n < words.size(); ++n) {
         if (optionOf(words[n]) != nullptr) return Error{"after -- every word is a file", words[n], "write flags before --"};
         if (isFlag(words[n])) words[n].insert(0, "./");
     }
+    addStreams();
     return Done{};
 }
 
 } // namespace
 
-std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
+std::optional<int> parsed(CLI::App& app, int argc, char** argv, const std::function<void()>& addOthers) {
     if (const auto set = wantedInstructionSet(); !set) return failWith(set.error(), kWrongUsage);
     std::vector<std::string> words;
     std::vector<const char*> typed;
@@ -292,6 +396,10 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
     try {
         checkValues(app, words);
         app.parse(static_cast<int>(typed.size()), typed.data());
+        for (const std::string& word : words) { // what no command has said yet
+            const std::string path = isFlag(word) ? word.substr(word.find('=') + 1) : word;
+            if (popReplaced(path)) printError(path + ": replaced.");
+        }
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
@@ -300,7 +408,7 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
         const bool counted =
             dynamic_cast<const CLI::RequiredError*>(&error) != nullptr || dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
         if ((counted && std::ranges::any_of(left, isFlag)) || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
-            printError(unexpected(app, words, left));
+            addOthers(), printError(unexpected(app, words, left));
         else
             printError(inOurWords(app, words, error));
     }

@@ -7,6 +7,7 @@
 #include "core/base/inputs.h"
 #include "core/base/memory.h"
 #include "core/base/own_kind.h"
+#include "core/base/replaced_files.h"
 #include "core/base/stop.h"
 #include "core/base/temporary_file.h"
 
@@ -120,6 +121,7 @@ Result<Done> renameAll(const std::vector<FileMove>& moves, Renamed renamed) {
     std::optional<FolderLocks> locks;
     if (moves.size() > 1) locks.emplace(moves);
     for (std::size_t n = 0; n < moves.size(); ++n) {
+        noteWriting(moves[n].to);
         if (::rename(moves[n].from.c_str(), moves[n].to.c_str()) != 0) {
             Error failed = writeError(moves[n].to, errno);
             for (std::size_t before = 0; before < n; ++before)
@@ -309,6 +311,8 @@ Result<Done> changeWholeFile(const fs::path& path, std::uint64_t most, const Fil
 
 Result<Done> makeFolder(const fs::path& folder, const char* remedy) {
     std::error_code failed;
+    if (fs::is_regular_file(folder, failed)) return Error{"this is a file and not a folder", folder.string(), "give the name of a folder"};
+    failed.clear();
     if (!folder.empty()) fs::create_directories(folder, failed);
     if (failed) return Error{withValues("the folder cannot be made (%1)", {failed.message()}), folder.string(), remedy};
     return Done{};

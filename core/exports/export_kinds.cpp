@@ -149,11 +149,18 @@ std::string exportFileName(const ExportKind& kind, std::string_view extension, C
 }
 
 Result<Done> checkExtension(const ExportKind& kind, const std::filesystem::path& path, const std::string& where, const char* between) {
+    std::error_code ignored;
+    if (!path.has_filename() || std::filesystem::is_directory(path, ignored))
+        return Error{"this is a folder", where, "give the name of a file"};
+    const files::Format* format = files::writtenFormat(path);
     if (kind.holds == Holds::Points) {
-        const files::Format* format = files::writtenFormat(path);
         if (format != nullptr && format->write != nullptr) return Done{};
         return Error{"the extension names no format for points", where, "use " + files::writtenExtensions(false)};
     }
+    if (kind.holds == Holds::Scan)
+        return format != nullptr
+                   ? Result<Done>(Done{})
+                   : Error{"the extension names no format that can be written", where, "use " + files::writtenExtensions(true)};
     // A file under the name of another kind would be refused by the program that opens it.
     if (kind.files.empty() || (kind.files.size() < 2 && path.extension().empty())) return Done{};
     std::string extensions;

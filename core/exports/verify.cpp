@@ -6,6 +6,7 @@
 #include "core/base/held_file.h"
 #include "core/base/inputs.h"
 #include "core/base/json_text.h"
+#include "core/base/own_kind.h"
 #include "core/base/result.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
@@ -152,6 +153,8 @@ Result<Json> recordOf(const std::string& bytes, Verification& v) {
     if (recordIsWhole(fromSidecar)) return fromSidecar;
     if (recordIsWhole(inside)) return inside;
     const bool none = embedded.empty() && v.damage.empty();
+    if (none && ownKind(bytes) == "edgescan-raw-grid")
+        return Error{"this is a scan and not an export", v.exported.string(), "give what was exported from it"};
     return Error{none ? "there is no record in the export and none next to it" : "no record of the export is left unaltered",
                  v.exported.string(),
                  none ? "copy " + files::sidecarPath(v.exported).filename().string() + " next to it" : "export the scan again"};

@@ -2210,6 +2210,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>save it again</source><translation>guárdelo otra vez</translation></message>
 <message><source>the file cannot be removed (%1)</source><translation>el archivo no se puede quitar (%1)</translation></message>
 <message><source>check the rights of its folder</source><translation>compruebe los permisos de su carpeta</translation></message>
+<message><source>this is a file and not a folder</source><translation>esto es un archivo y no una carpeta</translation></message>
+<message><source>give the name of a folder</source><translation>indique el nombre de una carpeta</translation></message>
 <message><source>the folder cannot be made (%1)</source><translation>no se puede crear la carpeta (%1)</translation></message>
 <message><source>this is a device or a pipe, not a file</source><translation>esto es un dispositivo o un conducto, no un archivo</translation></message>
 <message><source>the file is too large for what it should be: %1, and at most %2 are read</source><translation>el archivo es demasiado grande para lo que debería ser: %1, y se leen como mucho %2</translation></message>
@@ -2758,6 +2760,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>its counts of rows and columns were exchanged</source><translation>se intercambiaron sus números de filas y columnas</translation></message>
 <message><source>its points were taken row by row, where the header says column by column</source><translation>sus puntos se tomaron fila por fila, donde el encabezado dice columna por columna</translation></message>
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Ninguna celda de este escaneo tiene una distancia medida: revise el archivo, el topic y los límites de distancia.</translation></message>
+<message><source>this folder holds several scans</source><translation>esta carpeta contiene varios escaneos</translation></message>
+<message><source>open one of them, or use edgescan-cli batch</source><translation>abra uno de ellos, o use edgescan-cli batch</translation></message>
+<message><source>The folder holds %1 besides this recording: name one file, or use edgescan-cli batch.</source><translation>La carpeta contiene %1 además de esta grabación: nombre un archivo, o use edgescan-cli batch.</translation></message>
+<message><source>%n scan</source><translation>%n escaneo</translation></message>
+<message><source>%n scans</source><translation>%n escaneos</translation></message>
 <message><source>a cell has the state %1, which does not exist</source><translation>una celda tiene el estado %1, que no existe</translation></message>
 <message><source>describes %1 and holds %2</source><translation>describe %1 y contiene %2</translation></message>
 <message><source>describes %1 but has no columns range_mm and state</source><translation>describe %1 pero no tiene las columnas range_mm y state</translation></message>
@@ -3292,6 +3299,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>La calibración no da %1; se usa 0: añada lo que falta (Escaneo &gt; Pose y montaje, página Montaje).</translation></message>
 <message><source>%1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>%1 de %2 líneas se midieron antes de la primera o después de la última pose y recibieron la más cercana.</translation></message>
 <message><source>the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>las poses mueven la base a %1 m/s entre dos líneas, más rápido que cualquier máquina bajo tierra.</translation></message>
+<message><source>the zone "%1" does not exist: UTM has zones 1 to 60.</source><translation>la zona "%1" no existe: UTM tiene las zonas 1 a 60.</translation></message>
+<message><source>an easting of %1 m is outside of every UTM zone: check whether easting and northing are exchanged.</source><translation>una coordenada este de %1 m está fuera de toda zona UTM: compruebe si este y norte están intercambiados.</translation></message>
 <message><source>there is no pose</source><translation>no hay pose</translation></message>
 <message><source>give readings of inclinometer and TALIN</source><translation>indique lecturas de inclinómetro y TALIN</translation></message>
 <message><source>the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>los ángulos del motor paso a paso están supuestos, así que E, N y RL pueden ser erróneos: indique el montaje, el paso y el ángulo de la primera línea.</translation></message>
@@ -3312,6 +3321,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>must be in the order of time</source><translation>debe estar en el orden del tiempo</translation></message>
 <message><source>comes before "scan_start"</source><translation>viene antes de "scan_start"</translation></message>
 <message><source>; a scanner that hangs has "viewing": "down" in its calibration</source><translation>; un escáner que cuelga tiene "viewing": "down" en su calibración</translation></message>
+<message><source>; a magnetic bearing is converted as the same page says</source><translation>; un rumbo magnético se convierte como dice la misma página</translation></message>
 <message><source>this is a pose of 3DTK and not of EdgeScan</source><translation>esta es una pose de 3DTK y no de EdgeScan</translation></message>
 <message><source>give a pose file as in docs/reference/coordinates.md</source><translation>indique un archivo de pose como en docs/reference/coordinates.md</translation></message>
 <message><source>write easting, northing and level, such as 498765.432; 5150123.456; 287.654</source><translation>escriba este, norte y nivel, como 498765.432; 5150123.456; 287.654</translation></message>

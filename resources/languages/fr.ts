@@ -2210,6 +2210,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>save it again</source><translation>enregistrez-le de nouveau</translation></message>
 <message><source>the file cannot be removed (%1)</source><translation>le fichier ne peut pas être supprimé (%1)</translation></message>
 <message><source>check the rights of its folder</source><translation>vérifiez les droits de son dossier</translation></message>
+<message><source>this is a file and not a folder</source><translation>c'est un fichier et non un dossier</translation></message>
+<message><source>give the name of a folder</source><translation>indiquez le nom d'un dossier</translation></message>
 <message><source>the folder cannot be made (%1)</source><translation>le dossier ne peut pas être créé (%1)</translation></message>
 <message><source>this is a device or a pipe, not a file</source><translation>ceci est un périphérique ou un tube, pas un fichier</translation></message>
 <message><source>the file is too large for what it should be: %1, and at most %2 are read</source><translation>le fichier est trop grand pour ce qu'il devrait être : %1, et au plus %2 sont lus</translation></message>
@@ -2758,6 +2760,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>its counts of rows and columns were exchanged</source><translation>ses nombres de lignes et de colonnes ont été échangés</translation></message>
 <message><source>its points were taken row by row, where the header says column by column</source><translation>ses points ont été pris ligne par ligne, là où l'en-tête dit colonne par colonne</translation></message>
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Aucune cellule de ce scan n'a de distance mesurée : vérifiez le fichier, le topic et les limites de distance.</translation></message>
+<message><source>this folder holds several scans</source><translation>ce dossier contient plusieurs scans</translation></message>
+<message><source>open one of them, or use edgescan-cli batch</source><translation>ouvrez l'un d'eux, ou utilisez edgescan-cli batch</translation></message>
+<message><source>The folder holds %1 besides this recording: name one file, or use edgescan-cli batch.</source><translation>Le dossier contient %1 en plus de cet enregistrement : nommez un fichier, ou utilisez edgescan-cli batch.</translation></message>
+<message><source>%n scan</source><translation>%n scan</translation></message>
+<message><source>%n scans</source><translation>%n scans</translation></message>
 <message><source>a cell has the state %1, which does not exist</source><translation>une cellule a l'état %1, qui n'existe pas</translation></message>
 <message><source>describes %1 and holds %2</source><translation>décrit %1 et contient %2</translation></message>
 <message><source>describes %1 but has no columns range_mm and state</source><translation>décrit %1 mais n'a pas les colonnes range_mm et state</translation></message>
@@ -3292,6 +3299,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>L'étalonnage ne donne pas %1 ; 0 est utilisé : ajoutez ce qui manque (Scan &gt; Pose et montage, page Montage).</translation></message>
 <message><source>%1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>%1 de %2 lignes ont été mesurées avant la première ou après la dernière pose et ont reçu la plus proche.</translation></message>
 <message><source>the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>les poses déplacent la base à %1 m/s entre deux lignes, plus vite que toute machine sous terre.</translation></message>
+<message><source>the zone "%1" does not exist: UTM has zones 1 to 60.</source><translation>la zone "%1" n'existe pas : UTM a les zones 1 à 60.</translation></message>
+<message><source>an easting of %1 m is outside of every UTM zone: check whether easting and northing are exchanged.</source><translation>une coordonnée est de %1 m est hors de toute zone UTM : vérifiez si est et nord sont échangés.</translation></message>
 <message><source>there is no pose</source><translation>il n'y a pas de pose</translation></message>
 <message><source>give readings of inclinometer and TALIN</source><translation>donnez des mesures d'inclinomètre et de TALIN</translation></message>
 <message><source>the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>les angles du moteur pas à pas sont supposés, E, N et RL peuvent donc être faux : indiquez le montage, le pas et l'angle de la première ligne.</translation></message>
@@ -3312,6 +3321,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>must be in the order of time</source><translation>doit être dans l'ordre du temps</translation></message>
 <message><source>comes before "scan_start"</source><translation>vient avant "scan_start"</translation></message>
 <message><source>; a scanner that hangs has "viewing": "down" in its calibration</source><translation> ; un scanner suspendu a "viewing": "down" dans son étalonnage</translation></message>
+<message><source>; a magnetic bearing is converted as the same page says</source><translation> ; un cap magnétique se convertit comme le dit la même page</translation></message>
 <message><source>this is a pose of 3DTK and not of EdgeScan</source><translation>c'est une pose de 3DTK et non d'EdgeScan</translation></message>
 <message><source>give a pose file as in docs/reference/coordinates.md</source><translation>indiquez un fichier de pose comme dans docs/reference/coordinates.md</translation></message>
 <message><source>write easting, northing and level, such as 498765.432; 5150123.456; 287.654</source><translation>écrivez est, nord et niveau, comme 498765.432; 5150123.456; 287.654</translation></message>

@@ -2210,6 +2210,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>save it again</source><translation>salve outra vez</translation></message>
 <message><source>the file cannot be removed (%1)</source><translation>o arquivo não pode ser removido (%1)</translation></message>
 <message><source>check the rights of its folder</source><translation>verifique as permissões da sua pasta</translation></message>
+<message><source>this is a file and not a folder</source><translation>isto é um arquivo e não uma pasta</translation></message>
+<message><source>give the name of a folder</source><translation>indique o nome de uma pasta</translation></message>
 <message><source>the folder cannot be made (%1)</source><translation>a pasta não pode ser criada (%1)</translation></message>
 <message><source>this is a device or a pipe, not a file</source><translation>isto é um dispositivo ou um pipe, não um arquivo</translation></message>
 <message><source>the file is too large for what it should be: %1, and at most %2 are read</source><translation>o arquivo é grande demais para o que deveria ser: %1, e são lidos no máximo %2</translation></message>
@@ -2758,6 +2760,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>its counts of rows and columns were exchanged</source><translation>seus números de linhas e colunas foram trocados</translation></message>
 <message><source>its points were taken row by row, where the header says column by column</source><translation>seus pontos foram tomados linha por linha, onde o cabeçalho diz coluna por coluna</translation></message>
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Nenhuma célula desta varredura tem uma distância medida: verifique o arquivo, o tópico e os limites de distância.</translation></message>
+<message><source>this folder holds several scans</source><translation>esta pasta contém várias varreduras</translation></message>
+<message><source>open one of them, or use edgescan-cli batch</source><translation>abra uma delas, ou use edgescan-cli batch</translation></message>
+<message><source>The folder holds %1 besides this recording: name one file, or use edgescan-cli batch.</source><translation>A pasta contém %1 além desta gravação: indique um arquivo, ou use edgescan-cli batch.</translation></message>
+<message><source>%n scan</source><translation>%n varredura</translation></message>
+<message><source>%n scans</source><translation>%n varreduras</translation></message>
 <message><source>a cell has the state %1, which does not exist</source><translation>uma célula tem o estado %1, que não existe</translation></message>
 <message><source>describes %1 and holds %2</source><translation>descreve %1 e contém %2</translation></message>
 <message><source>describes %1 but has no columns range_mm and state</source><translation>descreve %1 mas não tem as colunas range_mm e state</translation></message>
@@ -3292,6 +3299,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>A calibração não dá %1; 0 é usado: acrescente o que falta (Varredura &gt; Pose e montagem, página Montagem).</translation></message>
 <message><source>%1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>%1 de %2 linhas foram medidas antes da primeira ou depois da última pose e receberam a mais próxima.</translation></message>
 <message><source>the poses move the base at %1 m/s between two lines, faster than any machine under ground.</source><translation>as poses movem a base a %1 m/s entre duas linhas, mais rápido que qualquer máquina subterrânea.</translation></message>
+<message><source>the zone "%1" does not exist: UTM has zones 1 to 60.</source><translation>a zona "%1" não existe: UTM tem as zonas 1 a 60.</translation></message>
+<message><source>an easting of %1 m is outside of every UTM zone: check whether easting and northing are exchanged.</source><translation>uma coordenada leste de %1 m está fora de toda zona UTM: verifique se leste e norte estão trocados.</translation></message>
 <message><source>there is no pose</source><translation>não há pose</translation></message>
 <message><source>give readings of inclinometer and TALIN</source><translation>indique leituras de inclinômetro e TALIN</translation></message>
 <message><source>the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>os ângulos do motor de passo são supostos, então E, N e RL podem estar errados: indique a montagem, o passo e o ângulo da primeira linha.</translation></message>
@@ -3312,6 +3321,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>must be in the order of time</source><translation>deve estar na ordem do tempo</translation></message>
 <message><source>comes before "scan_start"</source><translation>vem antes de "scan_start"</translation></message>
 <message><source>; a scanner that hangs has "viewing": "down" in its calibration</source><translation>; um scanner pendurado tem "viewing": "down" em sua calibração</translation></message>
+<message><source>; a magnetic bearing is converted as the same page says</source><translation>; um rumo magnético é convertido como diz a mesma página</translation></message>
 <message><source>this is a pose of 3DTK and not of EdgeScan</source><translation>esta é uma pose do 3DTK e não do EdgeScan</translation></message>
 <message><source>give a pose file as in docs/reference/coordinates.md</source><translation>indique um arquivo de pose como em docs/reference/coordinates.md</translation></message>
 <message><source>write easting, northing and level, such as 498765.432; 5150123.456; 287.654</source><translation>escreva este, norte e nível, como 498765.432; 5150123.456; 287.654</translation></message>

@@ -118,6 +118,29 @@ class Types(unittest.TestCase):
         self.assertIn("may be metres", edgescan.Scan(metres, beams, lines, axis="sweep").warnings[0])
         self.assertIn("may be radians", edgescan.Scan(metres * 1000, np.radians(beams), np.radians(lines), axis="sweep").warnings[0])
         self.assertEqual(edgescan.Scan(metres, beams, lines, axis="sweep", unit="m").warnings, [])
+        few = edgescan.Scan(metres[:, :30] * 1000, np.radians(np.arange(30)), np.radians(np.arange(20)), axis="sweep")
+        self.assertIn("The beams span 0.51 degrees", few.warnings[0])
+        bell = edgescan.simulate(lines=60, beams=80).scan
+        far = edgescan.Scan.from_points(bell.xyz() * 1000, unit="m")
+        self.assertIn("km: check unit.", " ".join(far.warnings))
+
+    def test_what_is_nearly_right(self):
+        bell = edgescan.simulate(lines=60, beams=80).scan
+        result = edgescan.detect(bell)
+        for call, error, part in ((lambda: bell.range, AttributeError, "did you mean 'range_mm'"), (lambda: result.edge, AttributeError, "did you mean 'edges'"),
+                                  (lambda: edgescan.save(edgescan.rocks(result), "x.csv"), TypeError, "rocks.table has its rows")):
+            with self.assertRaisesRegex(error, part):
+                call()
+        self.assertFalse(hasattr(bell, "__array_interface__"))
+
+    def test_the_file_of_an_open_scan_is_not_replaced(self):
+        path = HERE / "open.json"
+        edgescan.save(edgescan.simulate(lines=60, beams=80).scan, path)
+        scan = edgescan.open(path)
+        with self.assertRaisesRegex(edgescan.Error, "this file was read as an input"):
+            edgescan.save(edgescan.simulate(lines=60, beams=80, seed=2).scan, path)
+        del scan
+        edgescan.save(edgescan.simulate(lines=60, beams=80, seed=2).scan, path)
 
     def test_arrays_that_are_seldom_meant(self):
         ranges, beams, lines = np.full((20, 90), 4200.0), np.linspace(10, 170, 90), np.linspace(0, 20, 20)

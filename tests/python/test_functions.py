@@ -145,7 +145,7 @@ class Benchmark(unittest.TestCase):
     def test_refused(self):
         for call, part in ((lambda: edgescan.benchmark(HERE / "none.pcd", program=LAB), "none.pcd"),
                            (lambda: edgescan.benchmark(bell_file(), only="magic", program=LAB), "magic"),
-                           (lambda: edgescan.benchmark(bell_file(), program=HERE / "no-lab"), "install the package edgescan-cli")):
+                           (lambda: edgescan.benchmark(bell_file(), program=HERE / "no-lab"), "build it with packaging/build release")):
             with self.assertRaisesRegex(edgescan.Error, part):
                 call()
 

@@ -222,6 +222,8 @@ int run(Evaluate& evaluate, const CLI::App& command) {
                          "evaluate", "give --truth once per file, in the same order"},
                         kWrongUsage);
     if (evaluate.rocks) return runRocks(evaluate, *settings);
+    if (evaluate.facets && std::ranges::none_of(evaluate.truths, sim::hasFacets))
+        return failWith({"this truth has no facets (gt_class_facets.png)", evaluate.truths.front(), "leave --facets out"}, kWrongUsage);
     const bool allMasks = std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask);
     if (!evaluate.ranges.empty() && (!allMasks || evaluate.ranges.size() != evaluate.files.size()))
         return failWith({"such scans belong to masks, one to each", "--scan-of-mask",

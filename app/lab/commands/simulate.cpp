@@ -48,9 +48,9 @@ sim::SimulationSettings settingsOf(const Simulate& simulate) {
 }
 
 int run(const Simulate& simulate) {
-    if (files::writtenFormat(simulate.out) == nullptr)
-        return failWith({"the extension names no format that can be written", simulate.out, "use " + files::writtenExtensions(true)},
-                        kWrongUsage);
+    const exports::ExportKind& whole = exports::exportKind(exports::ExportContent::WholeScan);
+    if (const auto known = exports::checkExtension(whole, simulate.out, simulate.out, ", "); !known)
+        return failWith(known.error(), kWrongUsage);
     sim::SimulationProgress progress;
     if (simulate.progress || isatty(STDERR_FILENO) != 0) {
         progress = [](double fraction) {
@@ -66,13 +66,11 @@ int run(const Simulate& simulate) {
     }
     const Result<sim::Simulation> simulation = edgescan::sim::simulate(settings, progress);
     if (!simulation) return failWith(simulation.error(), kWrongUsage);
-    const std::string replaced = replacedMark(simulate.out);
     Result<Done> saved = files::saveScan(simulation->scan, simulate.out);
     if (saved && settings.truth) saved = sim::writeTruth(*simulation, settings, simulate.truth);
     const Scan& scan = simulation->scan;
     printError(saved ? std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams; written to " +
-                           (isStreamOrDevice(simulate.out) ? "standard output" : printable(simulate.out)) + replaced +
-                           (settings.truth ? ", the truth to " + printable(simulate.truth) : "") + "."
+                           placesText({simulate.out}) + (settings.truth ? ", the truth to " + printable(simulate.truth) : "") + "."
                      : saved.error().sentence());
     return saved ? kDone : kRefused;
 }

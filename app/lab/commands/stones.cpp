@@ -38,8 +38,8 @@ std::string truthText(const sim::EdgeTruth& truth) {
 }
 
 Result<Done> scanStones(const StonesAsked& asked) {
-    if (files::writtenFormat(asked.out) == nullptr)
-        return Error{"the extension names no format that can be written", asked.out, "use " + files::writtenExtensions(true)};
+    const exports::ExportKind& whole = exports::exportKind(exports::ExportContent::WholeScan);
+    if (auto known = exports::checkExtension(whole, asked.out, asked.out, ", "); !known) return known;
     const auto stones = lab::readStones(asked.stones, asked.scene.set, asked.threads);
     if (!stones) return stones.error();
     lab::StoneProgress progress;

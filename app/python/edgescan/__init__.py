@@ -24,7 +24,7 @@ from ._edgescan import Connection, Error, Replay, Result, Rocks, Scan, Simulatio
 from . import _arrays, _edgescan, _methods
 from ._lab import benchmark
 from .reports import Compared, Parameter, Why
-from ._values import Path, each as _each, ending as _ending, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole, word as _word
+from ._values import Path, answers_missing as _answers_missing, each as _each, ending as _ending, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole, word as _word
 
 __all__ = ["Connection", "Error", "FileError", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "benchmark", "compare", "connect", "detect",
            "open", "parameters", "presets", "replay", "report", "rocks", "save", "simulate", "why"]
@@ -36,6 +36,8 @@ _CHOICES = [dict(row, kind="switch") for row in _edgescan.writing_choices()]
 _ROCKS = [dict(row, kind="float") for row in _edgescan.rock_parameters()]
 _NUMBERS = [dict(row, kind="float", default=f"{row['default']:g}") for row in _edgescan.simulation_numbers()]
 
+for _made in (Connection, Replay, Result, Rocks, Scan, Simulation, Sweep):
+    _answers_missing(_made)
 Scan.__doc__ = _arrays.scan.__doc__
 Scan.__signature__ = _arrays.made.__signature__
 

@@ -26,7 +26,7 @@ def arguments(truth, pictures, tolerance, best, repeats, only, peers, peer_secon
 def run(program, file, flags):
     found = shutil.which(os.fsdecode(program))
     if found is None:
-        refuse("this program is not installed", os.fsdecode(program), "install the package edgescan-cli, or give program=PATH")
+        refuse("this program is not installed", os.fsdecode(program), "build it with packaging/build release, or give program=PATH")
     done = subprocess.run([found, "benchmark", file, "--json", "-", *flags], capture_output=True, check=False)
     if done.returncode:
         said = os.fsdecode(done.stderr).strip().splitlines()
@@ -43,7 +43,7 @@ def benchmark(what: Union[Path, Scan], *, truth: Optional[Path] = None, pictures
     what: a file, or a Scan, which is saved to a temporary file. truth: the folder of Simulation.save_truth(); then each method has scores.
     pictures: new folder for the masks. tolerance: cells between a detection and a true edge. best: also the score at each method's best
     threshold. repeats: runs of each method, for the times. only: keys of methods. peers, peer_seconds: PCL's methods, and their time.
-    program: edgescan-lab is started as a process of its own; it comes with the package edgescan-cli.
+    program: edgescan-lab is started as a process of its own; it is in no package: packaging/build release makes it.
 
     >>> edgescan.benchmark(bell.scan, only="edgescan+", program=lab)["schema"]
     'edgescan-benchmark/1'

@@ -15,6 +15,7 @@ Path = typing.Union[str, bytes, os.PathLike[str], os.PathLike[bytes]]
 MADE_BY = {"Scan": "edgescan.open() or edgescan.Scan()", "Result": "edgescan.detect()", "Rocks": "edgescan.rocks()",
            "Simulation": "edgescan.simulate()", "Connection": "edgescan.connect()"}
 RENAMED = {"first_line": "line_start"}
+INSTEAD = {"Rocks": "rocks.table has its rows, and edgescan-cli rocks --csv writes them", "Simulation": "give its scan", "Sweep": "give its scan"}
 
 
 def name_of(key):
@@ -31,7 +32,8 @@ def given(value):
 
 
 def wrong(name, wanted, value):
-    return TypeError(f"{name} must be {wanted}, not {given(value)}")
+    way = INSTEAD.get(type(value).__name__)
+    return TypeError(f"{name} must be {wanted}, not {given(value)}" + (f"; {way}" if way else ""))
 
 
 def is_bool(value):
@@ -231,6 +233,16 @@ def method(of):
         return function
 
     return add
+
+
+def answers_missing(of):
+    """A class whose AttributeError names the attribute that was probably meant."""
+
+    def missing(self, name):
+        near = [] if name.startswith("_") else difflib.get_close_matches(name, dir(of), 1)
+        raise AttributeError(f"{of.__name__!r} object has no attribute {name!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
+
+    of.__getattr__ = missing
 
 
 def refuse(what, where, hint):

@@ -189,6 +189,8 @@ Result<double> parseSet(const Parameter& parameter, std::string_view text) {
             return Error{"\"" + std::string(name) + "\" is not one of " + choiceNames(parameter), flagOf(parameter),
                          "give all, none, or one or several of these, separated by commas"};
         }
+        if ((set & static_cast<int>(found->value)) != 0)
+            return Error{"\"" + std::string(name) + "\" is given twice", flagOf(parameter), "give it once"};
         set |= static_cast<int>(found->value);
         if (name.size() == rest.size()) return set;
         rest.remove_prefix(name.size() + 1);

@@ -69,10 +69,10 @@ EDGESCAN_INLINE void rangesOfCounts(const std::uint16_t* counts, int beams, doub
 }
 
 /// What a hand may have written wrong: names of keys, and the unit.
-void warnOfDescription(Scan& scan, const GridDescription& grid) {
+void warnOfDescription(Scan& scan, const GridDescription& grid, bool unitGiven) {
     for (const std::string& key : grid.unknownKeys)
         scan.warnings.push_back(withValues("\"%1\" is not a key of a raw grid and was not used: check its spelling.", {printable(key)}));
-    std::ranges::move(seldomMeasured(scan, "unit_mm"), std::back_inserter(scan.warnings));
+    if (!unitGiven) std::ranges::move(seldomMeasured(scan, "unit_mm"), std::back_inserter(scan.warnings));
 }
 
 Result<Scan> readPair(const GridDescription& grid, const Source& source, const fs::path& countsPath, std::span<const std::byte> counts) {
@@ -99,7 +99,7 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
         for (std::size_t j = 0; j < line.size(); ++j) state[j] = states[line[j]];
     }
     applyStateRuns(scan, grid);
-    warnOfDescription(scan, grid);
+    warnOfDescription(scan, grid, source.options->unitMm.has_value());
     scan.format = "raw grid";
     scan.sha256 = sha256Hex(counts);
     return scan;

@@ -3,10 +3,13 @@
 
 #include "core/base/held_file.h"
 #include "core/base/inputs.h"
+#include "core/base/number_text.h"
 #include "core/base/pipe.h"
 #include "core/base/sha256.h"
+#include "core/base/translated_text.h"
 #include "core/files/addons/addon.h"
 #include "core/files/formats/formats.h"
+#include "core/files/formats/range_geometry.h"
 #include "core/files/open_save/apply_options.h"
 #include "core/files/open_save/check_measured.h"
 #include "core/files/open_save/place_on_grid.h"
@@ -14,9 +17,12 @@
 #include "core/files/open_save/unpack.h"
 
 #include <algorithm>
+#include <array>
 #include <future>
+#include <iterator>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 
 namespace edgescan::files {
 
@@ -26,6 +32,7 @@ Result<Scan> scanOfReading(Reading reading, const Source& source, bool placesIts
     if (!scan) return scan;
     if (auto done = applyOptions(*scan, source, placesItself); !done) return done.error();  // apply_options.h
     if (auto done = checkMeasured(*scan, source.path.string()); !done) return done.error(); // check_measured.h
+    if (source.options->unitMm) std::ranges::move(seldomMeasured(*scan, "--unit"), std::back_inserter(scan->warnings));
     if (std::ranges::find(scan->state.cells, CellState::Valid) == scan->state.cells.end())
         scan->warnings.emplace_back(
             "No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.");
@@ -91,6 +98,23 @@ Result<HeldFile> bytesAt(const fs::path& path, const ReadingOptions& options) {
     return HeldFile(std::move(*bytes));
 }
 
+/// How many scans a folder without a list of its files holds besides recordings.
+std::size_t otherScansIn(const fs::path& folder) {
+    std::error_code problem;
+    std::size_t others = 0;
+    if (!fs::is_directory(folder, problem) || fs::exists(folder / "metadata.yaml", problem)) return 0;
+    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+        const std::string extension = Source::lowerCase(entry->path().extension());
+        constexpr std::array<std::string_view, 3> kRecordings{".mcap", ".db3", ".bag"};
+        if (std::ranges::find(kRecordings, extension) != kRecordings.end()) continue;
+        const auto reads = [&](const Format& format) { return std::ranges::find(format.reads, extension) != format.reads.end(); };
+        const bool isScan = extension == ".json" ? fs::exists(fs::path(entry->path()).replace_extension(".u16"), problem)
+                                                 : std::ranges::any_of(formats(), reads);
+        others += isScan ? 1 : 0;
+    }
+    return others;
+}
+
 /// What `make` gives; memory that runs out on the way is an error like all others.
 template <class Make>
 Result<Scan> withinMemory(const fs::path& path, const Make& make) {
@@ -117,6 +141,8 @@ Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const
         fs::path file = path;
         if (addon().openSeveral != nullptr) {
             if (auto several = addon().openSeveral(file, options, played)) {
+                if (!*several && several->error().where == path.string() && otherScansIn(path) > 0)
+                    return Error{"this folder holds several scans", path.string(), "open one of them, or use edgescan-cli batch"};
                 if (*several) (*several)->openedWith = openedWith(options);
                 return std::move(*several);
             }
@@ -127,6 +153,9 @@ Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const
         auto scan = scanOfBytes({file, bytes->bytes(), &withPose, isPipe(file), played});
         if (!scan) return scan;
         scan->path = file.string();
+        if (const std::size_t others = file == path ? 0 : otherScansIn(path); others > 0)
+            scan->warnings.push_back(withValues("The folder holds %1 besides this recording: name one file, or use edgescan-cli batch.",
+                                                {counted(others, "scan")}));
         if (std::string part = addon().partOf != nullptr ? addon().partOf(file) : ""; !part.empty())
             scan->warnings.push_back(std::move(part));
         return scan;

@@ -239,6 +239,7 @@ Result<Scan> projectedScan(PointTable& table, const Source& source, const Error&
     const std::string about = aboutSensor(table, source, metres);
     if (!grid) {
         if (grid.error().what == "cancelled") return source.cancelled();
+        if (noGrid.hint == grid.error().hint) return source.refused(grid.error().what, noGrid.hint); // too few points for either
         const std::string text =
             (noGrid.what.empty() ? "" : noGrid.what + "; ") + withValues("projected about %1: %2", {about, grid.error().what});
         return source.refused(withCoarseStep(text, table), grid.error().hint);

@@ -67,7 +67,9 @@ std::string registrationText(const RegistrationResult& how) {
 }
 
 std::string changeText(const Scan& later, const SceneChange& change) {
-    std::string text = registrationText(change.earlier.how) + "\n";
+    const RegistrationResult& how = change.earlier.how;
+    const bool isSameFile = how.by == RegistrationBasis::OneScan && !how.warnings.empty(); // as the warning says
+    std::string text = isSameFile ? "" : registrationText(how) + "\n";
     for (const std::string& warning : change.earlier.how.warnings) text += warning + "\n";
     text += "edges: " + withCount("+ gained", change.edges.gained) + ", " + withCount("- lost", change.edges.lost) + ", " +
             withCount("kept", change.edges.unchanged) + ", " + withCount("not seen by the other", change.edges.unknown);

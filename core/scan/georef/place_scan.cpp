@@ -7,6 +7,7 @@
 #include "core/base/utc_time.h"
 #include "core/scan/georef/chain.h"
 #include "core/scan/georef/rotations.h"
+#include "core/scan/georef/utm_zone.h"
 #include "core/scan/grid/assumed_mounting.h"
 
 #include <Eigen/Dense>
@@ -160,6 +161,18 @@ void judgeSpeed(Placement& placement, std::span<const double> timesS) {
 
 namespace {
 
+/// A place that the zone of the pose cannot hold.
+void judgeZone(Placement& placement, double eastingM) {
+    const auto zone = utmZone(placement.grid);
+    constexpr NumberLimits kEastings{100'000, 900'000};
+    if (zone && !zone->exists())
+        warn(placement, true, withValues("the zone \"%1\" does not exist: UTM has zones 1 to 60.", {placement.grid}));
+    else if (zone && !kEastings.hold(eastingM))
+        warn(placement, true,
+             withValues("an easting of %1 m is outside of every UTM zone: check whether easting and northing are exchanged.",
+                        {fixedText(eastingM, 0)}));
+}
+
 Result<Done> placeLines(Placement& placement, const Calibration& calibration, const PoseTrack& poses, const std::vector<double>& times) {
     placement.poses.clear();
     for (const double t : times) {
@@ -194,6 +207,7 @@ Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calib
         warn(*placement, true,
              "the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.");
     judgeMounting(*placement, calibration, poses);
+    judgeZone(*placement, mean.enhM.x());
     const double startS = lineTimesS.empty() ? poses.scanStartS : lineTimesS.front();
     if (poses.moving) {
         if (times->empty()) {

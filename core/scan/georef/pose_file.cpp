@@ -97,6 +97,7 @@ Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
         const std::string key = problem.what.substr(0, problem.what.find(' '));
         if (key.find("roll") != std::string::npos || key.find("viewing") != std::string::npos)
             problem.hint += "; a scanner that hangs has \"viewing\": \"down\" in its calibration";
+        if (key.find("heading_ref") != std::string::npos) problem.hint += "; a magnetic bearing is converted as the same page says";
         return problem;
     }
     return poses;

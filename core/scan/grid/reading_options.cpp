@@ -169,15 +169,15 @@ std::span<const ReadingOption> readingOptionTable() { return table(); }
 
 Result<Done> checked(const ReadingOption& option, const std::string& text) {
     const std::string flag = std::string("--") + option.key;
-    if (option.kind == Kind::Word && std::ranges::find(option.words, text) == option.words.end()) {
+    const bool isWord = std::ranges::find(option.words, text) != option.words.end();
+    const bool isNumber = option.limit != nullptr && numbersOf(text).size() == 1; // a unit is a word or a number
+    if (option.kind == Kind::Word && !isWord && !isNumber) {
         std::string words;
         for (const std::string& word : option.words) words += (words.empty() ? "" : &word == &option.words.back() ? " or " : ", ") + word;
-        const std::vector<double> number = option.limit == nullptr ? std::vector<double>() : numbersOf(text); // a word or a number
-        if (number.size() == 1 && option.limit->hold(number.front())) return Done{};
         if (option.limit != nullptr) words = withValues("%1, or a number of %2", {words, option.limit->unit});
         return Error{withValues("\"%1\" is not one of its values", {text}), flag, withValues("use %1", {words})};
     }
-    if (option.limit == nullptr || option.kind == Kind::Word) return Done{};
+    if (option.limit == nullptr || isWord) return Done{};
     const std::vector<double> numbers = numbersOf(text);
     const NumberLimits& limits = option.limit->limits;
     const std::string unit = *option.limit->unit == '\0' ? std::string() : std::string(" ") + option.limit->unit;

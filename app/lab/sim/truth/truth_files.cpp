@@ -222,9 +222,13 @@ Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& 
     return containers::savePng16(wholeTears(simulation.truth->toNextLine), folder / "tear_line.png");
 }
 
-Result<TruthSet> readTruth(const fs::path& folder, Facets facets) {
+bool hasFacets(const fs::path& folder) {
     std::error_code failed;
-    const bool folds = facets == Facets::Folds && fs::exists(folder / kFacetClass, failed);
+    return fs::exists(folder / kFacetClass, failed);
+}
+
+Result<TruthSet> readTruth(const fs::path& folder, Facets facets) {
+    const bool folds = facets == Facets::Folds && hasFacets(folder);
     auto edgeClass = containers::readPng8(folder / (folds ? kFacetClass : "gt_class.png"));
     if (!edgeClass) return edgeClass.error();
     auto ignore = containers::readPng8(folder / (folds ? kFacetIgnore : "gt_ignore.png"));

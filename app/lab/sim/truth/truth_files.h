@@ -41,6 +41,9 @@ Result<Grid<std::uint16_t>> readTruthNumbers(const std::filesystem::path& path);
 /// From the simulation in memory.
 [[nodiscard]] TruthSet truthSetOf(const Simulation& simulation);
 
+/// Whether the truth has the pictures of facets.
+[[nodiscard]] bool hasFacets(const std::filesystem::path& folder);
+
 /// Reads gt_class.png and gt_ignore.png, and object.png and range_clean.png if they exist. Error: missing, damaged, of different shapes.
 /// With Facets::Folds: the pictures of facets in their place if there are any.
 Result<TruthSet> readTruth(const std::filesystem::path& folder, Facets facets = Facets::None);
