@@ -838,21 +838,13 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Close the keys</source><translation>Cerrar las teclas</translation></message>
 <message><source>Capital letter</source><translation>Mayúscula</translation></message>
 <message><source>Space</source><translation>Espacio</translation></message>
-<message><source>More</source><translation>Más</translation></message>
 <message><source>Previous target or measurement</source><translation>Objetivo o medición anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Objetivo o medición siguiente</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque una roca en la nube: aquí se muestran su distancia y su tamaño. Para fijar un objetivo, toque antes Fijar.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño. Arrastrar gira la nube, dos dedos la mueven.</translation></message>
-<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
-<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
-<message><source>The arrows above show the measurements.</source><translation>Las flechas de arriba muestran las mediciones.</translation></message>
-<message><source>Distance</source><translation>Distancia</translation></message>
-<message><source>No target</source><translation>Ningún objetivo</translation></message>
+<message><source>More</source><translation>Más</translation></message>
+<message><source>More edges</source><translation>Más bordes</translation></message>
+<message><source>Fewer edges</source><translation>Menos bordes</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
 <message><source>more: %1</source><translation>más: %1</translation></message>
-<message><source>Zoom in</source><translation>Acercar</translation></message>
-<message><source>Zoom out</source><translation>Alejar</translation></message>
 <message><source>+ edges gained</source><translation>+ bordes ganados</translation></message>
 <message><source>− edges lost</source><translation>− bordes perdidos</translation></message>
 <message><source>edges kept</source><translation>bordes que siguen</translation></message>
@@ -1164,6 +1156,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada a mano como no roca</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>demasiado incierto para mostrarse como roca</translation></message>
 <message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
+<message><source>visible spans a × b</source><translation>extensiones visibles a × b</translation></message>
+<message><source>distance, median</source><translation>distancia, mediana</translation></message>
 <message><source>Name…</source><translation>Nombre…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
@@ -1185,8 +1179,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>Sí es una roca (N)</translation></message>
 <message><source>Rock %1</source><translation>Roca %1</translation></message>
-<message><source>visible spans a × b</source><translation>extensiones visibles a × b</translation></message>
-<message><source>distance, median</source><translation>distancia, mediana</translation></message>
 <message><source>visible area</source><translation>área visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>delante</translation></message>
@@ -1228,6 +1220,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
+<message><source>Zoom in</source><translation>Acercar</translation></message>
+<message><source>Zoom out</source><translation>Alejar</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>Zoom to what the section is about</source><translation>Encuadrar aquello de lo que trata la sección</translation></message>
 <message><source>All</source><translation>Todo</translation></message>
@@ -1278,7 +1272,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Supr y Quitar todos no lo quitan</translation></message>
 <message><source>Remove this target</source><translation>Quitar este objetivo</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1321,6 +1314,8 @@ RL %3 m</translation></message>
 <message><source>Distance [m]</source><translation>Distancia [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
 <message><source>Beam</source><translation>Haz</translation></message>
+<message><source>Distance</source><translation>Distancia</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic cerca de un borde se refiere a su lado cercano; con Mayús, a la celda misma</translation></message>
 <message><source>from</source><translation>desde</translation></message>
 <message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
@@ -1362,8 +1357,6 @@ RL %3 m</translation></message>
 <message><source>Edges, under rocks</source><translation>Bordes, bajo rocas</translation></message>
 <message><source>Draws the edge points over the rocks</source><translation>Dibuja los puntos de borde sobre las rocas</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
-<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
 <message><source>neighbours err alike, as in a depth camera</source><translation>los vecinos yerran igual, como en una cámara de profundidad</translation></message>
 <message><source>each cell errs for itself, in steps of the file</source><translation>cada celda yerra por sí sola, en pasos del archivo</translation></message>
@@ -1409,7 +1402,9 @@ RL %3 m</translation></message>
 Double-click: back to the preset</source><translation>
 Doble clic: volver al preajuste</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Volver a %1, el valor del preajuste</translation></message>
+<message><source>%1 auto</source><translation>%1 auto</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos de la ventana de distancias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arrastre un extremo, o Izquierda y Derecha para el lejano, con Mayús para el cercano; un doble clic la hace automática</translation></message>
 <message><source>Gray</source><translation>Gris</translation></message>
@@ -1472,18 +1467,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Without a pose, up is the scanner's z</source><translation>Sin pose, arriba es el eje z del escáner</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar las imágenes enteras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Encuadrar</translation></message>
-<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
-<message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
-<message><source>Others…</source><translation>Otros…</translation></message>
-<message><source>End measuring</source><translation>Terminar la medición</translation></message>
 <message><source>Back to the cloud</source><translation>Volver a la nube</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
-<message><source>More edges</source><translation>Más bordes</translation></message>
-<message><source>Fewer edges</source><translation>Menos bordes</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rock…</source><translation>Roca…</translation></message>
@@ -1497,10 +1487,17 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>in B</source><translation>en B</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>not a target</source><translation>no es un objetivo</translation></message>
-<message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
-<message><source>Rock</source><translation>Roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
-<message><source>no rock here</source><translation>aquí no hay roca</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque una roca en la nube: aquí se muestran su distancia y su tamaño. Para fijar un objetivo, toque antes Fijar.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño. Arrastrar gira la nube, dos dedos la mueven.</translation></message>
+<message><source>No target</source><translation>Ningún objetivo</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
+<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>The arrows above show the measurements.</source><translation>Las flechas de arriba muestran las mediciones.</translation></message>
+<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
+<message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
+<message><source>Others…</source><translation>Otros…</translation></message>
+<message><source>End measuring</source><translation>Terminar la medición</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
@@ -1882,6 +1879,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contornos en coordenadas mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
+<message><source>Rock</source><translation>Roca</translation></message>
 <message><source>The number: without edits, 1 is the largest visible area</source><translation>El número: sin ediciones, 1 es la mayor área visible</translation></message>
 <message><source>visible length a [m]</source><translation>largo visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Mayor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>

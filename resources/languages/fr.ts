@@ -838,21 +838,13 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Close the keys</source><translation>Fermer les touches</translation></message>
 <message><source>Capital letter</source><translation>Majuscule</translation></message>
 <message><source>Space</source><translation>Espace</translation></message>
-<message><source>More</source><translation>Plus</translation></message>
 <message><source>Previous target or measurement</source><translation>Cible ou mesure précédente</translation></message>
 <message><source>Next target or measurement</source><translation>Cible ou mesure suivante</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Pour poser une cible, touchez d'abord Épingler.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Glisser tourne le nuage, deux doigts le déplacent.</translation></message>
-<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
-<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
-<message><source>The arrows above show the measurements.</source><translation>Les flèches ci-dessus montrent les mesures.</translation></message>
-<message><source>Distance</source><translation>Distance</translation></message>
-<message><source>No target</source><translation>Aucune cible</translation></message>
+<message><source>More</source><translation>Plus</translation></message>
+<message><source>More edges</source><translation>Plus d'arêtes</translation></message>
+<message><source>Fewer edges</source><translation>Moins d'arêtes</translation></message>
 <message><source>less: %1</source><translation>moins : %1</translation></message>
 <message><source>more: %1</source><translation>plus : %1</translation></message>
-<message><source>Zoom in</source><translation>Zoom avant</translation></message>
-<message><source>Zoom out</source><translation>Zoom arrière</translation></message>
 <message><source>+ edges gained</source><translation>+ arêtes gagnées</translation></message>
 <message><source>− edges lost</source><translation>− arêtes perdues</translation></message>
 <message><source>edges kept</source><translation>arêtes gardées</translation></message>
@@ -1164,6 +1156,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marqué à la main comme non-bloc</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>trop incertain pour être montré comme un bloc</translation></message>
 <message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
+<message><source>visible spans a × b</source><translation>étendues visibles a × b</translation></message>
+<message><source>distance, median</source><translation>distance, médiane</translation></message>
 <message><source>Name…</source><translation>Nom…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Split</source><translation>Scinder</translation></message>
@@ -1185,8 +1179,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
 <message><source>Rock %1</source><translation>Bloc %1</translation></message>
-<message><source>visible spans a × b</source><translation>étendues visibles a × b</translation></message>
-<message><source>distance, median</source><translation>distance, médiane</translation></message>
 <message><source>visible area</source><translation>surface visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>devant</translation></message>
@@ -1228,6 +1220,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
+<message><source>Zoom in</source><translation>Zoom avant</translation></message>
+<message><source>Zoom out</source><translation>Zoom arrière</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Zoom to what the section is about</source><translation>Cadrer ce que la coupe doit montrer</translation></message>
 <message><source>All</source><translation>Tout</translation></message>
@@ -1278,7 +1272,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Lock</source><translation>Verrouiller</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Verrouillée : Suppr et Tout supprimer ne la suppriment pas</translation></message>
 <message><source>Remove this target</source><translation>Supprimer cette cible</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
 <message><source>Locked</source><translation>Verrouillée</translation></message>
 <message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1321,6 +1314,8 @@ RL %3 m</translation></message>
 <message><source>Distance [m]</source><translation>Distance [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Beam</source><translation>Faisceau</translation></message>
+<message><source>Distance</source><translation>Distance</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic près d'une arête vise son côté proche ; avec Maj il vise la cellule même</translation></message>
 <message><source>from</source><translation>depuis</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
@@ -1362,8 +1357,6 @@ RL %3 m</translation></message>
 <message><source>Edges, under rocks</source><translation>Arêtes, sous les blocs</translation></message>
 <message><source>Draws the edge points over the rocks</source><translation>Dessine les points d'arête par-dessus les blocs</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
-<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
 <message><source>neighbours err alike, as in a depth camera</source><translation>les voisins se trompent ensemble, comme dans une caméra de profondeur</translation></message>
 <message><source>each cell errs for itself, in steps of the file</source><translation>chaque cellule se trompe seule, par pas du fichier</translation></message>
@@ -1409,7 +1402,9 @@ RL %3 m</translation></message>
 Double-click: back to the preset</source><translation>
 Double-clic : retour au préréglage</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Revenir à %1, la valeur du préréglage</translation></message>
+<message><source>%1 auto</source><translation>%1 auto</translation></message>
 <message><source>Ends of the range window</source><translation>Bornes de la fenêtre de distances</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Faites glisser une borne, ou Gauche et Droite pour la borne lointaine, avec Maj pour la proche ; un double-clic la rend automatique</translation></message>
 <message><source>Gray</source><translation>Gris</translation></message>
@@ -1472,18 +1467,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Without a pose, up is the scanner's z</source><translation>Sans pose, le haut est l'axe z du scanner</translation></message>
 <message><source>Show the whole images</source><translation>Montrer les images entières</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Agrandi %1 × · Ajuster</translation></message>
-<message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>
-<message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
-<message><source>Others…</source><translation>Autres…</translation></message>
-<message><source>End measuring</source><translation>Terminer la mesure</translation></message>
 <message><source>Back to the cloud</source><translation>Retour au nuage</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
-<message><source>More edges</source><translation>Plus d'arêtes</translation></message>
-<message><source>Fewer edges</source><translation>Moins d'arêtes</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Rock…</source><translation>Bloc…</translation></message>
@@ -1497,10 +1487,17 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>in B</source><translation>dans B</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>not a target</source><translation>pas une cible</translation></message>
-<message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
-<message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
-<message><source>no rock here</source><translation>pas de bloc ici</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Pour poser une cible, touchez d'abord Épingler.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Glisser tourne le nuage, deux doigts le déplacent.</translation></message>
+<message><source>No target</source><translation>Aucune cible</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
+<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>The arrows above show the measurements.</source><translation>Les flèches ci-dessus montrent les mesures.</translation></message>
+<message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>
+<message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
+<message><source>Others…</source><translation>Autres…</translation></message>
+<message><source>End measuring</source><translation>Terminer la mesure</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
@@ -1882,6 +1879,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contours en coordonnées de la mine</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
+<message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>The number: without edits, 1 is the largest visible area</source><translation>Le numéro : sans modifications, 1 est la plus grande surface visible</translation></message>
 <message><source>visible length a [m]</source><translation>longueur visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Plus grande étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>

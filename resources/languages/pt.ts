@@ -838,21 +838,13 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Close the keys</source><translation>Fechar as teclas</translation></message>
 <message><source>Capital letter</source><translation>Maiúscula</translation></message>
 <message><source>Space</source><translation>Espaço</translation></message>
-<message><source>More</source><translation>Mais</translation></message>
 <message><source>Previous target or measurement</source><translation>Alvo ou medição anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Alvo ou medição seguinte</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho aparecem aqui. Para marcar um alvo, toque antes em Fixar.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui. Arrastar gira a nuvem, dois dedos a movem.</translation></message>
-<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
-<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
-<message><source>The arrows above show the measurements.</source><translation>As setas acima mostram as medições.</translation></message>
-<message><source>Distance</source><translation>Distância</translation></message>
-<message><source>No target</source><translation>Nenhum alvo</translation></message>
+<message><source>More</source><translation>Mais</translation></message>
+<message><source>More edges</source><translation>Mais bordas</translation></message>
+<message><source>Fewer edges</source><translation>Menos bordas</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
 <message><source>more: %1</source><translation>mais: %1</translation></message>
-<message><source>Zoom in</source><translation>Aproximar</translation></message>
-<message><source>Zoom out</source><translation>Afastar</translation></message>
 <message><source>+ edges gained</source><translation>+ bordas ganhas</translation></message>
 <message><source>− edges lost</source><translation>− bordas perdidas</translation></message>
 <message><source>edges kept</source><translation>bordas mantidas</translation></message>
@@ -1164,6 +1156,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada à mão como não rocha</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>incerto demais para ser mostrado como rocha</translation></message>
 <message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
+<message><source>visible spans a × b</source><translation>extensões visíveis a × b</translation></message>
+<message><source>distance, median</source><translation>distância, mediana</translation></message>
 <message><source>Name…</source><translation>Nome…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
@@ -1185,8 +1179,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>É uma rocha, sim (N)</translation></message>
 <message><source>Rock %1</source><translation>Rocha %1</translation></message>
-<message><source>visible spans a × b</source><translation>extensões visíveis a × b</translation></message>
-<message><source>distance, median</source><translation>distância, mediana</translation></message>
 <message><source>visible area</source><translation>área visível</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>na frente</translation></message>
@@ -1228,6 +1220,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
+<message><source>Zoom in</source><translation>Aproximar</translation></message>
+<message><source>Zoom out</source><translation>Afastar</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>Zoom to what the section is about</source><translation>Enquadrar aquilo de que trata a secção</translation></message>
 <message><source>All</source><translation>Tudo</translation></message>
@@ -1278,7 +1272,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Del e Remover todos não o removem</translation></message>
 <message><source>Remove this target</source><translation>Remover este alvo</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1321,6 +1314,8 @@ RL %3 m</translation></message>
 <message><source>Distance [m]</source><translation>Distância [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
 <message><source>Beam</source><translation>Feixe</translation></message>
+<message><source>Distance</source><translation>Distância</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Um clique perto de uma aresta refere-se ao seu lado próximo; com Shift, à própria célula</translation></message>
 <message><source>from</source><translation>a partir de</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
@@ -1362,8 +1357,6 @@ RL %3 m</translation></message>
 <message><source>Edges, under rocks</source><translation>Bordas, sob as rochas</translation></message>
 <message><source>Draws the edge points over the rocks</source><translation>Desenha os pontos de borda sobre as rochas</translation></message>
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
-<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
 <message><source>neighbours err alike, as in a depth camera</source><translation>os vizinhos erram juntos, como numa câmera de profundidade</translation></message>
 <message><source>each cell errs for itself, in steps of the file</source><translation>cada célula erra por si, em passos do arquivo</translation></message>
@@ -1409,7 +1402,9 @@ RL %3 m</translation></message>
 Double-click: back to the preset</source><translation>
 Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Voltar a %1, o valor da predefinição</translation></message>
+<message><source>%1 auto</source><translation>%1 auto</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos da janela de distâncias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arraste um extremo, ou Esquerda e Direita para o distante, com Shift para o próximo; um clique duplo a torna automática</translation></message>
 <message><source>Gray</source><translation>Cinza</translation></message>
@@ -1472,18 +1467,13 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Without a pose, up is the scanner's z</source><translation>Sem pose, acima é o eixo z do scanner</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar as imagens inteiras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Enquadrar</translation></message>
-<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
-<message><source>Remove: %1</source><translation>Remover: %1</translation></message>
-<message><source>Others…</source><translation>Outros…</translation></message>
-<message><source>End measuring</source><translation>Terminar a medição</translation></message>
 <message><source>Back to the cloud</source><translation>Voltar à nuvem</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
-<message><source>More edges</source><translation>Mais bordas</translation></message>
-<message><source>Fewer edges</source><translation>Menos bordas</translation></message>
 <message><source>No scan</source><translation>Nenhuma varredura</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Rock…</source><translation>Rocha…</translation></message>
@@ -1497,10 +1487,17 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>in B</source><translation>em B</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>not a target</source><translation>não é um alvo</translation></message>
-<message><source>median of its cells</source><translation>mediana das células</translation></message>
-<message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
-<message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho aparecem aqui. Para marcar um alvo, toque antes em Fixar.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui. Arrastar gira a nuvem, dois dedos a movem.</translation></message>
+<message><source>No target</source><translation>Nenhum alvo</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
+<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
+<message><source>The arrows above show the measurements.</source><translation>As setas acima mostram as medições.</translation></message>
+<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
+<message><source>Remove: %1</source><translation>Remover: %1</translation></message>
+<message><source>Others…</source><translation>Outros…</translation></message>
+<message><source>End measuring</source><translation>Terminar a medição</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
@@ -1882,6 +1879,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contornos em coordenadas da mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
+<message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>The number: without edits, 1 is the largest visible area</source><translation>O número: sem edições, 1 é a maior área visível</translation></message>
 <message><source>visible length a [m]</source><translation>comprimento visível a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Maior extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>

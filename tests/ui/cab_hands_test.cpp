@@ -391,6 +391,7 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         on.viewer.views.pin(100 * 240 + 120);
+        QTRY_VERIFY(on.window.findChild<QLabel*>("cab-pose") != nullptr);
         auto* pose = on.window.findChild<QLabel*>("cab-pose");
         QTRY_VERIFY(pose->isVisible() && pose->font().underline());
         QTest::mouseClick(pose, Qt::LeftButton, Qt::NoModifier, QPoint(20, pose->height() / 2));

@@ -15,7 +15,6 @@
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/cab/swipes.h"
-#include "ui/panels/cab/zoom_buttons.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/keys/commands.h"
 #include "ui/panels/live/live_panel.h"
@@ -54,9 +53,9 @@ constexpr int kCancelAfterMs = 300;
 } // namespace
 
 CabMode::CabMode(MainWindow& window, QWidget* middle)
-    : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
+    : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_, window.viewer().panel.rows())),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
-      zoom_(new ZoomButtons), menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)),
+      zoom_(new QWidget), menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)),
       swipes_(new Swipes(&window)) {
     badge_->setTwoLines();
     badge_->setObjectName("cab-origin");
@@ -65,7 +64,7 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     corner_->hide();
     back_->hide();
     back_->setWords("⇄ " + QObject::tr("Back to the cloud"));
-    connect(zoom_, &ZoomButtons::zoomed, this, &CabMode::zoom);
+    addZoom();
     window.setCentralWidget(frame_);
     window.side().add(*zoom_);
     connectHead();
@@ -128,7 +127,7 @@ void CabMode::fillMenu() {
         if (each->isHidden()) menu_->addAction(each->text(), each, &QToolButton::click);
     }
     NumbersSide& side = frame_->side();
-    if (side.hasStepper() && !side.mainStepper()->isVisible() && !side.tuning()) {
+    if (!side.mainStepper()->isVisible() && !side.tuning()) {
         menu_->addAction(tr("More edges"), side.mainStepper()->less(), &QToolButton::click);
         menu_->addAction(tr("Fewer edges"), side.mainStepper()->more(), &QToolButton::click);
     }
@@ -138,10 +137,6 @@ void CabMode::fillMenu() {
 
 void CabMode::connectSide() {
     NumbersSide& side = frame_->side();
-    side.setMeaning(tr("More edges"), tr("Fewer edges"));
-    connect(&side, &NumbersSide::stepped, &window_.viewer().panel,
-            [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
-    connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
     connect(&side, &NumbersSide::entryStepRequested, this, &CabMode::step);
     connect(&side, &NumbersSide::titleTapped, this, &CabMode::openTitleMenu);
     connect(&side, &NumbersSide::poseRequested, &window_.viewer().statusLine, &StatusLine::poseRequested);

@@ -14,6 +14,9 @@ class QAbstractButton;
 class QMenu;
 class QToolButton;
 
+namespace edgescan::inspect {
+struct PinnedTarget;
+}
 namespace edgescan::rocks {
 struct Rock;
 }
@@ -25,12 +28,11 @@ class CornerPicture;
 class GloveMenus;
 class ImageView;
 class Keypad;
-class ZoomButtons;
 class MainWindow;
 struct PictureMark;
 class StateBadge;
 class Swipes;
-struct TargetNumbers;
+struct SideFacts;
 
 /// GUI thread only. The window must outlive it.
 class CabMode : public QObject {
@@ -88,10 +90,12 @@ private:
     [[nodiscard]] ImageView& imageView() const;
     void fit();
     void zoom(double factor);
+    void addZoom();
     void lockDocks(bool on);
-    [[nodiscard]] TargetNumbers numbers() const;
-    [[nodiscard]] TargetNumbers ofRock(const rocks::Rock& rock) const;
-    [[nodiscard]] TargetNumbers ofMeasure(std::size_t place) const;
+    [[nodiscard]] SideFacts ofTarget(const inspect::PinnedTarget& target) const;
+    [[nodiscard]] SideFacts ofRock(const rocks::Rock& rock) const;
+    [[nodiscard]] SideFacts ofMeasure(std::size_t place) const;
+    [[nodiscard]] SideFacts ofNothing() const;
     [[nodiscard]] const rocks::Rock* chosenRock() const;
     void step(int by);
     [[nodiscard]] PictureMark chosenPlace() const;
@@ -101,7 +105,7 @@ private:
     CabFrame* frame_;
     CornerPicture* corner_;
     CornerPicture* back_; // returns to the cloud, over the image
-    ZoomButtons* zoom_;
+    QWidget* zoom_;
     QMenu* menu_;
     Keypad* keypad_;
     GloveMenus* gloveMenus_;

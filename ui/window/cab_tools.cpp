@@ -1,5 +1,4 @@
-// Actions of the tools, the corner and the numbers of cab mode.
-#include "core/base/tolerance_text.h"
+// The tools, menus and numbers of cab mode.
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
 #include "core/inspect/measure/notebook.h"
@@ -11,7 +10,8 @@
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/cab/tool_column.h"
-#include "ui/panels/cab/zoom_buttons.h"
+#include "ui/panels/keys/shortcuts.h"
+#include "ui/panels/rocks/rock_card.h"
 #include "ui/panels/targets/target_words.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
@@ -23,35 +23,48 @@
 #include "ui/window/main_window.h"
 
 #include <QCheckBox>
+#include <QCursor>
 #include <QMenu>
 #include <QToolButton>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace edgescan::ui {
 namespace {
 
-constexpr int kNearHigh = 48; // px
+constexpr int kNearHigh = 48;            // px
+constexpr std::size_t kMostRemovals = 4; // newest measurements in the menu
+constexpr std::size_t kMostPins = 4;     // newest targets in it
 
 void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
 
-QString metres(double m, int decimals) { return QString::number(m, 'f', decimals); }
+using Look = FactRow::Look;
 
-void addSize(TargetNumbers& values, const rocks::Rock& rock) {
-    values.rock = CabMode::tr("Rock %1, visible").arg(rock.label);
-    values.size = CabMode::tr("%1 × %2 m").arg(metres(rock.longestCaliperM, 2), metres(rock.shortestCaliperM, 2));
-    values.sizeTolerance = CabMode::tr("± %1 m").arg(metres(shownTolerance(rock.toleranceM, 2), 2));
-    values.sizeRemark = (rock.apart.empty() ? QString() : partsText(rock) + " · ") + QObject::tr(rocks::kRockCaveat);
+void addText(SideFacts& side, Look look, const char* key, const QString& text, bool underlined = false) {
+    if (!text.isEmpty()) side.rows.push_back({look, {.key = key, .value = text, .underlined = underlined}});
 }
 
-void addPlace(TargetNumbers& values, const Eigen::Vector3d& placeM, bool mine, bool pending) {
+/// Without a pose the coordinates count from the scanner: a tap on the warning, else on the coordinates, opens the pose.
+void addPlace(SideFacts& side, const QStringList& numbers, bool mine) {
+    if (!mine) addText(side, Look::Warning, "pose", CabMode::tr("▲ no pose: no E N RL"), true);
     int n = 0;
-    for (const char* name : mine ? std::array{"E [m]", "N", "RL"} : std::array{"X [m]", "Y", "Z"})
-        values.coordinates.emplace_back(name, pending ? QStringLiteral("…") : metres(placeM[n++], 3));
-    values.unposed = !mine;
+    for (const char* name : mine ? std::array{"E [m]", "N", "RL"} : std::array{"X [m]", "Y", "Z"}) {
+        constexpr std::array kKeys{"x", "y", "z"};
+        side.rows.push_back({Look::Short, {.key = kKeys[n], .name = name, .value = numbers[n], .underlined = mine}});
+        ++n;
+    }
+}
+
+void addSize(SideFacts& side, const rocks::Rock& rock) {
+    Fact size = sizeFact(rock);
+    size.name = CabMode::tr("Rock %1, visible").arg(rock.label);
+    side.rows.push_back({Look::Number, size});
+}
+
+void addCaveat(SideFacts& side, const rocks::Rock& rock) {
+    addText(side, Look::Words, "remarks", (rock.apart.empty() ? QString() : partsText(rock) + " · ") + rockCaveat());
 }
 
 } // namespace
@@ -204,54 +217,79 @@ void CabMode::addSideButtons() {
 
 void CabMode::showSettings() {
     if (!on_) return;
-    const edges::Settings& settings = window_.viewer().engine.settings();
-    const edges::Parameter& first = edges::sweptParameter(settings.method);
-    std::vector<SteppedSetting> shown;
-    const auto add = [&](const edges::Parameter& p) {
-        shown.push_back({p.key, QObject::tr(p.label), window_.viewer().panel.valueText(p.key)});
-    };
-    add(first);
-    if (const auto& picture = window_.viewer().engine.picture())
-        shown.back().found = countText(picture->detection->edges->size()) + '\n' +
-                             (window_.viewer().views.flipped() ? tr("in B") : EdgeLegend::tr("Edges")); // as in the legend
-    for (const edges::Parameter& p : edges::parameters()) {
-        if (p.usedBy(settings) && !p.several && &p != &first) add(p);
-    }
-    frame_->side().showSettings(shown);
+    const auto& picture = window_.viewer().engine.picture();
+    const QString edges = window_.viewer().views.flipped() ? tr("in B") : EdgeLegend::tr("Edges"); // as in the legend
+    frame_->side().showMain(*window_.viewer().panel.row(edges::sweptParameter(window_.viewer().engine.settings().method).key),
+                            picture == nullptr ? QString() : countText(picture->detection->edges->size()) + '\n' + edges);
 }
 
-TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
-    TargetNumbers values;
+SideFacts CabMode::ofRock(const rocks::Rock& rock) const {
+    SideFacts side;
     const auto others = static_cast<int>(window_.viewer().rocks.selected().size()) - 1;
-    values.title = tr("Rock %1").arg(rock.label);
     const RockPicture& picture = *window_.viewer().rocks.picture();
     const bool isTarget = std::ranges::any_of(window_.viewer().targets.notebook().targets, [&](const inspect::PinnedTarget& target) {
         return picture.labelAt(target.cell) == rock.label;
     });
-    values.place = others > 0 ? tr("and %1 more selected").arg(others) : isTarget ? QString() : tr("not a target");
-    values.distance = tr("%1 m").arg(rock.distanceM, 0, 'f', 2);
-    values.tolerance = tr("median of its cells"); // which has no ± of its own
+    side.title = tr("Rock %1").arg(rock.label) + '\n' +
+                 (others > 0 ? tr("and %1 more selected").arg(others)
+                  : isTarget ? QString()
+                             : tr("not a target"));
+    side.rows.push_back({Look::Number, distanceFact(rock)});
+    addSize(side, rock); // above the coordinates: a low screen shows it at once
     const bool placed = picture.detection->scan->placement != nullptr;
     const rocks::RockRows rows(picture.study, placed ? CoordinateFrame::Mine : CoordinateFrame::Scanner); // the middle, as in the table
-    addPlace(values, rows.of(rock).centreM, placed, window_.viewer().engine.placePending());
-    addSize(values, rock);
-    values.ofRock = true;
-    return values;
+    const bool pending = window_.viewer().engine.placePending();
+    addPlace(side, pending ? QStringList{"…", "…", "…"} : numbersOf(rows.of(rock).centreM), placed);
+    addCaveat(side, rock);
+    return side;
 }
 
-TargetNumbers CabMode::ofMeasure(std::size_t place) const {
+SideFacts CabMode::ofMeasure(std::size_t place) const {
     const auto& measures = window_.viewer().targets.notebook().measures;
     const MeasureWords words = window_.viewer().targets.wordsOf(measures[place]);
-    TargetNumbers values;
-    values.title = exactText(inspect::measureName(measures[place]));
-    values.place = tr("%1 of %2").arg(place + 1).arg(measures.size());
-    values.distanceName = words.kind;
-    const bool one = words.value.count("±") == 1; // several lengths have one each
-    values.distance = !window_.viewer().targets.settled() ? QStringLiteral("…") : one ? words.value.section(" ± ", 0, 0) : words.value;
-    values.tolerance = one ? "± " + words.value.section(" ± ", 1) : QString();
-    values.warned = words.warnings.join('\n');
-    values.sizeRemark = words.remarks.join('\n');
-    return values;
+    Fact length{"distance", words.kind, window_.viewer().targets.settled() ? words.value : QStringLiteral("…")};
+    if (length.value.count("±") == 1) { // several lengths have one each
+        length.tolerance = "± " + length.value.section(" ± ", 1);
+        length.value = length.value.section(" ± ", 0, 0);
+    }
+    SideFacts side;
+    side.title = exactText(inspect::measureName(measures[place])) + '\n' + tr("%1 of %2").arg(place + 1).arg(measures.size());
+    side.rows.push_back({Look::Number, length});
+    addText(side, Look::Warning, "warned", words.warnings.join('\n'));
+    addText(side, Look::Words, "remarks", words.remarks.join('\n'));
+    return side;
+}
+
+SideFacts CabMode::ofTarget(const inspect::PinnedTarget& target) const {
+    const Targets& targets = window_.viewer().targets;
+    const auto& all = targets.notebook().targets;
+    SideFacts side;
+    side.title = (target.name.empty() ? tr("Target %1").arg(target.number) : shownName(exactText(target.name), 20)) +
+                 QString::fromUtf8("\u00a0▾\n") + // a tap on it opens its menu
+                 tr("%1 of %2").arg(1 + (&target - all.data())).arg(all.size());
+    side.locked = target.locked;
+    const auto known = targets.known().targets.find(target.cell);
+    if (known == targets.known().targets.end()) return side;
+    const TargetSurroundings around = targets.around(target.cell);
+    const Facts facts = targetFacts(known->second, around);
+    side.rows.push_back({Look::Number, facts.front()});
+    const Fact* mine = factOf(facts, "mine");
+    const bool placed = mine != nullptr && !mine->numbers.isEmpty();
+    if (mine != nullptr) addPlace(side, (placed ? mine : factOf(facts, "place"))->numbers, placed);
+    const QString clicked = targets.clickOf(target);
+    if (clicked.contains("▲")) addText(side, Look::Warning, "warned", clicked.mid(clicked.indexOf("▲")));
+    const auto addLine = [&side](const Fact& fact) { side.rows.push_back({Look::Line, fact}); };
+    if (around.rock != nullptr) {
+        addSize(side, *around.rock);
+        addCaveat(side, *around.rock);
+    } else {
+        const Fact* rock = factOf(facts, "rock");
+        addLine(rock != nullptr ? *rock : Fact{"rock", tr("Rock, visible"), tr("tap Rocks to measure it")});
+    }
+    if (!target.note.empty()) addLine({"note", tr("Note"), shownName(exactText(target.note))});
+    if (mine == nullptr) return side; // nothing was measured there
+    for (const char* key : {"resolves", "surface", "edge"}) addLine(*factOf(facts, key));
+    return side;
 }
 
 /// The selected rock, if it is not that of the target.
@@ -280,57 +318,97 @@ void CabMode::step(int by) {
     window_.viewer().rocks.selectPinned(); // if it was chosen already
 }
 
-TargetNumbers CabMode::numbers() const {
+/// What is shown while nothing is chosen.
+SideFacts CabMode::ofNothing() const {
     const Targets& targets = window_.viewer().targets;
-    const auto& all = targets.notebook().targets;
-    const inspect::PinnedTarget* target = targets.active();
-    const rocks::Rock* const rock = chosenRock();
-    const auto chosen = targets.chosenMeasure();
-    TargetNumbers values = chosen ? ofMeasure(*chosen) : rock != nullptr ? ofRock(*rock) : TargetNumbers{};
-    values.choosesOnly = window_.viewer().views.choosesOnly();
-    values.targets = static_cast<int>(all.size());
-    values.measures = static_cast<int>(targets.notebook().measures.size());
-    values.only = (chosen || (rock == nullptr && target != nullptr)) && values.targets + values.measures == 1;
-    values.measuring = window_.viewer().measures.kind().has_value();
-    values.note = window_.viewer().targetsPanel.note();
-    if (chosen || rock != nullptr || target == nullptr) return values;
-    values.title = (target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20)) +
-                   QString::fromUtf8("\u00a0▾"); // a tap on it opens its menu
-    values.opens = true;
-    values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
-    values.locked = target->locked;
-    const auto known = targets.known().targets.find(target->cell);
-    if (known == targets.known().targets.end()) return values;
-    const inspect::CellTarget& cell = known->second;
-    const TargetSurroundings around = targets.around(target->cell);
-    values.distance = distanceText(cell);
-    values.tolerance = toleranceText(cell);
-    values.rock = around.rocksShown && around.rocksKnown ? tr("Rock") : tr("Rock, visible");
-    values.size = QStringLiteral("–");
-    if (around.rock != nullptr) {
-        addSize(values, *around.rock);
-    } else {
-        values.sizeRemark = !around.rocksShown  ? tr("tap Rocks to measure it")
-                            : around.rocksKnown ? tr("no rock here")
-                                                : tr("being computed …");
-    }
-    if (!target->note.empty()) values.rows.emplace_back(tr("Note"), shownName(exactText(target->note)));
-    if (cell.probe.state != CellState::Valid) return values;
-    addPlace(values, cell.probe.mineM.value_or(cell.probe.pointM), cell.probe.mineM.has_value(), around.placePending);
-    if (const QString clicked = targets.clickOf(*target); clicked.contains("▲")) values.warned = clicked.mid(clicked.indexOf("▲"));
-    for (const TargetRow& row : targetRows(cell, around)) {
-        if (QStringList{QObject::tr("Surface"), QObject::tr("Resolves"), QObject::tr("Edge")}.contains(row.name))
-            values.rows.emplace_back(row.name, row.value);
-    }
-    return values;
+    const bool pins = !targets.notebook().targets.empty();
+    const QString note = window_.viewer().targetsPanel.note();
+    const QString tap = window_.viewer().views.choosesOnly()
+                            ? tr("Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.")
+                            : tr("Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two "
+                                 "fingers move it.");
+    SideFacts side;
+    side.title = pins ? targetCount(targets.notebook().targets.size()) : tr("No target");
+    const QString hint = window_.viewer().measures.kind() ? tr("Tap the ends of the measurement: its length is shown here.")
+                         : pins                           ? tr("Tap a target, or an arrow above: its distance and its size are shown here.")
+                         : !targets.notebook().empty()    ? tr("The arrows above show the measurements.") + "\n\n" + tap
+                                                          : (note.isEmpty() ? QString() : note + "\n\n") + tap;
+    addText(side, Look::Words, "hint", hint);
+    return side;
 }
 
 void CabMode::showNumbers() {
     if (!on_) return;
-    TargetNumbers shown = numbers();
-    if (window_.viewer().views.flipped() && !shown.title.isEmpty()) shown.title = "B: " + shown.title; // while A is in the views
-    frame_->side().showNumbers(shown);
-    remove_->setEnabled(!window_.viewer().targets.notebook().empty());
+    const Targets& targets = window_.viewer().targets;
+    const inspect::PinnedTarget* const target = targets.active();
+    const rocks::Rock* const rock = chosenRock();
+    const auto measure = targets.chosenMeasure();
+    const bool some = measure || rock != nullptr || target != nullptr;
+    SideFacts side = measure ? ofMeasure(*measure) : rock != nullptr ? ofRock(*rock) : target != nullptr ? ofTarget(*target) : ofNothing();
+    const std::size_t entries = targets.notebook().targets.size() + targets.notebook().measures.size();
+    side.arrows = entries > (some && (measure || rock == nullptr) ? 1U : 0U);
+    if (window_.viewer().views.flipped() && some) side.title = "B: " + side.title; // while A is in the views
+    frame_->side().show(side);
+    remove_->setEnabled(entries > 0);
+}
+
+QMenu& CabMode::menuWith(const QString& id) const { return *qobject_cast<QMenu*>(actionOf(keyedCommands(window_.actions()), id).parent()); }
+
+/// A menu, not one tap: a glove must not remove what it did not mean. What is chosen is alone in it, until the operator asks for others.
+void CabMode::fillRemoval(QMenu& menu, bool all) {
+    menu.clear();
+    Targets& targets = window_.viewer().targets;
+    const auto& pins = targets.notebook().targets;
+    const std::vector<QString> measures = targets.measuresInWords();
+    const auto addTarget = [&](const inspect::PinnedTarget& target) {
+        const QString words = tr("Target %1").arg(targets.inWords(target));
+        QAction* removal = menu.addAction((target.locked ? tr("Locked: %1") : tr("Remove: %1")).arg(words).replace('&', "&&"), &targets,
+                                          [&targets, number = target.number] { targets.remove(number); });
+        removal->setEnabled(!target.locked);
+    };
+    const auto addMeasure = [&](std::size_t n) {
+        menu.addAction(tr("Remove: %1").arg(measures[n].simplified()), &targets, [&targets, n] { targets.removeMeasure(n); });
+    };
+    const inspect::PinnedTarget* target = targets.active();
+    const auto measure = targets.chosenMeasure();
+    if (!all && (measure || target != nullptr)) {
+        measure ? addMeasure(*measure) : addTarget(*target);
+        if (pins.size() + measures.size() == 1) return;
+        const auto showOthers = [this, &menu] {
+            fillRemoval(menu, true);
+            menu.popup(menu.pos());
+        };
+        menu.addAction(tr("Others…"), this, [this, showOthers] { QMetaObject::invokeMethod(this, showOthers, Qt::QueuedConnection); });
+        return;
+    }
+    std::for_each(pins.rbegin(), pins.rbegin() + static_cast<std::ptrdiff_t>(std::min(pins.size(), kMostPins)), addTarget);
+    for (std::size_t n = measures.size(); n-- > measures.size() - std::min(measures.size(), kMostRemovals);) addMeasure(n);
+}
+
+void CabMode::fillMeasures(QMenu& menu) {
+    menu.clear();
+    Measures& measures = window_.viewer().measures;
+    for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
+        if (!each.inViews) continue;
+        const QString name = QObject::tr(each.label);
+        if (measures.kind() == each.kind) // at its place: the other rows do not move
+            menu.addAction(tr("End measuring") + ": " + name, &measures, &Measures::stop);
+        else
+            menu.addAction(name, &measures, [&measures, kind = each.kind] { measures.start(kind); });
+    }
+    menu.addSeparator();
+    for (const char* section : {"Measure/Section through the Measurement", "Measure/Section through the Rock"})
+        menu.addAction(&actionOf(keyedCommands(window_.actions()), section));
+}
+
+/// Of the target in the title: the entries that a click on it has in the views.
+void CabMode::openTitleMenu() {
+    const inspect::PinnedTarget* const target = window_.viewer().targets.active();
+    if (target == nullptr || chosenRock() != nullptr || window_.viewer().targets.chosenMeasure()) return;
+    auto* menu = new QMenu(&window_);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    window_.viewer().targets.addEntriesOf(*menu, target->number);
+    menu->popup(QCursor::pos());
 }
 
 } // namespace edgescan::ui

@@ -1,7 +1,6 @@
 // The views of cab mode: which one is large, the picture in the corner, and zoom.
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/cab/keypad.h"
-#include "ui/panels/cab/zoom_buttons.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
@@ -9,9 +8,11 @@
 #include "ui/window/main_window.h"
 
 #include <QActionGroup>
+#include <QHBoxLayout>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QTimer>
+#include <QToolButton>
 #include <QTouchEvent>
 
 #include <algorithm>
@@ -21,6 +22,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr qint64 kSecondTapMs = 700;
+constexpr int kZoomSide = 52, kBetweenZooms = 4; // px
+constexpr double kZoomStep = 1.25;
 
 } // namespace
 
@@ -158,6 +161,29 @@ void CabMode::zoom(double factor) {
     if (large_ == Large::Cloud) return cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, factor));
     ViewPort& images = *window_.viewer().views.gray().viewPort();
     images.zoomAt(images.centre(), factor);
+}
+
+void CabMode::addZoom() {
+    zoom_->setObjectName("cab-zoom");
+    auto* row = new QHBoxLayout(zoom_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kBetweenZooms);
+    for (const bool in : {true, false}) {
+        auto* button = new QToolButton;
+        button->setObjectName(in ? "cab-zoom-in" : "cab-zoom-out");
+        button->setText(in ? "+" : "−");
+        button->setAccessibleName(in ? tr("Zoom in") : tr("Zoom out"));
+        button->setFixedSize(kZoomSide, kZoomSide);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAutoRepeat(true);
+        QFont letters = button->font();
+        letters.setPixelSize(kZoomSide / 2);
+        letters.setBold(true);
+        button->setFont(letters);
+        connect(button, &QToolButton::clicked, this, [this, in] { zoom(in ? kZoomStep : 1.0 / kZoomStep); });
+        row->addWidget(button);
+    }
+    zoom_->hide();
 }
 
 bool CabMode::LeftPlace::isOver() const { return since.isValid() && since.elapsed() >= kSecondTapMs; }

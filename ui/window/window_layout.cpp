@@ -18,6 +18,7 @@
 #include "ui/window/tool_bar.h"
 
 #include <QAction>
+#include <QBoxLayout>
 #include <QGuiApplication>
 #include <QLayout>
 #include <QScreen>
@@ -251,6 +252,26 @@ void MainWindow::moveEvent(QMoveEvent* event) {
     QMainWindow::moveEvent(event);
     followFrame();
     rememberTimer_.start();
+}
+
+/// Changes of the layout in cab mode.
+void MainWindow::useCab(bool on) {
+    viewsRow_->setDirection(on ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    side_->setStrip(on);
+    side_->setVisible(on); // on the desk where it has room: arrange()
+    viewer_.tools.setVisible(!on);
+    findChild<QToolBar*>("badge-bar")->setVisible(!on); // the head of the cab has its own badge
+    showAlone(on ? &viewer_.cloud : nullptr);
+    for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own text
+}
+
+void MainWindow::lockDocks(DockLock by, bool on) { docks_->setLocked(by, on); }
+
+void MainWindow::showAlone(const QWidget* view) {
+    Pane* wanted = nullptr;
+    for (Pane* pane : panes_) wanted = pane->content() == view ? pane : wanted;
+    if (maximised_ != nullptr) maximise(maximised_);
+    if (wanted != nullptr) maximise(wanted);
 }
 
 } // namespace edgescan::ui

@@ -136,8 +136,8 @@ bool CabHead::event(QEvent* event) {
     return used;
 }
 
-CabFrame::CabFrame(QWidget* middle, QWidget* badge, QWidget* parent)
-    : QWidget(parent), head_(new CabHead(badge)), tools_(new ToolColumn), side_(new NumbersSide) {
+CabFrame::CabFrame(QWidget* middle, QWidget* badge, const std::vector<ParameterRow*>& settings)
+    : head_(new CabHead(badge)), tools_(new ToolColumn), side_(new NumbersSide(settings)) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(0);

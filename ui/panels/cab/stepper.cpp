@@ -1,6 +1,9 @@
 // Minus, number, plus.
 #include "ui/panels/cab/stepper.h"
 
+#include "core/edges/settings/parameters.h"
+#include "ui/panels/tuning/parameter_row.h"
+
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,9 +26,9 @@ int stepsAfter(int repeats) { return repeats < 12 ? 1 : repeats < 30 ? 5 : 25; }
 
 } // namespace
 
-Stepper::Stepper(const QString& name, QWidget* parent)
+Stepper::Stepper(ParameterRow& row, QWidget* parent)
     : QWidget(parent), head_(new QHBoxLayout), name_(new QLabel), less_(new QToolButton), value_(new QLabel), found_(new QLabel),
-      more_(new QToolButton) {
+      more_(new QToolButton), ofLess_(new QLabel(tr("More edges"))), ofMore_(new QLabel(tr("Fewer edges"))) {
     less_->setObjectName("less");
     more_->setObjectName("more");
     value_->setObjectName("stepper-value");
@@ -35,7 +38,9 @@ Stepper::Stepper(const QString& name, QWidget* parent)
     found_->hide();
     QFont small = font();
     small.setPixelSize(kMeaning);
-    found_->setFont(small);
+    ofLess_->setObjectName("meaning-of-less");
+    ofMore_->setObjectName("meaning-of-more");
+    for (QLabel* each : {found_, ofLess_, ofMore_}) each->setFont(small);
     QFont bold = font();
     bold.setBold(true);
     bold.setPixelSize(kLetters);
@@ -60,35 +65,35 @@ Stepper::Stepper(const QString& name, QWidget* parent)
     grid->addWidget(less_, 1, 0);
     grid->addWidget(found_, 1, 1, 1, 2);
     grid->addWidget(more_, 1, kColumns - 1);
+    for (const auto& [label, column] : {std::pair(ofLess_, 0), std::pair(ofMore_, kColumns / 2)}) {
+        label->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+        label->setWordWrap(true);
+        grid->addWidget(label, 2, column, 1, kColumns / 2);
+    }
     for (const int column : {0, kColumns - 1}) grid->setColumnStretch(column, 1);
     addButton(*less_, -1);
     addButton(*more_, +1);
-    setMeaning({}, {});
-    showName(name);
+    follow(row);
 }
 
-void Stepper::setMeaning(const QString& ofLess, const QString& ofMore) {
-    less_->setText(ofLess.isEmpty() ? QStringLiteral("−") : QStringLiteral("◀")); // "−" would be read as fewer edges
-    more_->setText(ofMore.isEmpty() ? QStringLiteral("+") : QStringLiteral("▶"));
-    auto* grid = static_cast<QGridLayout*>(layout());
-    for (const auto& [words, column] : {std::pair(ofLess, 0), std::pair(ofMore, kColumns / 2)}) {
-        const QString name = column == 0 ? "meaning-of-less" : "meaning-of-more";
-        if (auto* before = findChild<QLabel*>(name)) {
-            before->setText(words);
-            before->setHidden(words.isEmpty());
-            continue;
-        }
-        if (words.isEmpty()) continue;
-        auto* label = new QLabel(words);
-        label->setObjectName(name);
-        label->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-        label->setWordWrap(true);
-        QFont letters = label->font();
-        letters.setPixelSize(kMeaning);
-        label->setFont(letters);
-        grid->addWidget(label, 2, column, 1, kColumns / 2);
-    }
+void Stepper::follow(ParameterRow& row) {
+    if (row_ == &row) return;
+    if (row_ != nullptr) row_->disconnect(this);
+    row_ = &row;
+    connect(row_, &ParameterRow::shown, this, &Stepper::showValue);
+    const edges::Parameter& p = row.parameter();
+    const QString name = QObject::tr(p.label);
+    name_->setText(name);
+    less_->setAccessibleName(tr("less: %1").arg(name));
+    more_->setAccessibleName(tr("more: %1").arg(name));
+    const bool threshold = p.feeds == edges::Stage::Threshold;
+    less_->setText(threshold ? QStringLiteral("◀") : QStringLiteral("−")); // "−" would be read as fewer edges
+    more_->setText(threshold ? QStringLiteral("▶") : QStringLiteral("+"));
+    for (QLabel* each : {ofLess_, ofMore_}) each->setHidden(!threshold);
+    showValue();
 }
+
+void Stepper::showValue() { value_->setText(row_->valueText()); }
 
 void Stepper::setAside(QToolButton* button) { head_->addWidget(button, 0, Qt::AlignTop); }
 
@@ -101,17 +106,11 @@ void Stepper::addButton(QToolButton& button, int direction) {
     button.setAutoRepeatDelay(kFirstRepeatMs);
     button.setAutoRepeatInterval(kRepeatMs);
     connect(&button, &QToolButton::clicked, this, [this, &button, direction] {
-        emit stepped(direction * stepsAfter(repeats_++));
+        row_->step(direction * stepsAfter(repeats_++));
         if (button.isDown()) return; // the button is still pressed
         repeats_ = 0;
-        emit stepEnded();
+        emit row_->dragEnded();
     });
-}
-
-void Stepper::showName(const QString& name) {
-    name_->setText(name);
-    less_->setAccessibleName(tr("less: %1").arg(name));
-    more_->setAccessibleName(tr("more: %1").arg(name));
 }
 
 /// The buttons do not move under a finger because the number has a digit less.
@@ -121,11 +120,7 @@ void Stepper::showFound(const QString& words) {
     found_->setMinimumWidth(words.isEmpty() ? 0 : std::max(found_->minimumWidth(), found_->sizeHint().width()));
 }
 
-QString Stepper::found() const { return found_->text(); }
-
-void Stepper::showValue(const QString& value) { value_->setText(value); }
-
-QString Stepper::value() const { return value_->text(); }
+QString Stepper::value() const { return row_->valueText(); }
 
 } // namespace edgescan::ui
 

@@ -1,4 +1,4 @@
-// A number with buttons - and + that repeat while they are pressed; it replaces a slider.
+// A row of the settings, large: its value with buttons - and + that repeat while they are pressed; they replace the slider.
 #pragma once
 
 #include <QWidget>
@@ -9,39 +9,37 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Displays the values it is given and signals the operator's choices.
+class ParameterRow;
+
+/// GUI thread only. The row must outlive it.
 class Stepper : public QWidget {
     Q_OBJECT
 public:
-    explicit Stepper(const QString& name, QWidget* parent = nullptr);
+    explicit Stepper(ParameterRow& row, QWidget* parent = nullptr);
 
-    /// Words below the buttons: what more and less of the value do.
-    void setMeaning(const QString& ofLess, const QString& ofMore);
+    /// Shows and changes this row from now on.
+    void follow(ParameterRow& row);
     /// Adds a button right of name and value.
     void setAside(QToolButton* button);
-    void showName(const QString& name);
-    void showValue(const QString& value);
+    [[nodiscard]] const ParameterRow& row() const { return *row_; }
     [[nodiscard]] QString value() const;
     /// Between the buttons: what the value gave; empty: nothing.
     void showFound(const QString& words);
-    [[nodiscard]] QString found() const;
     [[nodiscard]] QToolButton* less() const { return less_; }
     [[nodiscard]] QToolButton* more() const { return more_; }
 
-signals:
-    /// Steps since the last signal; the number grows while the button is pressed. stepEnded() follows on release.
-    void stepped(int steps);
-    void stepEnded();
-
 private:
     void addButton(QToolButton& button, int direction);
+    void showValue();
 
+    ParameterRow* row_ = nullptr;
     QHBoxLayout* head_;
     QLabel* name_;
     QToolButton* less_;
     QLabel* value_;
     QLabel* found_;
     QToolButton* more_;
+    QLabel *ofLess_, *ofMore_; // of a threshold: what less and more of it do
     int repeats_ = 0;
 };
 

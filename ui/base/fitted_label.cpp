@@ -1,5 +1,5 @@
 // Chooses the size of the letters.
-#include "ui/panels/cab/fitted_label.h"
+#include "ui/base/fitted_label.h"
 
 #include <QFontMetrics>
 
