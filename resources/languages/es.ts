@@ -1481,8 +1481,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Views</source><translation>Vistas</translation></message>
 <message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
-<message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
-<message><source>Redo: %1</source><translation>Rehacer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>in B</source><translation>en B</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>

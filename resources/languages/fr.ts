@@ -1481,8 +1481,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Views</source><translation>Vues</translation></message>
 <message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
-<message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
-<message><source>Redo: %1</source><translation>Rétablir : %1</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>in B</source><translation>dans B</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>

@@ -1481,8 +1481,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Views</source><translation>Vistas</translation></message>
 <message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
-<message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
-<message><source>Redo: %1</source><translation>Refazer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>in B</source><translation>em B</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>

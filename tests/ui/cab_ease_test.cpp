@@ -118,7 +118,7 @@ private slots:
         on.viewer.views.pin(100 * 240 + 120);
         press(on.window, "cab-undo");
         QVERIFY(on.viewer.targets.notebook().targets.empty() && redo->isEnabled());
-        QCOMPARE(redo->accessibleName(), QString("Redo: new target 1"));
+        QCOMPARE(redo->accessibleName(), QString("Redo new target 1"));
         press(on.window, "cab-redo");
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         QVERIFY(!redo->isEnabled());

@@ -130,7 +130,7 @@ private slots:
         QToolButton* undo = tool(on.window, "cab-undo");
         on.viewer.views.pin(100 * 240 + 120);
         on.viewer.views.pin(60 * 240 + 60);
-        QCOMPARE(undo->accessibleName(), QString("Undo: new target 2"));
+        QCOMPARE(undo->accessibleName(), QString("Undo new target 2"));
         press(on.window, "cab-undo");
         QCOMPARE(on.viewer.notice.text(), QString("Undone: new target 2."));
         QVERIFY(on.viewer.notice.isVisible());

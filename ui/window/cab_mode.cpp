@@ -69,7 +69,6 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     window.side().add(*zoom_);
     connectHead();
     connectSide();
-    addTools();
     connect(back_, &CornerPicture::reachChanged, this, [this](int reach) {
         if (large_ != Large::Cloud) imageView().setCovered(reach); // no prompt is below it
     });

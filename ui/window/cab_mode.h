@@ -42,6 +42,8 @@ public:
     CabMode(MainWindow& window, QWidget* middle);
     ~CabMode() override;
 
+    /// Its buttons do what the commands do: call it after the menus are made.
+    void addTools();
     void set(bool on);
     [[nodiscard]] bool on() const { return on_; }
     [[nodiscard]] CabFrame& frame() { return *frame_; }
@@ -63,7 +65,6 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void connectHead();
     void fillMenu();
-    void addTools();
     void addSideButtons();
     void fillRemoval(QMenu& menu, bool all);
     void fillMeasures(QMenu& menu);
@@ -71,8 +72,7 @@ private:
     /// The menu with this command of the menu bar: its entries, not a second list. `id`: its path in English.
     [[nodiscard]] QMenu& menuWith(const QString& id) const;
     void fillViews(QMenu& menu);
-    [[nodiscard]] QToolButton* undoButton();
-    [[nodiscard]] QToolButton* redoButton();
+    void addUndo();
     void connectSide();
     void follow();
     void nameUndone();

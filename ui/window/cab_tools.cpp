@@ -10,6 +10,7 @@
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/cab/tool_column.h"
+#include "ui/panels/dialogs/sheets.h"
 #include "ui/panels/keys/shortcuts.h"
 #include "ui/panels/rocks/rock_card.h"
 #include "ui/panels/targets/target_words.h"
@@ -22,13 +23,13 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/main_window.h"
 
-#include <QCheckBox>
 #include <QCursor>
 #include <QMenu>
 #include <QToolButton>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 namespace edgescan::ui {
@@ -37,8 +38,6 @@ namespace {
 constexpr int kNearHigh = 48;            // px
 constexpr std::size_t kMostRemovals = 4; // newest measurements in the menu
 constexpr std::size_t kMostPins = 4;     // newest targets in it
-
-void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
 
 using Look = FactRow::Look;
 
@@ -67,62 +66,74 @@ void addCaveat(SideFacts& side, const rocks::Rock& rock) {
     addText(side, Look::Words, "remarks", (rock.apart.empty() ? QString() : partsText(rock) + " · ") + rockCaveat());
 }
 
+/// A tap opens the menu next to the button.
+void opens(QToolButton& button, const std::function<QMenu&()>& menu) {
+    showMenuSign(button);
+    QObject::connect(&button, &QToolButton::clicked, &button,
+                     [&button, menu] { menu().popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); });
+}
+
+/// A menu of its own.
+void opensOwn(QToolButton& button, const std::function<void(QMenu&)>& fill) {
+    opens(button, [fill, menu = new QMenu(&button)]() -> QMenu& {
+        fill(*menu);
+        return *menu;
+    });
+}
+
+/// Does what the command of the desk does, and is on and enabled with it.
+void followCommand(QToolButton& button, QAction& action) {
+    button.setCheckable(action.isCheckable());
+    const auto update = [&button, &action] {
+        button.setChecked(action.isChecked());
+        button.setEnabled(action.isEnabled());
+        button.setAccessibleName(action.property(kPlainName).isValid() ? action.text().remove('&') : button.text()); // it names the step
+    };
+    QObject::connect(&action, &QAction::changed, &button, update);
+    QObject::connect(&button, &QToolButton::clicked, &action, [&action, update] {
+        action.trigger();
+        update();
+    });
+    update();
+}
+
 } // namespace
 
 void CabMode::addTools() {
     ToolColumn& column = frame_->tools();
-    LinkedViews& views = window_.viewer().views;
+    Viewer& v = window_.viewer();
+    const QList<KeyedCommand> commands = keyedCommands(window_.actions());
     QToolButton* pin = column.add("cab-pin", "pin", tr("Pin"));
-    pin->setCheckable(true);
-    connect(pin, &QToolButton::clicked, this, [this](bool on) {
-        Viewer& viewer = window_.viewer();
-        viewer.measures.stop();
-        viewer.rocks.useTool(RockTool::None);
-        viewer.views.setChoosesOnly(!on && viewer.rocks.shown()); // first: the tool says so
-        viewer.views.setTool(Tool::Pin);
-        viewer.explanation.closeCard();
-    });
+    followCommand(*pin, actionOf(commands, "Measure/Pin"));
+    connect(pin, &QToolButton::clicked, &v.explanation, &Explanation::closeCard);
     QToolButton* measure = column.add("cab-measure", "measure", tr("Measure"));
     measure->setCheckable(true);
-    auto* kinds = new QMenu(measure);
-    const auto followTool = [this, pin, measure] {
-        const LinkedViews& shown = window_.viewer().views;
-        pin->setChecked(shown.tool() == Tool::Pin && !shown.choosesOnly() && window_.viewer().rocks.tool() == RockTool::None);
-        measure->setChecked(window_.viewer().measures.kind().has_value());
-    };
-    connect(measure, &QToolButton::clicked, this, [this, kinds, measure, followTool] {
-        followTool(); // the chosen tool determines which button is on
-        fillMeasures(*kinds);
-        openNextTo(*kinds, *measure);
-    });
-    connect(&views, &LinkedViews::toolChanged, this, followTool);
-    connect(&window_.viewer().measures, &Measures::kindChanged, this, followTool);
-    connect(&window_.viewer().rocks, &Rocks::toolChanged, this, followTool);
-    followTool();
+    const auto followKind = [measure, &v] { measure->setChecked(v.measures.kind().has_value()); }; // a press alone does not switch it
+    connect(measure, &QToolButton::clicked, measure, followKind);
+    connect(&v.measures, &Measures::kindChanged, measure, followKind);
+    opensOwn(*measure, [this](QMenu& menu) { fillMeasures(menu); });
     QToolButton* rocks = column.add("cab-rocks", "rocks", tr("Rocks"));
     rocks->setCheckable(true);
-    connect(rocks, &QToolButton::clicked, &window_.viewer().rocks, &Rocks::setShown);
+    connect(rocks, &QToolButton::clicked, &v.rocks, &Rocks::setShown);
     QToolButton* rock = column.add("cab-rock", "rock", tr("Rock…"));
     rock->setAccessibleName(tr("What can be done with rocks"));
-    connect(rock, &QToolButton::clicked, this, [this, rock] { openNextTo(menuWith("Rocks/Largest Rock by Width b"), *rock); });
+    opens(*rock, [this]() -> QMenu& { return menuWith("Rocks/Largest Rock by Width b"); });
     const auto followRocks = [this, rocks, rock](bool on) {
         rocks->setChecked(on);
         rock->setEnabled(on);
         if (on_ && on) window_.viewer().measures.stop(); // a tap would set a point
     };
-    connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, followRocks);
-    followRocks(window_.viewer().rocks.shown());
-    QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
-    connect(compare, &QToolButton::clicked, this, [this, compare] { openNextTo(menuWith("Edges/Compare A/B/Keep This as A"), *compare); });
+    connect(&v.rocks, &Rocks::shownChanged, rocks, followRocks);
+    followRocks(v.rocks.shown());
+    opens(*column.add("cab-compare", "ab", tr("A/B")), [this]() -> QMenu& { return menuWith("Edges/Compare A/B/Keep This as A"); });
     QToolButton* why = column.add("cab-why", "why", tr("Why"));
     why->setCheckable(true);
-    const auto followWhy = [this, why] { why->setChecked(window_.viewer().views.tool() == Tool::Why); }; // it waits for a tap
-    connect(why, &QToolButton::clicked, this, [this, followWhy] {
-        LinkedViews& shown = window_.viewer().views;
-        shown.tool() == Tool::Why ? shown.setTool(Tool::Pin) : window_.viewer().explanation.explainMarked();
+    const auto followWhy = [why, &v] { why->setChecked(v.views.tool() == Tool::Why); }; // it waits for a tap
+    connect(why, &QToolButton::clicked, this, [&v, followWhy] {
+        v.views.tool() == Tool::Why ? v.views.setTool(Tool::Pin) : v.explanation.explainMarked();
         followWhy();
     });
-    connect(&views, &LinkedViews::toolChanged, why, followWhy);
+    connect(&v.views, &LinkedViews::toolChanged, why, followWhy);
     QToolButton* scanner = column.add("cab-scanner", "view-from-scanner", tr("Scanner"));
     connect(scanner, &QToolButton::clicked, this, [this] {
         showLarge(Large::Cloud);
@@ -131,64 +142,41 @@ void CabMode::addTools() {
     QToolButton* fit = column.add("cab-fit", "fit", tr("Fit"));
     connect(fit, &QToolButton::clicked, this, &CabMode::fit);
     QToolButton* images = column.add("cab-images", "images", tr("Views"));
-    auto* choices = new QMenu(images);
-    connect(images, &QToolButton::clicked, this, [this, choices, images] {
-        fillViews(*choices);
-        openNextTo(*choices, *images);
-    });
+    opensOwn(*images, [this](QMenu& menu) { fillViews(menu); });
     remove_ = column.add("cab-remove", "remove", tr("Remove"));
-    auto* shown = new QMenu(remove_);
-    connect(remove_, &QToolButton::clicked, this, [this, shown] {
-        fillRemoval(*shown, false);
-        openNextTo(*shown, *remove_);
-    });
-    column.setFoot({undoButton(), redoButton()});
-    const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-rocks", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
-    for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
-    for (QToolButton* each : {measure, rock, compare, images, remove_, frame_->head().menu()}) showMenuSign(*each);
+    opensOwn(*remove_, [this](QMenu& menu) { fillRemoval(menu, false); });
+    showMenuSign(*frame_->head().menu());
+    addUndo();
     addSideButtons();
+    ofScan_.insert(ofScan_.end(), {measure, rocks, why, scanner, fit, images});
 }
 
-/// Of a measurement that is being made it takes back the last point.
-QToolButton* CabMode::undoButton() {
+/// Of a measurement that is being made Undo takes back the last point.
+void CabMode::addUndo() {
+    const QList<KeyedCommand> commands = keyedCommands(window_.actions());
+    QToolButton* redo = gloveButton("cab-redo", "redo", tr("Redo"));
+    followCommand(*redo, actionOf(commands, "Edit/Redo"));
     QToolButton* undo = gloveButton("cab-undo", "undo", tr("Undo"));
-    QUndoStack& stack = window_.viewer().undo;
+    QAction& last = actionOf(commands, "Edit/Undo");
     Measures& measures = window_.viewer().measures;
-    connect(undo, &QToolButton::clicked, this, [&stack, &measures] {
-        if (!measures.removeLastPick()) stack.undo();
+    connect(undo, &QToolButton::clicked, this, [&last, &measures] {
+        if (!measures.removeLastPick()) last.trigger();
     });
-    const auto follow = [undo, &stack, &measures] {
-        const QString step = stack.undoText();
-        undo->setEnabled(!measures.picked().empty() || stack.canUndo());
-        undo->setAccessibleName(!measures.picked().empty() ? tr("Take the last point back")
-                                : step.isEmpty()           ? tr("Undo")
-                                                           : tr("Undo: %1").arg(step));
-        undo->setToolTip(undo->accessibleName());
+    const auto update = [undo, &last, &measures] {
+        const bool picked = !measures.picked().empty();
+        undo->setEnabled(picked || last.isEnabled());
+        undo->setAccessibleName(picked ? tr("Take the last point back") : last.text().remove('&'));
     };
     // Of what ends first: the stack is cleared when the window goes, after the measures.
-    connect(&stack, &QUndoStack::canUndoChanged, &measures, follow);
-    connect(&stack, &QUndoStack::undoTextChanged, &measures, follow);
-    connect(&measures, &Measures::asked, undo, follow);
-    follow();
-    return undo;
-}
-
-QToolButton* CabMode::redoButton() {
-    QToolButton* redo = gloveButton("cab-redo", "redo", tr("Redo"));
-    QUndoStack& stack = window_.viewer().undo;
-    connect(redo, &QToolButton::clicked, &stack, &QUndoStack::redo);
-    const auto follow = [redo, &stack] {
-        redo->setEnabled(stack.canRedo());
-        redo->setAccessibleName(stack.canRedo() ? tr("Redo: %1").arg(stack.redoText()) : tr("Redo"));
-        redo->setToolTip(redo->accessibleName());
-    };
-    connect(&stack, &QUndoStack::canRedoChanged, redo, follow);
-    connect(&stack, &QUndoStack::redoTextChanged, redo, follow);
-    follow();
-    return redo;
+    connect(&last, &QAction::changed, &measures, update);
+    connect(&measures, &Measures::asked, undo, update);
+    update();
+    frame_->tools().setFoot({undo, redo});
 }
 
 void CabMode::addSideButtons() {
+    const QList<KeyedCommand> commands = keyedCommands(window_.actions());
+    NumbersSide& side = frame_->side();
     QToolButton* tune = gloveButton("cab-tune", "tune", tr("Tune"));
     tune->setCheckable(true);
     // In the head of the settings, and where a low screen has room next to the number that is changed most.
@@ -196,23 +184,20 @@ void CabMode::addSideButtons() {
     QToolButton* near = gloveButton("cab-default-near", "usual", tr("Default"));
     near->setToolButtonStyle(Qt::ToolButtonTextOnly);
     near->setMinimumHeight(kNearHigh);
-    for (QToolButton* each : {usual, near})
-        connect(each, &QToolButton::clicked, this, [this] { window_.viewer().tuning.usePreset(edges::builtInPresets().front()); });
-    frame_->side().mainStepper()->setAside(near);
+    side.mainStepper()->setAside(near);
     QToolButton* classes = gloveButton("cab-classes", "layers", QObject::tr("Classes"));
-    classes->setCheckable(true);
-    connect(classes, &QToolButton::clicked, &window_.viewer().legend, &EdgeLegend::byClassRequested);
-    connect(window_.viewer().legend.byClass(), &QCheckBox::toggled, classes, &QToolButton::setChecked);
-    for (QToolButton* each : {usual, classes}) frame_->side().addSettingsButton(each);
     QToolButton* report = gloveButton("cab-report", "report", tr("Report"));
-    connect(report, &QToolButton::clicked, this, [this] { window_.viewer().report.ask(); });
+    for (const auto& [button, command] : {std::pair(usual, "Edges/Restore the Default Settings"),
+                                          {near, "Edges/Restore the Default Settings"},
+                                          {classes, "View/Edges by Class"},
+                                          {report, "File/Report"}})
+        followCommand(*button, actionOf(commands, command));
+    for (QToolButton* each : {usual, classes}) side.addSettingsButton(each);
     QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
-    connect(out, &QToolButton::clicked, this, [this, out] { openNextTo(*window_.findChild<QToolButton*>("tool-export")->menu(), *out); });
-    showMenuSign(*out);
-    frame_->side().addTune(tune);
-    for (QToolButton* each : {report, out}) frame_->side().addButton(each);
-    for (QWidget* each : std::initializer_list<QWidget*>{tune, usual, classes, report, out, frame_->side().mainStepper()})
-        ofScan_.push_back(each);
+    opens(*out, [this]() -> QMenu& { return *window_.findChild<QToolButton*>("tool-export")->menu(); });
+    side.addTune(tune);
+    for (QToolButton* each : {report, out}) side.addButton(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{tune, usual, classes, out, side.mainStepper()}) ofScan_.push_back(each);
 }
 
 void CabMode::showSettings() {

@@ -151,6 +151,7 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     addToolButtons(*this);
+    cab_->addTools();
     panes_.back()->add(actionOf(keyedCommands(actions()), "View/Sizes of Views/Legends at the Side"), "panel");
     connect(&viewer_.statusLine, &StatusLine::poseRequested, &actionOf(keyedCommands(actions()), "Scan/Pose and Mounting"),
             &QAction::trigger);
