@@ -11,7 +11,6 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/gl_check.h"
 #include "ui/window/cab_mode.h"
-#include "ui/window/first_tour.h"
 #include "ui/window/main_window.h"
 #include "ui/window/start.h"
 #include "ui/window/theme.h"

@@ -10,9 +10,8 @@
 #include "ui/base/touch.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
-#include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/cab/numbers_side.h"
-#include "ui/panels/cab/stepper.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/start/start_page.h"
@@ -212,41 +211,6 @@ private slots:
         }
     }
 
-    void theLargeNumbersFitTheirSide() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        on.window.cab().set(true);
-        auto* side = on.window.findChild<NumbersSide*>();
-        QVERIFY(side != nullptr);
-        for (const QSize size : {QSize(1280, 775), QSize(853, 533), QSize(1920, 1040)}) {
-            resizeTo(on.window, size);
-            using Look = FactRow::Look;
-            side->show({.title = "Cible 12\nsur 34",
-                        .rows = {{Look::Number, {"distance", "Distance", "104.911 m", "± 0.009"}},
-                                 {Look::Warning, {"pose", "", "▲ pas de pose"}},
-                                 {Look::Short, {"x", "E [m]", "498,700.123"}},
-                                 {Look::Short, {"y", "N", "6,203,700.123"}},
-                                 {Look::Number, {"size", "Rocher 104, partie visible", "12.43 × 11.72 m", "± 0.10 m"}},
-                                 {Look::Words, {"remarks", "", "candidat – géométrie seule, un seul point de vue"}},
-                                 {Look::Line, {"surface", "Surface", "37° ± 12 par rapport au faisceau"}},
-                                 {Look::Line, {"dip", "Pendage / direction", "aucun plan ne convient"}}}});
-            QApplication::processEvents();
-            int seen = 0;
-            for (const QLabel* each : side->findChildren<QLabel*>()) {
-                if (!each->isVisible() || each->text().isEmpty()) continue;
-                ++seen;
-                const QString where = QString("\"%1\" at %2 x %3").arg(each->text()).arg(size.width()).arg(size.height());
-                QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(where));
-                QVERIFY2(each->wordWrap() || each->text().contains('\n') ||
-                             each->fontMetrics().horizontalAdvance(each->text()) <= each->contentsRect().width() + 1,
-                         qPrintable(where));
-            }
-            QVERIFY(seen >= 10);
-            const auto* number = side->findChild<QLabel*>("cab-size");
-            QVERIFY2(number->font().pixelSize() >= 22, qPrintable(QString::number(number->font().pixelSize())));
-        }
-    }
-
     // Distance and coordinates are whole in each language on the lowest screens, whatever the lines about the rock need.
     void theCoordinatesAreInSight() {
         for (const Language& language : kLanguages) {
@@ -281,37 +245,6 @@ private slots:
             on.window.cab().set(false);
         }
         useLanguage("en");
-    }
-
-    // A target has all its rows in sight on the screen of a cab, with and without a rock.
-    void noRowOfATargetIsCutOnALowScreen() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        on.window.cab().set(true);
-        resizeTo(on.window, {1024, 768});
-        auto* side = on.window.findChild<NumbersSide*>();
-        using Look = FactRow::Look;
-        for (const bool rock : {false, true}) {
-            SideFacts target{.title = "Target 1\n1 of 1",
-                             .rows = {{Look::Number, {"distance", "Distance", "5.566 m", "± 0.018"}},
-                                      {Look::Warning, {"pose", "", "▲ no pose: no E N RL"}},
-                                      {Look::Short, {"x", "X", "2.642"}},
-                                      {Look::Short, {"y", "Y", "2.880"}},
-                                      {Look::Short, {"z", "Z", "3.964"}}}};
-            if (rock) {
-                target.rows.push_back({Look::Number, {"size", "Rock 12, visible", "1.29 × 0.88 m", "± 0.05 m"}});
-                target.rows.push_back({Look::Words, {"remarks", "", "candidate - geometry only, one viewpoint"}});
-            } else {
-                target.rows.push_back({Look::Line, {"rock", "Rock, visible", "tap Rocks to measure it"}});
-            }
-            target.rows.push_back({Look::Line, {"resolves", "Resolves", "55 mm"}});
-            target.rows.push_back({Look::Line, {"surface", "Surface", "57° ± 1 off the beam"}});
-            side->show(target);
-            for (int n = 0; n < 5; ++n) QApplication::processEvents();
-            const QWidget* rows = side->findChild<QWidget*>("cab-rows");
-            const QWidget* room = rows->parentWidget();
-            QVERIFY2(rows->height() <= room->height(), qPrintable(QString("%1 px in %2").arg(rows->height()).arg(room->height())));
-        }
     }
 
     // A measurement with many remarks is whole where the stepper leaves it no room, and a button says that there is more where nothing
@@ -354,52 +287,6 @@ private slots:
                 QTRY_VERIFY(!whole() && area->findChild<QToolButton*>("cab-page")->isVisible());
             else
                 QTRY_VERIFY2(whole(), qPrintable(QString("%1 px in %2").arg(rows->height()).arg(rows->parentWidget()->height())));
-        }
-    }
-
-    void nothingIsTooSmallForAGlove() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        for (const QSize size : {QSize(1280, 800), QSize(853, 533), QSize(1366, 768), QSize(1920, 1040)}) {
-            on.window.cab().set(true);
-            resizeTo(on.window, size);
-            on.viewer.notice.showNotice(NoticeBar::Kind::Done, "something was done");
-            on.viewer.notice.offer("Undo it", [] {});
-            QApplication::processEvents();
-            int seen = 0;
-            const auto check = [&] {
-                for (QWidget* each : on.window.findChildren<QWidget*>()) {
-                    const bool pressed = qobject_cast<QAbstractButton*>(each) != nullptr || qobject_cast<QComboBox*>(each) != nullptr ||
-                                         qobject_cast<QAbstractSpinBox*>(each) != nullptr ||
-                                         qobject_cast<QAbstractSlider*>(each) != nullptr;
-                    if (!pressed || !each->isVisible()) continue;
-                    if (qobject_cast<QAbstractSpinBox*>(each->parentWidget()) != nullptr) continue;
-                    ++seen;
-                    QVERIFY2(each->width() >= kGlovePx && each->height() >= kGlovePx,
-                             qPrintable(QString("%1 \"%2\": %3 x %4 at %5")
-                                            .arg(each->metaObject()->className(), each->objectName())
-                                            .arg(each->width())
-                                            .arg(each->height())
-                                            .arg(size.width())));
-                    QVERIFY2(on.window.rect().contains(QRect(each->mapTo(&on.window, QPoint()), each->size())) ||
-                                 each->objectName().startsWith("step-") || each->parentWidget()->objectName().startsWith("step-"),
-                             qPrintable(each->objectName() + " is cut off"));
-                }
-            };
-            check();
-            QVERIFY2(seen >= 20, qPrintable(QString::number(seen)));
-            press(on.window, "cab-tune"); // the sliders as steppers
-            QApplication::processEvents();
-            check();
-            press(on.window, "cab-tune");
-            QVERIFY(on.viewer.views.cloud().width() >= 0.45 * size.width());
-            for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) {
-                QVERIFY(dock->isHidden());
-                QCOMPARE(dock->toggleViewAction()->isEnabled(), dock->objectName() == "dock-rock-table"); // which covers the views
-            }
-            QVERIFY(!on.window.menuBar()->isVisible());
-            on.window.cab().set(false);
-            QApplication::processEvents();
         }
     }
 

@@ -1,15 +1,36 @@
 // Facts about a target, a rock or a measurement, and their rows on a card: at the desk and, in large letters, in cab mode.
 #pragma once
 
+#include <QLabel>
 #include <QStringList>
-#include <QWidget>
 
 #include <vector>
 
-class QLabel;
 class QVBoxLayout;
 
 namespace edgescan::ui {
+
+/// With the largest letters, from `mostPx` down to `leastPx`, in which the text fits into the room.
+[[nodiscard]] QFont fittedFont(QFont letters, const QString& text, int room, int mostPx, int leastPx);
+
+/// One line. It never requests more width than it is given. The font shrinks down to `leastPx`; text that still does not fit is in the tool
+/// tip.
+class FittedLabel : public QLabel {
+public:
+    FittedLabel(int mostPx, int leastPx, QWidget* parent = nullptr);
+
+    void showText(const QString& text);
+    void setMost(int px);
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void fit();
+
+    int mostPx_, leastPx_;
+};
 
 /// It is made once; card, cab mode and files read it by its key.
 struct Fact {

@@ -2,9 +2,8 @@
 #include "ui/panels/cab/cab_frame.h"
 
 #include "ui/base/elided_label.h"
-#include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/cab/numbers_side.h"
-#include "ui/panels/cab/tool_column.h"
 
 #include <QDateTime>
 #include <QGridLayout>

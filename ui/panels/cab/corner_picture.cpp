@@ -1,7 +1,7 @@
 // Draws the picture in the corner.
 #include "ui/panels/cab/corner_picture.h"
 
-#include "ui/base/fitted_label.h"
+#include "ui/base/fact_row.h"
 #include "ui/base/marks.h"
 
 #include <QHideEvent>

@@ -5,8 +5,8 @@
 #include "ui/base/flow_layout.h"
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
-#include "ui/panels/cab/stepper.h"
-#include "ui/panels/cab/swipes.h"
+#include "ui/panels/cab/glove_buttons.h"
+#include "ui/panels/cab/gloves.h"
 #include "ui/panels/tuning/parameter_row.h"
 
 #include <QEvent>
@@ -32,10 +32,10 @@ constexpr int kNumberPx = 42, kLowNumberPx = 32, kCoordinatePx = 25, kTextPx = 1
 constexpr int kLeastScrolled = 90;
 constexpr int kPageHigh = 48; // px: of the button that turns the page
 constexpr int kAroundPose = 14;
-constexpr int kLockPx = 16, kBeforeLock = 4;
-constexpr int kSign = 28, kLowSign = 16; // px: of Tune, the lower one above two lines
-constexpr int kLowestPx = 480;           // a lower side has no stepper next to the numbers: Tune has it
-constexpr int kLowPx = 720;              // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
+constexpr int kLockPx = 16;
+constexpr int kTuneSign = 28, kLowTuneSign = 16; // px: of Tune, the lower one above two lines
+constexpr int kLowestPx = 480;                   // a lower side has no stepper next to the numbers: Tune has it
+constexpr int kLowPx = 720;                      // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
 
 QScrollArea* scrolledColumn(QWidget* content, Qt::ScrollBarPolicy bar) {
     auto* scroll = new QScrollArea;
@@ -63,7 +63,7 @@ QToolButton* arrow(const char* name, const char* sign, const QString& words) {
 
 NumbersSide::NumbersSide(const std::vector<ParameterRow*>& settings, QWidget* parent)
     : QWidget(parent), pages_(new QStackedWidget), previous_(arrow("cab-previous", "previous", tr("Previous target or measurement"))),
-      next_(arrow("cab-next", "next", tr("Next target or measurement"))), title_(new QLabel), lock_(new QLabel(title_)),
+      next_(arrow("cab-next", "next", tr("Next target or measurement"))), title_(new QLabel), lock_(new QLabel),
       facts_(new FactList("cab-")), below_(new QWidget), page_(new QToolButton), main_(new Stepper(*settings.front())),
       foot_(new QGridLayout) {
     main_->setObjectName("cab-main-stepper");
@@ -76,11 +76,11 @@ NumbersSide::NumbersSide(const std::vector<ParameterRow*>& settings, QWidget* pa
     title_->setAlignment(Qt::AlignCenter);
     title_->installEventFilter(this);
     lock_->setObjectName("cab-locked");
-    lock_->setAttribute(Qt::WA_TransparentForMouseEvents);
     followColours(*lock_, [this](const Theme&) { lock_->setPixmap(toolIcon("lock").pixmap(kLockPx, kLockPx)); });
     auto* head = new QHBoxLayout;
     head->addWidget(previous_);
     head->addWidget(title_, 1);
+    head->addWidget(lock_);
     head->addWidget(next_);
     auto* numbers = new QWidget;
     auto* column = new QVBoxLayout(numbers);
@@ -182,17 +182,6 @@ void NumbersSide::fitTitle() {
     }
     title_->setText(shown);
     if (letters.pixelSize() != title_->font().pixelSize()) title_->setFont(letters);
-    placeLock();
-}
-
-/// Next to the last line: as a word of it, it would need a line of its own.
-void NumbersSide::placeLock() {
-    const QFontMetrics letters(title_->font());
-    const QRect place = title_->contentsRect();
-    const QRect words = letters.boundingRect(place, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, title_->text());
-    const int last = letters.horizontalAdvance(titleWords_.section('\n', -1));
-    const int left = std::min(place.center().x() + last / 2 + kBeforeLock, place.right() + 1 - kLockPx);
-    lock_->setGeometry(left, words.bottom() - (letters.height() + kLockPx) / 2, kLockPx, kLockPx);
 }
 
 void NumbersSide::fitHeight() {
@@ -219,7 +208,7 @@ void NumbersSide::showValueInTune() {
     if (tune_ == nullptr) return;
     const bool hidden = !tuning() && !main_->isVisibleTo(this);
     tune_->setText(hidden ? tuneWord_ + '\n' + main_->value() : tuneWord_);
-    tune_->setIconSize(hidden ? QSize(kLowSign, kLowSign) : QSize(kSign, kSign));
+    tune_->setIconSize(hidden ? QSize(kLowTuneSign, kLowTuneSign) : QSize(kTuneSign, kTuneSign));
 }
 
 /// The facts of what is chosen are seen whole; Tune has the stepper too.

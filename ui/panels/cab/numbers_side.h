@@ -65,7 +65,6 @@ protected:
 
 private:
     void fitTitle();
-    void placeLock();
     void fitHeight();
     QWidget* makeSettings(const std::vector<ParameterRow*>& settings);
 
