@@ -198,16 +198,6 @@
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
-<message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Las superficies de los dos escaneos no encajan, así que no se dan áreas de cambio.</translation></message>
-<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
-<message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2, la mayor en área: %3 por %4 m ± %5 m,
-ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
-<message><source>region %1 of %2: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
-ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
-<message><source>farther</source><translation>más lejos</translation></message>
-<message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Todavía no hay imagen que conservar: abra primero un escaneo.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
@@ -230,6 +220,16 @@ ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
 <message><source>gained, lost and kept</source><translation>ganados, perdidos y conservados</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
+<message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Las superficies de los dos escaneos no encajan, así que no se dan áreas de cambio.</translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
+<message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
+now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2, la mayor en área: %3 por %4 m ± %5 m,
+ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
+<message><source>region %1 of %2: %3 by %4 m ± %5 m,
+now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
+ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
+<message><source>farther</source><translation>más lejos</translation></message>
+<message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
 <message><source>could not be computed:
 %1</source><translation>no se pudo calcular:
@@ -606,20 +606,6 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Some points of the scan that is being opened.</source><translation>Algunos puntos del escaneo que se está abriendo.</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEN ANTERIOR</translation></message>
 <message><source>Another scan is being opened. This is the picture before it.</source><translation>Se está abriendo otro escaneo. Esta es la imagen anterior.</translation></message>
-<message><source>region of interest</source><translation>región de interés</translation></message>
-<message><source>Open Session</source><translation>Abrir la sesión</translation></message>
-<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
-<message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer. Haga clic en otra parte de la roca, o dibuje a través de toda ella, más allá de su contorno.</translation></message>
-<message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
-<message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
-<message><source>mark as a rock</source><translation>marca de roca</translation></message>
-<message><source>mark as not a rock</source><translation>marca de no roca</translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
-<message><source>Export %1 of %2</source><translation>Exportar %1 de %2</translation></message>
-<message><source>Export %1</source><translation>Exportar %1</translation></message>
-<message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
-<message><source>%1 waits for the rocks</source><translation>%1 espera las rocas</translation></message>
-<message><source>%1 was not written: its rocks are not known.</source><translation>%1 no se escribió: no se conocen sus rocas.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Hasta entonces no se guardan las ediciones de las rocas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: haga clic en la parte que es otra roca (rueda: menor o mayor)</translation></message>
@@ -638,11 +624,25 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Las rocas aún se están calculando: divida de nuevo cuando estén aquí.</translation></message>
 <message><source>split of a rock</source><translation>división de una roca</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes. Cortar a lo largo de una línea la divide donde usted dibuje.</translation></message>
+<message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>Click the other end of the line, past the other side of the rock.</source><translation>Haga clic en el otro extremo de la línea, más allá del otro lado de la roca.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro. Cada parte necesita %1 celdas.</translation></message>
 <message><source>Nothing was merged: draw the line from one rock over the crack into the next.</source><translation>No se fusionó nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
+<message><source>region of interest</source><translation>región de interés</translation></message>
+<message><source>Open Session</source><translation>Abrir la sesión</translation></message>
+<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
+<message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer. Haga clic en otra parte de la roca, o dibuje a través de toda ella, más allá de su contorno.</translation></message>
+<message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
+<message><source>mark as a rock</source><translation>marca de roca</translation></message>
+<message><source>mark as not a rock</source><translation>marca de no roca</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
+<message><source>Export %1 of %2</source><translation>Exportar %1 de %2</translation></message>
+<message><source>Export %1</source><translation>Exportar %1</translation></message>
+<message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
+<message><source>%1 waits for the rocks</source><translation>%1 espera las rocas</translation></message>
+<message><source>%1 was not written: its rocks are not known.</source><translation>%1 no se escribió: no se conocen sus rocas.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>no se pudo cortar la roca (%1); cierre otros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
 <message><source>Another window changed the rocks of this scan. The changes of both windows are kept.</source><translation>Otra ventana ha cambiado las rocas de este escaneo. Se conservan los cambios de ambas ventanas.</translation></message>
@@ -727,11 +727,6 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source> · the last click took the near side, at %1 m</source><translation> · el último clic tomó el lado cercano, a %1 m</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · el último clic está a %1 m</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Ancho de la garganta: se busca el paso más estrecho …</translation></message>
-<message><source>There is no cell here: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
-<message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ El barrido continúa. Se ocultan las celdas que están allí ahora. Las líneas nuevas se muestran a cualquier distancia.</translation></message>
-<message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
-<message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
 <message><source>Nothing was selected (%1).</source><translation>No se seleccionó nada (%1).</translation></message>
 <message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
 <message><source>Select</source><translation>Seleccionar</translation></message>
@@ -751,23 +746,11 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>&amp;Isolate Selected</source><translation>&amp;Aislar la selección</translation></message>
 <message><source>Show &amp;All</source><translation>&amp;Mostrar todo</translation></message>
 <message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
-<message><source>Na&amp;me…</source><translation>No&amp;mbre…</translation></message>
-<message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
-<message><source>Na&amp;me of Target %1…</source><translation>No&amp;mbre del objetivo %1…</translation></message>
-<message><source>No&amp;te on Target %1…</source><translation>No&amp;ta sobre el objetivo %1…</translation></message>
-<message><source>Unloc&amp;k Target %1</source><translation>&amp;Desbloquear el objetivo %1</translation></message>
-<message><source>Loc&amp;k Target %1</source><translation>&amp;Bloquear el objetivo %1</translation></message>
-<message><source>Remo&amp;ve Target %1</source><translation>&amp;Quitar el objetivo %1</translation></message>
-<message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>
-<message><source>Name of target %1, which is on this rock:</source><translation>Nombre del objetivo %1, que está en esta roca:</translation></message>
-<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nombre de esta roca. Un nuevo objetivo sobre ella, número %1, lleva el nombre:</translation></message>
-<message><source>Name of a target</source><translation>Nombre de un objetivo</translation></message>
-<message><source>Name of target %1:</source><translation>Nombre del objetivo %1:</translation></message>
-<message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>No hay objetivo que nombrar: fije una celda o elija un objetivo.</translation></message>
-<message><source>Note on a target</source><translation>Nota sobre un objetivo</translation></message>
-<message><source>Note on target %1:</source><translation>Nota sobre el objetivo %1:</translation></message>
-<message><source>name of target %1</source><translation>nombre del objetivo %1</translation></message>
-<message><source>note of target %1</source><translation>nota del objetivo %1</translation></message>
+<message><source>There is no cell here: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
+<message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ El barrido continúa. Se ocultan las celdas que están allí ahora. Las líneas nuevas se muestran a cualquier distancia.</translation></message>
+<message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
+<message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Sus objetivos no se guardaron: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
@@ -801,6 +784,23 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>%1 warnings</source><translation>%1 advertencias</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>El objetivo %1 está en el portapapeles, como texto.</translation></message>
 <message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>En el portapapeles, como tabla para una hoja de cálculo: %1.</translation></message>
+<message><source>Na&amp;me…</source><translation>No&amp;mbre…</translation></message>
+<message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
+<message><source>Na&amp;me of Target %1…</source><translation>No&amp;mbre del objetivo %1…</translation></message>
+<message><source>No&amp;te on Target %1…</source><translation>No&amp;ta sobre el objetivo %1…</translation></message>
+<message><source>Unloc&amp;k Target %1</source><translation>&amp;Desbloquear el objetivo %1</translation></message>
+<message><source>Loc&amp;k Target %1</source><translation>&amp;Bloquear el objetivo %1</translation></message>
+<message><source>Remo&amp;ve Target %1</source><translation>&amp;Quitar el objetivo %1</translation></message>
+<message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>
+<message><source>Name of target %1, which is on this rock:</source><translation>Nombre del objetivo %1, que está en esta roca:</translation></message>
+<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nombre de esta roca. Un nuevo objetivo sobre ella, número %1, lleva el nombre:</translation></message>
+<message><source>Name of a target</source><translation>Nombre de un objetivo</translation></message>
+<message><source>Name of target %1:</source><translation>Nombre del objetivo %1:</translation></message>
+<message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>No hay objetivo que nombrar: fije una celda o elija un objetivo.</translation></message>
+<message><source>Note on a target</source><translation>Nota sobre un objetivo</translation></message>
+<message><source>Note on target %1:</source><translation>Nota sobre el objetivo %1:</translation></message>
+<message><source>name of target %1</source><translation>nombre del objetivo %1</translation></message>
+<message><source>note of target %1</source><translation>nota del objetivo %1</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagen preliminar de %1 millones de celdas, falta el resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Los bordes llegan con el resto del escaneo</translation></message>
@@ -832,27 +832,19 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Hold to leave</source><translation>Mantener: salir</translation></message>
 <message><source>Hold for one second to leave cab mode</source><translation>Mantener un segundo para salir del modo cabina</translation></message>
+<message><source>More edges</source><translation>Más bordes</translation></message>
+<message><source>Fewer edges</source><translation>Menos bordes</translation></message>
+<message><source>less: %1</source><translation>menos: %1</translation></message>
+<message><source>more: %1</source><translation>más: %1</translation></message>
 <message><source>End of the menu</source><translation>Fin del menú</translation></message>
 <message><source>Delete the last letter</source><translation>Borrar la última letra</translation></message>
 <message><source>Enter</source><translation>Intro</translation></message>
 <message><source>Close the keys</source><translation>Cerrar las teclas</translation></message>
 <message><source>Capital letter</source><translation>Mayúscula</translation></message>
 <message><source>Space</source><translation>Espacio</translation></message>
-<message><source>More</source><translation>Más</translation></message>
 <message><source>Previous target or measurement</source><translation>Objetivo o medición anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Objetivo o medición siguiente</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque una roca en la nube: aquí se muestran su distancia y su tamaño. Para fijar un objetivo, toque antes Fijar.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño. Arrastrar gira la nube, dos dedos la mueven.</translation></message>
-<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
-<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
-<message><source>The arrows above show the measurements.</source><translation>Las flechas de arriba muestran las mediciones.</translation></message>
-<message><source>Distance</source><translation>Distancia</translation></message>
-<message><source>No target</source><translation>Ningún objetivo</translation></message>
-<message><source>less: %1</source><translation>menos: %1</translation></message>
-<message><source>more: %1</source><translation>más: %1</translation></message>
-<message><source>Zoom in</source><translation>Acercar</translation></message>
-<message><source>Zoom out</source><translation>Alejar</translation></message>
+<message><source>More</source><translation>Más</translation></message>
 <message><source>+ edges gained</source><translation>+ bordes ganados</translation></message>
 <message><source>− edges lost</source><translation>− bordes perdidos</translation></message>
 <message><source>edges kept</source><translation>bordes que siguen</translation></message>
@@ -1164,6 +1156,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada a mano como no roca</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>demasiado incierto para mostrarse como roca</translation></message>
 <message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
+<message><source>visible spans a × b</source><translation>extensiones visibles a × b</translation></message>
+<message><source>distance, median</source><translation>distancia, mediana</translation></message>
 <message><source>Name…</source><translation>Nombre…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
@@ -1185,8 +1179,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>Sí es una roca (N)</translation></message>
 <message><source>Rock %1</source><translation>Roca %1</translation></message>
-<message><source>visible spans a × b</source><translation>extensiones visibles a × b</translation></message>
-<message><source>distance, median</source><translation>distancia, mediana</translation></message>
 <message><source>visible area</source><translation>área visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>delante</translation></message>
@@ -1228,6 +1220,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
+<message><source>Zoom in</source><translation>Acercar</translation></message>
+<message><source>Zoom out</source><translation>Alejar</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>Zoom to what the section is about</source><translation>Encuadrar aquello de lo que trata la sección</translation></message>
 <message><source>All</source><translation>Todo</translation></message>
@@ -1278,7 +1272,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Supr y Quitar todos no lo quitan</translation></message>
 <message><source>Remove this target</source><translation>Quitar este objetivo</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1321,6 +1314,8 @@ RL %3 m</translation></message>
 <message><source>Distance [m]</source><translation>Distancia [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
 <message><source>Beam</source><translation>Haz</translation></message>
+<message><source>Distance</source><translation>Distancia</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic cerca de un borde se refiere a su lado cercano; con Mayús, a la celda misma</translation></message>
 <message><source>from</source><translation>desde</translation></message>
 <message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
@@ -1362,8 +1357,6 @@ RL %3 m</translation></message>
 <message><source>Edges, under rocks</source><translation>Bordes, bajo rocas</translation></message>
 <message><source>Draws the edge points over the rocks</source><translation>Dibuja los puntos de borde sobre las rocas</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
-<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
 <message><source>neighbours err alike, as in a depth camera</source><translation>los vecinos yerran igual, como en una cámara de profundidad</translation></message>
 <message><source>each cell errs for itself, in steps of the file</source><translation>cada celda yerra por sí sola, en pasos del archivo</translation></message>
@@ -1409,7 +1402,9 @@ RL %3 m</translation></message>
 Double-click: back to the preset</source><translation>
 Doble clic: volver al preajuste</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Volver a %1, el valor del preajuste</translation></message>
+<message><source>%1 auto</source><translation>%1 auto</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos de la ventana de distancias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arrastre un extremo, o Izquierda y Derecha para el lejano, con Mayús para el cercano; un doble clic la hace automática</translation></message>
 <message><source>Gray</source><translation>Gris</translation></message>
@@ -1472,18 +1467,17 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Without a pose, up is the scanner's z</source><translation>Sin pose, arriba es el eje z del escáner</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar las imágenes enteras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Encuadrar</translation></message>
-<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
-<message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
-<message><source>Others…</source><translation>Otros…</translation></message>
-<message><source>End measuring</source><translation>Terminar la medición</translation></message>
 <message><source>Back to the cloud</source><translation>Volver a la nube</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
-<message><source>More edges</source><translation>Más bordes</translation></message>
-<message><source>Fewer edges</source><translation>Menos bordes</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
+<message><source>Range image</source><translation>Imagen de distancias</translation></message>
+<message><source>Edge map</source><translation>Mapa de bordes</translation></message>
+<message><source>Cloud</source><translation>Nube de puntos</translation></message>
+<message><source>Small picture</source><translation>Imagen pequeña</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rock…</source><translation>Roca…</translation></message>
@@ -1491,33 +1485,44 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Views</source><translation>Vistas</translation></message>
 <message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
-<message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
-<message><source>Redo: %1</source><translation>Rehacer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>in B</source><translation>en B</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>not a target</source><translation>no es un objetivo</translation></message>
-<message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
-<message><source>Rock</source><translation>Roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
-<message><source>no rock here</source><translation>aquí no hay roca</translation></message>
-<message><source>Range image</source><translation>Imagen de distancias</translation></message>
-<message><source>Edge map</source><translation>Mapa de bordes</translation></message>
-<message><source>Cloud</source><translation>Nube de puntos</translation></message>
-<message><source>Small picture</source><translation>Imagen pequeña</translation></message>
-<message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
-<message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
-<message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
-<message><source>Your targets and your edits of rocks are not stored.</source><translation>Sus objetivos y sus ediciones de rocas no están guardados.</translation></message>
-<message><source>Your targets are not stored.</source><translation>Sus objetivos no están guardados.</translation></message>
-<message><source>Your edits of rocks are not stored.</source><translation>Sus ediciones de rocas no están guardadas.</translation></message>
-<message><source>This ends the program.</source><translation>Esto termina el programa.</translation></message>
-<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Al cerrar termina la grabación. Lo grabado hasta ahora queda en su archivo.</translation></message>
-<message><source>Closing waits until it is complete.</source><translation>El cierre espera hasta que esté completo.</translation></message>
-<message><source>The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.</source><translation>El disco los rechazó. EdgeScan lo intenta otra vez al cerrarse; lo que entonces no pueda escribir se pierde.</translation></message>
-<message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para salir solo del modo cabina, cancele y mantenga un segundo el botón «Mantener: salir».</translation></message>
-<message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
-<message><source>Close EdgeScan</source><translation>Cerrar EdgeScan</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque una roca en la nube: aquí se muestran su distancia y su tamaño. Para fijar un objetivo, toque antes Fijar.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño. Arrastrar gira la nube, dos dedos la mueven.</translation></message>
+<message><source>No target</source><translation>Ningún objetivo</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
+<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>The arrows above show the measurements.</source><translation>Las flechas de arriba muestran las mediciones.</translation></message>
+<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
+<message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
+<message><source>Others…</source><translation>Otros…</translation></message>
+<message><source>End measuring</source><translation>Terminar la medición</translation></message>
+<message><source>Targets</source><translation>Objetivos</translation></message>
+<message><source>Layers</source><translation>Capas</translation></message>
+<message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
+<message><source>Hide panel</source><translation>Ocultar panel</translation></message>
+<message><source>turned by %1°</source><translation>giradas %1°</translation></message>
+<message><source>mirrored</source><translation>reflejadas</translation></message>
+<message><source>gray %1 to %2 m</source><translation>gris %1 a %2 m</translation></message>
+<message><source>up to line %1</source><translation>hasta la línea %1</translation></message>
+<message><source>by class</source><translation>por clase</translation></message>
+<message><source>growing</source><translation>creciendo</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % de puntos dibujados</translation></message>
+<message><source>turntable</source><translation>plato giratorio</translation></message>
+<message><source>free rotation</source><translation>rotación libre</translation></message>
+<message><source>orthographic</source><translation>ortográfica</translation></message>
+<message><source>perspective</source><translation>perspectiva</translation></message>
+<message><source>coarse picture</source><translation>imagen preliminar</translation></message>
+<message><source>Warnings of this scan:
+</source><translation>Advertencias de este escaneo:
+</translation></message>
+<message><source>&amp;Legends at the Side</source><translation>&amp;Leyendas al lado</translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
+<message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
+<message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Earlier Scan…</source><translation>Co&amp;mparar con un escaneo anterior…</translation></message>
@@ -1531,14 +1536,48 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
-<message><source>Targets</source><translation>Objetivos</translation></message>
-<message><source>Layers</source><translation>Capas</translation></message>
-<message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
-<message><source>Hide panel</source><translation>Ocultar panel</translation></message>
-<message><source>&amp;Legends at the Side</source><translation>&amp;Leyendas al lado</translation></message>
-<message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
-<message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
-<message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
+<message><source>“%1” has ended; a click selects a rock again.</source><translation>«%1» ha terminado; un clic vuelve a elegir una roca.</translation></message>
+<message><source>“%1” has ended; a click pins again.</source><translation>«%1» ha terminado; un clic vuelve a fijar.</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;des sobre las rocas</translation></message>
+<message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>
+<message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rocas</translation></message>
+<message><source>&amp;Largest Rock by Width b</source><translation>Roca con el m&amp;ayor ancho b</translation></message>
+<message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Siguiente roca de menor ancho b</translation></message>
+<message><source>&amp;Merge Rocks</source><translation>F&amp;usionar rocas</translation></message>
+<message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir una roca</translation></message>
+<message><source>Merge al&amp;ong a Line</source><translation>Fus&amp;ionar a lo largo de una línea</translation></message>
+<message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
+<message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;No es roca, o sí lo es</translation></message>
+<message><source>Na&amp;me This Rock…</source><translation>&amp;Nombre de esta roca…</translation></message>
+<message><source>&amp;Finer</source><translation>Más &amp;fino</translation></message>
+<message><source>&amp;Coarser</source><translation>Más &amp;grueso</translation></message>
+<message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
+<message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
+<message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
+<message><source>slope, grade and length of a straight line</source><translation>inclinación, pendiente y longitud de una recta</translation></message>
+<message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
+<message><source>&amp;Pin</source><translation>&amp;Fijar</translation></message>
+<message><source>&amp;Distance</source><translation>&amp;Distancia</translation></message>
+<message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
+<message><source>&amp;Angle</source><translation>Á&amp;ngulo</translation></message>
+<message><source>&amp;Spans a × b</source><translation>&amp;Extensiones a × b</translation></message>
+<message><source>Along S&amp;urface</source><translation>Por la &amp;superficie</translation></message>
+<message><source>Thr&amp;oat Width</source><translation>Ancho de &amp;garganta</translation></message>
+<message><source>Se&amp;ction through the Measurement</source><translation>Se&amp;cción por la medición</translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation>Sección po&amp;r la roca</translation></message>
+<message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
+<message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>
+<message><source>Na&amp;me This Target</source><translation>Nom&amp;brar este objetivo</translation></message>
+<message><source>Remove This Tar&amp;get</source><translation>&amp;Quitar este objetivo</translation></message>
+<message><source>Remove All &amp;Targets</source><translation>Quitar &amp;todos los objetivos</translation></message>
+<message><source>&amp;Copy This Target</source><translation>&amp;Copiar este objetivo</translation></message>
+<message><source>Sho&amp;w All</source><translation>&amp;Mostrar todo</translation></message>
+<message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a una &amp;caja en torno a la selección</translation></message>
+<message><source>&amp;Range Gate…</source><translation>&amp;Ventana de distancia…</translation></message>
+<message><source>Hide &amp;Farther than This Cell</source><translation>Ocultar lo que está más &amp;lejos que esta celda</translation></message>
+<message><source>Hide Nearer than This Cell</source><translation>Ocultar lo que está más cerca que esta celda</translation></message>
+<message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom a la selección</translation></message>
+<message><source>Select &amp;Nothing</source><translation>No selecc&amp;ionar nada</translation></message>
 <message><source>There are no targets yet: pin a cell first.</source><translation>Aún no hay objetivos: fije primero una celda.</translation></message>
 <message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Dibujo de bordes (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
@@ -1635,69 +1674,12 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
-<message><source>turned by %1°</source><translation>giradas %1°</translation></message>
-<message><source>mirrored</source><translation>reflejadas</translation></message>
-<message><source>gray %1 to %2 m</source><translation>gris %1 a %2 m</translation></message>
-<message><source>up to line %1</source><translation>hasta la línea %1</translation></message>
-<message><source>by class</source><translation>por clase</translation></message>
-<message><source>growing</source><translation>creciendo</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % de puntos dibujados</translation></message>
-<message><source>turntable</source><translation>plato giratorio</translation></message>
-<message><source>free rotation</source><translation>rotación libre</translation></message>
-<message><source>orthographic</source><translation>ortográfica</translation></message>
-<message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>coarse picture</source><translation>imagen preliminar</translation></message>
-<message><source>Next Sweep</source><translation>Barrido siguiente</translation></message>
-<message><source>Undo brings %1 back with its targets and measurements: the next sweep replaced it.</source><translation>Deshacer recupera %1 con sus objetivos y mediciones: el barrido siguiente lo sustituyó.</translation></message>
-<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 ya no se compara como A, porque puede ser de otro lugar. Deshacer (Ctrl+Z) lo recupera.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Scanner view</source><translation>Vista escáner</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
-<message><source>“%1” has ended; a click selects a rock again.</source><translation>«%1» ha terminado; un clic vuelve a elegir una roca.</translation></message>
-<message><source>“%1” has ended; a click pins again.</source><translation>«%1» ha terminado; un clic vuelve a fijar.</translation></message>
-<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;des sobre las rocas</translation></message>
-<message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>
-<message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rocas</translation></message>
-<message><source>&amp;Largest Rock by Width b</source><translation>Roca con el m&amp;ayor ancho b</translation></message>
-<message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Siguiente roca de menor ancho b</translation></message>
-<message><source>&amp;Merge Rocks</source><translation>F&amp;usionar rocas</translation></message>
-<message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir una roca</translation></message>
-<message><source>Merge al&amp;ong a Line</source><translation>Fus&amp;ionar a lo largo de una línea</translation></message>
-<message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
-<message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;No es roca, o sí lo es</translation></message>
-<message><source>Na&amp;me This Rock…</source><translation>&amp;Nombre de esta roca…</translation></message>
-<message><source>&amp;Finer</source><translation>Más &amp;fino</translation></message>
-<message><source>&amp;Coarser</source><translation>Más &amp;grueso</translation></message>
-<message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
-<message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
-<message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
-<message><source>slope, grade and length of a straight line</source><translation>inclinación, pendiente y longitud de una recta</translation></message>
-<message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
-<message><source>&amp;Pin</source><translation>&amp;Fijar</translation></message>
-<message><source>&amp;Distance</source><translation>&amp;Distancia</translation></message>
-<message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
-<message><source>&amp;Angle</source><translation>Á&amp;ngulo</translation></message>
-<message><source>&amp;Spans a × b</source><translation>&amp;Extensiones a × b</translation></message>
-<message><source>Along S&amp;urface</source><translation>Por la &amp;superficie</translation></message>
-<message><source>Thr&amp;oat Width</source><translation>Ancho de &amp;garganta</translation></message>
-<message><source>Se&amp;ction through the Measurement</source><translation>Se&amp;cción por la medición</translation></message>
-<message><source>Section th&amp;rough the Rock</source><translation>Sección po&amp;r la roca</translation></message>
-<message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
-<message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>
-<message><source>Na&amp;me This Target</source><translation>Nom&amp;brar este objetivo</translation></message>
-<message><source>Remove This Tar&amp;get</source><translation>&amp;Quitar este objetivo</translation></message>
-<message><source>Remove All &amp;Targets</source><translation>Quitar &amp;todos los objetivos</translation></message>
-<message><source>&amp;Copy This Target</source><translation>&amp;Copiar este objetivo</translation></message>
-<message><source>Sho&amp;w All</source><translation>&amp;Mostrar todo</translation></message>
-<message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a una &amp;caja en torno a la selección</translation></message>
-<message><source>&amp;Range Gate…</source><translation>&amp;Ventana de distancia…</translation></message>
-<message><source>Hide &amp;Farther than This Cell</source><translation>Ocultar lo que está más &amp;lejos que esta celda</translation></message>
-<message><source>Hide Nearer than This Cell</source><translation>Ocultar lo que está más cerca que esta celda</translation></message>
-<message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom a la selección</translation></message>
-<message><source>Select &amp;Nothing</source><translation>No selecc&amp;ionar nada</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
@@ -1719,11 +1701,24 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Images Large</source><translation>&amp;Imágenes grandes</translation></message>
 <message><source>&amp;Cloud Large</source><translation>&amp;Nube grande</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
-<message><source>Warnings of this scan:
-</source><translation>Advertencias de este escaneo:
-</translation></message>
-<message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>El recorrido ha terminado; Ayuda &gt; Recorrido lo empieza de nuevo.</translation></message>
+<message><source>Next Sweep</source><translation>Barrido siguiente</translation></message>
+<message><source>Undo brings %1 back with its targets and measurements: the next sweep replaced it.</source><translation>Deshacer recupera %1 con sus objetivos y mediciones: el barrido siguiente lo sustituyó.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 ya no se compara como A, porque puede ser de otro lugar. Deshacer (Ctrl+Z) lo recupera.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La ventana no tiene sitio para las imágenes junto a este panel: vuelven cuando usted lo pliega.</translation></message>
+<message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
+<message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
+<message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
+<message><source>Your targets and your edits of rocks are not stored.</source><translation>Sus objetivos y sus ediciones de rocas no están guardados.</translation></message>
+<message><source>Your targets are not stored.</source><translation>Sus objetivos no están guardados.</translation></message>
+<message><source>Your edits of rocks are not stored.</source><translation>Sus ediciones de rocas no están guardadas.</translation></message>
+<message><source>This ends the program.</source><translation>Esto termina el programa.</translation></message>
+<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Al cerrar termina la grabación. Lo grabado hasta ahora queda en su archivo.</translation></message>
+<message><source>Closing waits until it is complete.</source><translation>El cierre espera hasta que esté completo.</translation></message>
+<message><source>The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.</source><translation>El disco los rechazó. EdgeScan lo intenta otra vez al cerrarse; lo que entonces no pueda escribir se pierde.</translation></message>
+<message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para salir solo del modo cabina, cancele y mantenga un segundo el botón «Mantener: salir».</translation></message>
+<message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
+<message><source>Close EdgeScan</source><translation>Cerrar EdgeScan</translation></message>
+<message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>El recorrido ha terminado; Ayuda &gt; Recorrido lo empieza de nuevo.</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dibujo con las líneas de los bordes</translation></message>
 <message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Imagen de distancias</translation></message>
@@ -1882,6 +1877,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contornos en coordenadas mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
+<message><source>Rock</source><translation>Roca</translation></message>
 <message><source>The number: without edits, 1 is the largest visible area</source><translation>El número: sin ediciones, 1 es la mayor área visible</translation></message>
 <message><source>visible length a [m]</source><translation>largo visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Mayor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>

@@ -198,16 +198,6 @@
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
-<message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Les surfaces des deux scans ne concordent pas : aucune surface de changement n'est donnée.</translation></message>
-<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
-<message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2, la plus grande en surface : %3 de %4 m ± %5 m,
-maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
-<message><source>region %1 of %2: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
-maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
-<message><source>farther</source><translation>plus loin</translation></message>
-<message><source>nearer</source><translation>plus près</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
 <message><source>Keep as A</source><translation>Garder comme A</translation></message>
@@ -230,6 +220,16 @@ maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
 <message><source>gained, lost and kept</source><translation>gagnées, perdues et gardées</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
+<message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Les surfaces des deux scans ne concordent pas : aucune surface de changement n'est donnée.</translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
+<message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
+now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2, la plus grande en surface : %3 de %4 m ± %5 m,
+maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
+<message><source>region %1 of %2: %3 by %4 m ± %5 m,
+now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
+maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
+<message><source>farther</source><translation>plus loin</translation></message>
+<message><source>nearer</source><translation>plus près</translation></message>
 <message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
 <message><source>could not be computed:
 %1</source><translation>n'a pas pu être calculée :
@@ -606,20 +606,6 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Some points of the scan that is being opened.</source><translation>Quelques points du scan en cours d'ouverture.</translation></message>
 <message><source>OLD PICTURE</source><translation>ANCIENNE IMAGE</translation></message>
 <message><source>Another scan is being opened. This is the picture before it.</source><translation>Un autre scan s'ouvre. Ceci est l'image d'avant.</translation></message>
-<message><source>region of interest</source><translation>région d'intérêt</translation></message>
-<message><source>Open Session</source><translation>Ouvrir la session</translation></message>
-<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
-<message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler. Cliquez sur une autre partie du bloc, ou dessinez à travers tout le bloc, au-delà de son contour.</translation></message>
-<message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
-<message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
-<message><source>mark as a rock</source><translation>marque de bloc</translation></message>
-<message><source>mark as not a rock</source><translation>marque de non-bloc</translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
-<message><source>Export %1 of %2</source><translation>Exporter %1 sur %2</translation></message>
-<message><source>Export %1</source><translation>Exporter %1</translation></message>
-<message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
-<message><source>%1 waits for the rocks</source><translation>%1 attend les blocs</translation></message>
-<message><source>%1 was not written: its rocks are not known.</source><translation>%1 n'a pas été écrit : ses blocs ne sont pas connus.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Les modifications des blocs ne sont pas enregistrées jusque-là.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Scinder : cliquez sur la partie qui est un autre bloc (molette : plus petite ou plus grande)</translation></message>
@@ -638,11 +624,25 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Les blocs sont encore en cours de calcul : scindez à nouveau quand ils seront là.</translation></message>
 <message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties. Couper le long d'une ligne le scinde là où vous dessinez.</translation></message>
+<message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>Click the other end of the line, past the other side of the rock.</source><translation>Cliquez l'autre bout de la ligne, au-delà de l'autre côté du bloc.</translation></message>
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre. Chaque partie doit avoir %1 cellules.</translation></message>
 <message><source>Nothing was merged: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été fusionné : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
+<message><source>region of interest</source><translation>région d'intérêt</translation></message>
+<message><source>Open Session</source><translation>Ouvrir la session</translation></message>
+<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
+<message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler. Cliquez sur une autre partie du bloc, ou dessinez à travers tout le bloc, au-delà de son contour.</translation></message>
+<message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
+<message><source>mark as a rock</source><translation>marque de bloc</translation></message>
+<message><source>mark as not a rock</source><translation>marque de non-bloc</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
+<message><source>Export %1 of %2</source><translation>Exporter %1 sur %2</translation></message>
+<message><source>Export %1</source><translation>Exporter %1</translation></message>
+<message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
+<message><source>%1 waits for the rocks</source><translation>%1 attend les blocs</translation></message>
+<message><source>%1 was not written: its rocks are not known.</source><translation>%1 n'a pas été écrit : ses blocs ne sont pas connus.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>le bloc n'a pas pu être coupé (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
 <message><source>Another window changed the rocks of this scan. The changes of both windows are kept.</source><translation>Une autre fenêtre a modifié les blocs de ce scan. Les modifications des deux fenêtres sont gardées.</translation></message>
@@ -727,11 +727,6 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source> · the last click took the near side, at %1 m</source><translation> · le dernier clic a pris le côté proche, à %1 m</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · le dernier clic est à %1 m</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largeur de l'étranglement : le passage le plus étroit est recherché …</translation></message>
-<message><source>There is no cell here: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
-<message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ Le balayage continue. Les cellules qui s'y trouvent maintenant sont masquées. Les nouvelles lignes sont montrées à toute distance.</translation></message>
-<message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
-<message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
 <message><source>Nothing was selected (%1).</source><translation>Rien n'a été sélectionné (%1).</translation></message>
 <message><source>Select Nothing</source><translation>Ne rien sélectionner</translation></message>
 <message><source>Select</source><translation>Sélectionner</translation></message>
@@ -751,23 +746,11 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>&amp;Isolate Selected</source><translation>&amp;Isoler la sélection</translation></message>
 <message><source>Show &amp;All</source><translation>Tout a&amp;fficher</translation></message>
 <message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
-<message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
-<message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
-<message><source>Na&amp;me of Target %1…</source><translation>No&amp;m de la cible %1…</translation></message>
-<message><source>No&amp;te on Target %1…</source><translation>Rema&amp;rque sur la cible %1…</translation></message>
-<message><source>Unloc&amp;k Target %1</source><translation>&amp;Déverrouiller la cible %1</translation></message>
-<message><source>Loc&amp;k Target %1</source><translation>&amp;Verrouiller la cible %1</translation></message>
-<message><source>Remo&amp;ve Target %1</source><translation>&amp;Supprimer la cible %1</translation></message>
-<message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
-<message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>
-<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nom de ce bloc. Une nouvelle cible posée sur lui, numéro %1, porte le nom :</translation></message>
-<message><source>Name of a target</source><translation>Nom d'une cible</translation></message>
-<message><source>Name of target %1:</source><translation>Nom de la cible %1 :</translation></message>
-<message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>Il n'y a pas de cible à nommer : épinglez une cellule, ou choisissez une cible.</translation></message>
-<message><source>Note on a target</source><translation>Remarque sur une cible</translation></message>
-<message><source>Note on target %1:</source><translation>Remarque sur la cible %1 :</translation></message>
-<message><source>name of target %1</source><translation>nom de la cible %1</translation></message>
-<message><source>note of target %1</source><translation>note de la cible %1</translation></message>
+<message><source>There is no cell here: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
+<message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ Le balayage continue. Les cellules qui s'y trouvent maintenant sont masquées. Les nouvelles lignes sont montrées à toute distance.</translation></message>
+<message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
+<message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Vos cibles ne sont pas enregistrées : %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
@@ -801,6 +784,23 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>%1 warnings</source><translation>%1 avertissements</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>La cible %1 est dans le presse-papiers, sous forme de texte.</translation></message>
 <message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>Dans le presse-papiers, sous forme de tableau pour un tableur : %1.</translation></message>
+<message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
+<message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
+<message><source>Na&amp;me of Target %1…</source><translation>No&amp;m de la cible %1…</translation></message>
+<message><source>No&amp;te on Target %1…</source><translation>Rema&amp;rque sur la cible %1…</translation></message>
+<message><source>Unloc&amp;k Target %1</source><translation>&amp;Déverrouiller la cible %1</translation></message>
+<message><source>Loc&amp;k Target %1</source><translation>&amp;Verrouiller la cible %1</translation></message>
+<message><source>Remo&amp;ve Target %1</source><translation>&amp;Supprimer la cible %1</translation></message>
+<message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
+<message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>
+<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nom de ce bloc. Une nouvelle cible posée sur lui, numéro %1, porte le nom :</translation></message>
+<message><source>Name of a target</source><translation>Nom d'une cible</translation></message>
+<message><source>Name of target %1:</source><translation>Nom de la cible %1 :</translation></message>
+<message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>Il n'y a pas de cible à nommer : épinglez une cellule, ou choisissez une cible.</translation></message>
+<message><source>Note on a target</source><translation>Remarque sur une cible</translation></message>
+<message><source>Note on target %1:</source><translation>Remarque sur la cible %1 :</translation></message>
+<message><source>name of target %1</source><translation>nom de la cible %1</translation></message>
+<message><source>note of target %1</source><translation>note de la cible %1</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Image grossière de %1 millions de cellules, le reste arrive</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Les arêtes arrivent avec le reste du scan</translation></message>
@@ -832,27 +832,19 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Connect</source><translation>Connecter</translation></message>
 <message><source>Hold to leave</source><translation>Tenir : quitter</translation></message>
 <message><source>Hold for one second to leave cab mode</source><translation>Maintenir une seconde pour quitter le mode cabine</translation></message>
+<message><source>More edges</source><translation>Plus d'arêtes</translation></message>
+<message><source>Fewer edges</source><translation>Moins d'arêtes</translation></message>
+<message><source>less: %1</source><translation>moins : %1</translation></message>
+<message><source>more: %1</source><translation>plus : %1</translation></message>
 <message><source>End of the menu</source><translation>Fin du menu</translation></message>
 <message><source>Delete the last letter</source><translation>Effacer la dernière lettre</translation></message>
 <message><source>Enter</source><translation>Entrée</translation></message>
 <message><source>Close the keys</source><translation>Fermer les touches</translation></message>
 <message><source>Capital letter</source><translation>Majuscule</translation></message>
 <message><source>Space</source><translation>Espace</translation></message>
-<message><source>More</source><translation>Plus</translation></message>
 <message><source>Previous target or measurement</source><translation>Cible ou mesure précédente</translation></message>
 <message><source>Next target or measurement</source><translation>Cible ou mesure suivante</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Pour poser une cible, touchez d'abord Épingler.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Glisser tourne le nuage, deux doigts le déplacent.</translation></message>
-<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
-<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
-<message><source>The arrows above show the measurements.</source><translation>Les flèches ci-dessus montrent les mesures.</translation></message>
-<message><source>Distance</source><translation>Distance</translation></message>
-<message><source>No target</source><translation>Aucune cible</translation></message>
-<message><source>less: %1</source><translation>moins : %1</translation></message>
-<message><source>more: %1</source><translation>plus : %1</translation></message>
-<message><source>Zoom in</source><translation>Zoom avant</translation></message>
-<message><source>Zoom out</source><translation>Zoom arrière</translation></message>
+<message><source>More</source><translation>Plus</translation></message>
 <message><source>+ edges gained</source><translation>+ arêtes gagnées</translation></message>
 <message><source>− edges lost</source><translation>− arêtes perdues</translation></message>
 <message><source>edges kept</source><translation>arêtes gardées</translation></message>
@@ -1164,6 +1156,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marqué à la main comme non-bloc</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>trop incertain pour être montré comme un bloc</translation></message>
 <message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
+<message><source>visible spans a × b</source><translation>étendues visibles a × b</translation></message>
+<message><source>distance, median</source><translation>distance, médiane</translation></message>
 <message><source>Name…</source><translation>Nom…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Split</source><translation>Scinder</translation></message>
@@ -1185,8 +1179,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
 <message><source>Rock %1</source><translation>Bloc %1</translation></message>
-<message><source>visible spans a × b</source><translation>étendues visibles a × b</translation></message>
-<message><source>distance, median</source><translation>distance, médiane</translation></message>
 <message><source>visible area</source><translation>surface visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>devant</translation></message>
@@ -1228,6 +1220,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
+<message><source>Zoom in</source><translation>Zoom avant</translation></message>
+<message><source>Zoom out</source><translation>Zoom arrière</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Zoom to what the section is about</source><translation>Cadrer ce que la coupe doit montrer</translation></message>
 <message><source>All</source><translation>Tout</translation></message>
@@ -1278,7 +1272,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Lock</source><translation>Verrouiller</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Verrouillée : Suppr et Tout supprimer ne la suppriment pas</translation></message>
 <message><source>Remove this target</source><translation>Supprimer cette cible</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
 <message><source>Locked</source><translation>Verrouillée</translation></message>
 <message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1321,6 +1314,8 @@ RL %3 m</translation></message>
 <message><source>Distance [m]</source><translation>Distance [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Beam</source><translation>Faisceau</translation></message>
+<message><source>Distance</source><translation>Distance</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic près d'une arête vise son côté proche ; avec Maj il vise la cellule même</translation></message>
 <message><source>from</source><translation>depuis</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
@@ -1362,8 +1357,6 @@ RL %3 m</translation></message>
 <message><source>Edges, under rocks</source><translation>Arêtes, sous les blocs</translation></message>
 <message><source>Draws the edge points over the rocks</source><translation>Dessine les points d'arête par-dessus les blocs</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
-<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
 <message><source>neighbours err alike, as in a depth camera</source><translation>les voisins se trompent ensemble, comme dans une caméra de profondeur</translation></message>
 <message><source>each cell errs for itself, in steps of the file</source><translation>chaque cellule se trompe seule, par pas du fichier</translation></message>
@@ -1409,7 +1402,9 @@ RL %3 m</translation></message>
 Double-click: back to the preset</source><translation>
 Double-clic : retour au préréglage</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Revenir à %1, la valeur du préréglage</translation></message>
+<message><source>%1 auto</source><translation>%1 auto</translation></message>
 <message><source>Ends of the range window</source><translation>Bornes de la fenêtre de distances</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Faites glisser une borne, ou Gauche et Droite pour la borne lointaine, avec Maj pour la proche ; un double-clic la rend automatique</translation></message>
 <message><source>Gray</source><translation>Gris</translation></message>
@@ -1472,18 +1467,17 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Without a pose, up is the scanner's z</source><translation>Sans pose, le haut est l'axe z du scanner</translation></message>
 <message><source>Show the whole images</source><translation>Montrer les images entières</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Agrandi %1 × · Ajuster</translation></message>
-<message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>
-<message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
-<message><source>Others…</source><translation>Autres…</translation></message>
-<message><source>End measuring</source><translation>Terminer la mesure</translation></message>
 <message><source>Back to the cloud</source><translation>Retour au nuage</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
-<message><source>More edges</source><translation>Plus d'arêtes</translation></message>
-<message><source>Fewer edges</source><translation>Moins d'arêtes</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
+<message><source>Range image</source><translation>Image de distances</translation></message>
+<message><source>Edge map</source><translation>Carte des arêtes</translation></message>
+<message><source>Cloud</source><translation>Nuage de points</translation></message>
+<message><source>Small picture</source><translation>Petite image</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Rock…</source><translation>Bloc…</translation></message>
@@ -1491,33 +1485,44 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Views</source><translation>Vues</translation></message>
 <message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
-<message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
-<message><source>Redo: %1</source><translation>Rétablir : %1</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>in B</source><translation>dans B</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>not a target</source><translation>pas une cible</translation></message>
-<message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
-<message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
-<message><source>no rock here</source><translation>pas de bloc ici</translation></message>
-<message><source>Range image</source><translation>Image de distances</translation></message>
-<message><source>Edge map</source><translation>Carte des arêtes</translation></message>
-<message><source>Cloud</source><translation>Nuage de points</translation></message>
-<message><source>Small picture</source><translation>Petite image</translation></message>
-<message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
-<message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
-<message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
-<message><source>Your targets and your edits of rocks are not stored.</source><translation>Vos cibles et vos modifications de roches ne sont pas enregistrées.</translation></message>
-<message><source>Your targets are not stored.</source><translation>Vos cibles ne sont pas enregistrées.</translation></message>
-<message><source>Your edits of rocks are not stored.</source><translation>Vos modifications de roches ne sont pas enregistrées.</translation></message>
-<message><source>This ends the program.</source><translation>Ceci termine le programme.</translation></message>
-<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Fermer met fin à l'enregistrement. Ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
-<message><source>Closing waits until it is complete.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
-<message><source>The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.</source><translation>Le disque les a refusées. EdgeScan réessaie en se fermant ; ce qu'il ne peut pas écrire alors est perdu.</translation></message>
-<message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Pour quitter seulement le mode cabine, annulez, puis maintenez une seconde le bouton « Tenir : quitter ».</translation></message>
-<message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
-<message><source>Close EdgeScan</source><translation>Fermer EdgeScan</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Pour poser une cible, touchez d'abord Épingler.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Glisser tourne le nuage, deux doigts le déplacent.</translation></message>
+<message><source>No target</source><translation>Aucune cible</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
+<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>The arrows above show the measurements.</source><translation>Les flèches ci-dessus montrent les mesures.</translation></message>
+<message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>
+<message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
+<message><source>Others…</source><translation>Autres…</translation></message>
+<message><source>End measuring</source><translation>Terminer la mesure</translation></message>
+<message><source>Targets</source><translation>Cibles</translation></message>
+<message><source>Layers</source><translation>Couches</translation></message>
+<message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
+<message><source>Hide panel</source><translation>Masquer le panneau</translation></message>
+<message><source>turned by %1°</source><translation>tournées de %1°</translation></message>
+<message><source>mirrored</source><translation>en miroir</translation></message>
+<message><source>gray %1 to %2 m</source><translation>gris %1 à %2 m</translation></message>
+<message><source>up to line %1</source><translation>jusqu'à la ligne %1</translation></message>
+<message><source>by class</source><translation>par classe</translation></message>
+<message><source>growing</source><translation>en cours</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
+<message><source>turntable</source><translation>plateau tournant</translation></message>
+<message><source>free rotation</source><translation>rotation libre</translation></message>
+<message><source>orthographic</source><translation>orthographique</translation></message>
+<message><source>perspective</source><translation>perspective</translation></message>
+<message><source>coarse picture</source><translation>image grossière</translation></message>
+<message><source>Warnings of this scan:
+</source><translation>Avertissements de ce scan :
+</translation></message>
+<message><source>&amp;Legends at the Side</source><translation>&amp;Légendes sur le côté</translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
+<message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
+<message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
 <message><source>&amp;Compare with Earlier Scan…</source><translation>&amp;Comparer avec un scan antérieur…</translation></message>
@@ -1531,14 +1536,48 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
-<message><source>Targets</source><translation>Cibles</translation></message>
-<message><source>Layers</source><translation>Couches</translation></message>
-<message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
-<message><source>Hide panel</source><translation>Masquer le panneau</translation></message>
-<message><source>&amp;Legends at the Side</source><translation>&amp;Légendes sur le côté</translation></message>
-<message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
-<message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
-<message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
+<message><source>“%1” has ended; a click selects a rock again.</source><translation>« %1 » est terminé ; un clic choisit à nouveau un bloc.</translation></message>
+<message><source>“%1” has ended; a click pins again.</source><translation>« %1 » est terminé ; un clic épingle à nouveau.</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>A&amp;rêtes sur les blocs</translation></message>
+<message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>
+<message><source>&amp;Show Rocks</source><translation>&amp;Afficher les blocs</translation></message>
+<message><source>&amp;Largest Rock by Width b</source><translation>&amp;Bloc de plus grande largeur b</translation></message>
+<message><source>Next Sm&amp;aller Rock by Width b</source><translation>Bloc suivant, &amp;largeur b plus petite</translation></message>
+<message><source>&amp;Merge Rocks</source><translation>F&amp;usionner des blocs</translation></message>
+<message><source>S&amp;plit a Rock</source><translation>&amp;Scinder un bloc</translation></message>
+<message><source>Merge al&amp;ong a Line</source><translation>Fus&amp;ionner le long d'une ligne</translation></message>
+<message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
+<message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
+<message><source>Na&amp;me This Rock…</source><translation>No&amp;mmer ce bloc…</translation></message>
+<message><source>&amp;Finer</source><translation>Plus &amp;fin</translation></message>
+<message><source>&amp;Coarser</source><translation>Plus &amp;grossier</translation></message>
+<message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
+<message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
+<message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
+<message><source>slope, grade and length of a straight line</source><translation>inclinaison, pente et longueur d’une droite</translation></message>
+<message><source>&amp;Measure</source><translation>&amp;Mesurer</translation></message>
+<message><source>&amp;Pin</source><translation>É&amp;pingler</translation></message>
+<message><source>&amp;Distance</source><translation>&amp;Distance</translation></message>
+<message><source>&amp;Vertical</source><translation>&amp;Verticale</translation></message>
+<message><source>&amp;Angle</source><translation>&amp;Angle</translation></message>
+<message><source>&amp;Spans a × b</source><translation>É&amp;tendues a × b</translation></message>
+<message><source>Along S&amp;urface</source><translation>Le long de la &amp;surface</translation></message>
+<message><source>Thr&amp;oat Width</source><translation>Largeur du &amp;goulot</translation></message>
+<message><source>Se&amp;ction through the Measurement</source><translation>&amp;Coupe par la mesure</translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation>Coupe par le &amp;bloc</translation></message>
+<message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
+<message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
+<message><source>Na&amp;me This Target</source><translation>Nomme&amp;r cette cible</translation></message>
+<message><source>Remove This Tar&amp;get</source><translation>Supprimer &amp;cette cible</translation></message>
+<message><source>Remove All &amp;Targets</source><translation>Supprimer t&amp;outes les cibles</translation></message>
+<message><source>&amp;Copy This Target</source><translation>Copi&amp;er cette cible</translation></message>
+<message><source>Sho&amp;w All</source><translation>Tout a&amp;fficher</translation></message>
+<message><source>Clip to Bo&amp;x round Selected</source><translation>Couper à une &amp;boîte autour de la sélection</translation></message>
+<message><source>&amp;Range Gate…</source><translation>Fenêtre de &amp;distance…</translation></message>
+<message><source>Hide &amp;Farther than This Cell</source><translation>Masquer ce qui est plus &amp;loin que cette cellule</translation></message>
+<message><source>Hide Nearer than This Cell</source><translation>Masquer ce qui est plus proche que cette cellule</translation></message>
+<message><source>&amp;Zoom to Selected</source><translation>&amp;Zoomer sur la sélection</translation></message>
+<message><source>Select &amp;Nothing</source><translation>&amp;Ne rien sélectionner</translation></message>
 <message><source>There are no targets yet: pin a cell first.</source><translation>Il n'y a pas encore de cible : épinglez d'abord une cellule.</translation></message>
 <message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Dessin des arêtes (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
@@ -1635,69 +1674,12 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
-<message><source>turned by %1°</source><translation>tournées de %1°</translation></message>
-<message><source>mirrored</source><translation>en miroir</translation></message>
-<message><source>gray %1 to %2 m</source><translation>gris %1 à %2 m</translation></message>
-<message><source>up to line %1</source><translation>jusqu'à la ligne %1</translation></message>
-<message><source>by class</source><translation>par classe</translation></message>
-<message><source>growing</source><translation>en cours</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
-<message><source>turntable</source><translation>plateau tournant</translation></message>
-<message><source>free rotation</source><translation>rotation libre</translation></message>
-<message><source>orthographic</source><translation>orthographique</translation></message>
-<message><source>perspective</source><translation>perspective</translation></message>
-<message><source>coarse picture</source><translation>image grossière</translation></message>
-<message><source>Next Sweep</source><translation>Balayage suivant</translation></message>
-<message><source>Undo brings %1 back with its targets and measurements: the next sweep replaced it.</source><translation>Annuler ramène %1 avec ses cibles et ses mesures : le balayage suivant l'a remplacé.</translation></message>
-<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 n'est plus comparé comme A, car il peut venir d'un autre endroit. Annuler (Ctrl+Z) le ramène.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Scanner view</source><translation>Vue scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
-<message><source>“%1” has ended; a click selects a rock again.</source><translation>« %1 » est terminé ; un clic choisit à nouveau un bloc.</translation></message>
-<message><source>“%1” has ended; a click pins again.</source><translation>« %1 » est terminé ; un clic épingle à nouveau.</translation></message>
-<message><source>&amp;Edges over Rocks</source><translation>A&amp;rêtes sur les blocs</translation></message>
-<message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>
-<message><source>&amp;Show Rocks</source><translation>&amp;Afficher les blocs</translation></message>
-<message><source>&amp;Largest Rock by Width b</source><translation>&amp;Bloc de plus grande largeur b</translation></message>
-<message><source>Next Sm&amp;aller Rock by Width b</source><translation>Bloc suivant, &amp;largeur b plus petite</translation></message>
-<message><source>&amp;Merge Rocks</source><translation>F&amp;usionner des blocs</translation></message>
-<message><source>S&amp;plit a Rock</source><translation>&amp;Scinder un bloc</translation></message>
-<message><source>Merge al&amp;ong a Line</source><translation>Fus&amp;ionner le long d'une ligne</translation></message>
-<message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
-<message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
-<message><source>Na&amp;me This Rock…</source><translation>No&amp;mmer ce bloc…</translation></message>
-<message><source>&amp;Finer</source><translation>Plus &amp;fin</translation></message>
-<message><source>&amp;Coarser</source><translation>Plus &amp;grossier</translation></message>
-<message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
-<message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
-<message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
-<message><source>slope, grade and length of a straight line</source><translation>inclinaison, pente et longueur d’une droite</translation></message>
-<message><source>&amp;Measure</source><translation>&amp;Mesurer</translation></message>
-<message><source>&amp;Pin</source><translation>É&amp;pingler</translation></message>
-<message><source>&amp;Distance</source><translation>&amp;Distance</translation></message>
-<message><source>&amp;Vertical</source><translation>&amp;Verticale</translation></message>
-<message><source>&amp;Angle</source><translation>&amp;Angle</translation></message>
-<message><source>&amp;Spans a × b</source><translation>É&amp;tendues a × b</translation></message>
-<message><source>Along S&amp;urface</source><translation>Le long de la &amp;surface</translation></message>
-<message><source>Thr&amp;oat Width</source><translation>Largeur du &amp;goulot</translation></message>
-<message><source>Se&amp;ction through the Measurement</source><translation>&amp;Coupe par la mesure</translation></message>
-<message><source>Section th&amp;rough the Rock</source><translation>Coupe par le &amp;bloc</translation></message>
-<message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
-<message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
-<message><source>Na&amp;me This Target</source><translation>Nomme&amp;r cette cible</translation></message>
-<message><source>Remove This Tar&amp;get</source><translation>Supprimer &amp;cette cible</translation></message>
-<message><source>Remove All &amp;Targets</source><translation>Supprimer t&amp;outes les cibles</translation></message>
-<message><source>&amp;Copy This Target</source><translation>Copi&amp;er cette cible</translation></message>
-<message><source>Sho&amp;w All</source><translation>Tout a&amp;fficher</translation></message>
-<message><source>Clip to Bo&amp;x round Selected</source><translation>Couper à une &amp;boîte autour de la sélection</translation></message>
-<message><source>&amp;Range Gate…</source><translation>Fenêtre de &amp;distance…</translation></message>
-<message><source>Hide &amp;Farther than This Cell</source><translation>Masquer ce qui est plus &amp;loin que cette cellule</translation></message>
-<message><source>Hide Nearer than This Cell</source><translation>Masquer ce qui est plus proche que cette cellule</translation></message>
-<message><source>&amp;Zoom to Selected</source><translation>&amp;Zoomer sur la sélection</translation></message>
-<message><source>Select &amp;Nothing</source><translation>&amp;Ne rien sélectionner</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
 <message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
@@ -1719,11 +1701,24 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Images Large</source><translation>&amp;Grandes images</translation></message>
 <message><source>&amp;Cloud Large</source><translation>&amp;Nuage en grand</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
-<message><source>Warnings of this scan:
-</source><translation>Avertissements de ce scan :
-</translation></message>
-<message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>La visite est terminée ; Aide &gt; Visite la recommence.</translation></message>
+<message><source>Next Sweep</source><translation>Balayage suivant</translation></message>
+<message><source>Undo brings %1 back with its targets and measurements: the next sweep replaced it.</source><translation>Annuler ramène %1 avec ses cibles et ses mesures : le balayage suivant l'a remplacé.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 n'est plus comparé comme A, car il peut venir d'un autre endroit. Annuler (Ctrl+Z) le ramène.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La fenêtre n'a pas de place pour les images à côté de ce panneau : elles reviennent quand vous le repliez.</translation></message>
+<message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
+<message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
+<message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
+<message><source>Your targets and your edits of rocks are not stored.</source><translation>Vos cibles et vos modifications de roches ne sont pas enregistrées.</translation></message>
+<message><source>Your targets are not stored.</source><translation>Vos cibles ne sont pas enregistrées.</translation></message>
+<message><source>Your edits of rocks are not stored.</source><translation>Vos modifications de roches ne sont pas enregistrées.</translation></message>
+<message><source>This ends the program.</source><translation>Ceci termine le programme.</translation></message>
+<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Fermer met fin à l'enregistrement. Ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
+<message><source>Closing waits until it is complete.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
+<message><source>The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.</source><translation>Le disque les a refusées. EdgeScan réessaie en se fermant ; ce qu'il ne peut pas écrire alors est perdu.</translation></message>
+<message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Pour quitter seulement le mode cabine, annulez, puis maintenez une seconde le bouton « Tenir : quitter ».</translation></message>
+<message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
+<message><source>Close EdgeScan</source><translation>Fermer EdgeScan</translation></message>
+<message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>La visite est terminée ; Aide &gt; Visite la recommence.</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dessin avec les lignes des arêtes</translation></message>
 <message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Image de distances</translation></message>
@@ -1882,6 +1877,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contours en coordonnées de la mine</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
+<message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>The number: without edits, 1 is the largest visible area</source><translation>Le numéro : sans modifications, 1 est la plus grande surface visible</translation></message>
 <message><source>visible length a [m]</source><translation>longueur visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Plus grande étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>

@@ -198,16 +198,6 @@
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
-<message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>As superfícies das duas varreduras não se ajustam, por isso não se dão áreas de mudança.</translation></message>
-<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
-<message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2, a maior em área: %3 por %4 m ± %5 m,
-agora a %7 m; %6 m² na superfície mais próxima</translation></message>
-<message><source>region %1 of %2: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
-agora a %7 m; %6 m² na superfície mais próxima</translation></message>
-<message><source>farther</source><translation>mais longe</translation></message>
-<message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Ainda não há imagem para guardar: abra primeiro uma varredura.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
@@ -230,6 +220,16 @@ agora a %7 m; %6 m² na superfície mais próxima</translation></message>
 <message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
+<message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>As superfícies das duas varreduras não se ajustam, por isso não se dão áreas de mudança.</translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
+<message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
+now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2, a maior em área: %3 por %4 m ± %5 m,
+agora a %7 m; %6 m² na superfície mais próxima</translation></message>
+<message><source>region %1 of %2: %3 by %4 m ± %5 m,
+now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
+agora a %7 m; %6 m² na superfície mais próxima</translation></message>
+<message><source>farther</source><translation>mais longe</translation></message>
+<message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
 <message><source>could not be computed:
 %1</source><translation>não pôde ser calculada:
@@ -606,20 +606,6 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Some points of the scan that is being opened.</source><translation>Alguns pontos da varredura que está sendo aberta.</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEM ANTERIOR</translation></message>
 <message><source>Another scan is being opened. This is the picture before it.</source><translation>Outra varredura está sendo aberta. Esta é a imagem anterior.</translation></message>
-<message><source>region of interest</source><translation>região de interesse</translation></message>
-<message><source>Open Session</source><translation>Abrir a sessão</translation></message>
-<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
-<message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer. Clique em outra parte da rocha, ou desenhe através de toda ela, além do seu contorno.</translation></message>
-<message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
-<message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
-<message><source>mark as a rock</source><translation>marca de rocha</translation></message>
-<message><source>mark as not a rock</source><translation>marca de não rocha</translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
-<message><source>Export %1 of %2</source><translation>Exportar %1 de %2</translation></message>
-<message><source>Export %1</source><translation>Exportar %1</translation></message>
-<message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
-<message><source>%1 waits for the rocks</source><translation>%1 espera as rochas</translation></message>
-<message><source>%1 was not written: its rocks are not known.</source><translation>%1 não foi gravado: as suas rochas não são conhecidas.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Até lá as edições das rochas não são guardadas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: clique na parte que é outra rocha (roda: menor ou maior)</translation></message>
@@ -638,11 +624,25 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>As rochas ainda estão sendo calculadas: divida de novo quando estiverem aqui.</translation></message>
 <message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes. Cortar ao longo de uma linha divide-a onde você desenhar.</translation></message>
+<message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>Click the other end of the line, past the other side of the rock.</source><translation>Clique na outra ponta da linha, além do outro lado da rocha.</translation></message>
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro. Cada parte precisa de %1 células.</translation></message>
 <message><source>Nothing was merged: draw the line from one rock over the crack into the next.</source><translation>Nada foi mesclado: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
+<message><source>region of interest</source><translation>região de interesse</translation></message>
+<message><source>Open Session</source><translation>Abrir a sessão</translation></message>
+<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
+<message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer. Clique em outra parte da rocha, ou desenhe através de toda ela, além do seu contorno.</translation></message>
+<message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
+<message><source>mark as a rock</source><translation>marca de rocha</translation></message>
+<message><source>mark as not a rock</source><translation>marca de não rocha</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
+<message><source>Export %1 of %2</source><translation>Exportar %1 de %2</translation></message>
+<message><source>Export %1</source><translation>Exportar %1</translation></message>
+<message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
+<message><source>%1 waits for the rocks</source><translation>%1 espera as rochas</translation></message>
+<message><source>%1 was not written: its rocks are not known.</source><translation>%1 não foi gravado: as suas rochas não são conhecidas.</translation></message>
 <message><source>the rock could not be cut (%1); close other programs.</source><translation>não foi possível cortar a rocha (%1); feche outros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
 <message><source>Another window changed the rocks of this scan. The changes of both windows are kept.</source><translation>Outra janela alterou as rochas desta varredura. As alterações das duas janelas são mantidas.</translation></message>
@@ -727,11 +727,6 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source> · the last click took the near side, at %1 m</source><translation> · o último clique tomou o lado próximo, a %1 m</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · o último clique está a %1 m</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largura da garganta: procurando a passagem mais estreita …</translation></message>
-<message><source>There is no cell here: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
-<message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ A varredura continua. Ocultam-se as células que estão ali agora. As linhas novas são mostradas a qualquer distância.</translation></message>
-<message><source>Range Gate</source><translation>Janela de distância</translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
-<message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
 <message><source>Nothing was selected (%1).</source><translation>Nada foi selecionado (%1).</translation></message>
 <message><source>Select Nothing</source><translation>Não selecionar nada</translation></message>
 <message><source>Select</source><translation>Selecionar</translation></message>
@@ -751,23 +746,11 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>&amp;Isolate Selected</source><translation>&amp;Isolar a seleção</translation></message>
 <message><source>Show &amp;All</source><translation>&amp;Mostrar tudo</translation></message>
 <message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
-<message><source>Na&amp;me…</source><translation>No&amp;me…</translation></message>
-<message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
-<message><source>Na&amp;me of Target %1…</source><translation>No&amp;me do alvo %1…</translation></message>
-<message><source>No&amp;te on Target %1…</source><translation>No&amp;ta sobre o alvo %1…</translation></message>
-<message><source>Unloc&amp;k Target %1</source><translation>&amp;Desbloquear o alvo %1</translation></message>
-<message><source>Loc&amp;k Target %1</source><translation>&amp;Bloquear o alvo %1</translation></message>
-<message><source>Remo&amp;ve Target %1</source><translation>Remo&amp;ver o alvo %1</translation></message>
-<message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>
-<message><source>Name of target %1, which is on this rock:</source><translation>Nome do alvo %1, que está nesta rocha:</translation></message>
-<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nome desta rocha. Um novo alvo sobre ela, número %1, leva o nome:</translation></message>
-<message><source>Name of a target</source><translation>Nome de um alvo</translation></message>
-<message><source>Name of target %1:</source><translation>Nome do alvo %1:</translation></message>
-<message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>Não há alvo a nomear: fixe uma célula ou escolha um alvo.</translation></message>
-<message><source>Note on a target</source><translation>Nota sobre um alvo</translation></message>
-<message><source>Note on target %1:</source><translation>Nota sobre o alvo %1:</translation></message>
-<message><source>name of target %1</source><translation>nome do alvo %1</translation></message>
-<message><source>note of target %1</source><translation>nota do alvo %1</translation></message>
+<message><source>There is no cell here: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
+<message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ A varredura continua. Ocultam-se as células que estão ali agora. As linhas novas são mostradas a qualquer distância.</translation></message>
+<message><source>Range Gate</source><translation>Janela de distância</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
+<message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Seus alvos não foram guardados: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
@@ -801,6 +784,23 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>%1 warnings</source><translation>%1 avisos</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>O alvo %1 está na área de transferência, como texto.</translation></message>
 <message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>Na área de transferência, como tabela para uma planilha: %1.</translation></message>
+<message><source>Na&amp;me…</source><translation>No&amp;me…</translation></message>
+<message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
+<message><source>Na&amp;me of Target %1…</source><translation>No&amp;me do alvo %1…</translation></message>
+<message><source>No&amp;te on Target %1…</source><translation>No&amp;ta sobre o alvo %1…</translation></message>
+<message><source>Unloc&amp;k Target %1</source><translation>&amp;Desbloquear o alvo %1</translation></message>
+<message><source>Loc&amp;k Target %1</source><translation>&amp;Bloquear o alvo %1</translation></message>
+<message><source>Remo&amp;ve Target %1</source><translation>Remo&amp;ver o alvo %1</translation></message>
+<message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>
+<message><source>Name of target %1, which is on this rock:</source><translation>Nome do alvo %1, que está nesta rocha:</translation></message>
+<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nome desta rocha. Um novo alvo sobre ela, número %1, leva o nome:</translation></message>
+<message><source>Name of a target</source><translation>Nome de um alvo</translation></message>
+<message><source>Name of target %1:</source><translation>Nome do alvo %1:</translation></message>
+<message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>Não há alvo a nomear: fixe uma célula ou escolha um alvo.</translation></message>
+<message><source>Note on a target</source><translation>Nota sobre um alvo</translation></message>
+<message><source>Note on target %1:</source><translation>Nota sobre o alvo %1:</translation></message>
+<message><source>name of target %1</source><translation>nome do alvo %1</translation></message>
+<message><source>note of target %1</source><translation>nota do alvo %1</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagem grosseira de %1 milhões de células, falta o resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>As arestas chegam com o resto da varredura</translation></message>
@@ -832,27 +832,19 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Hold to leave</source><translation>Segurar: sair</translation></message>
 <message><source>Hold for one second to leave cab mode</source><translation>Segurar um segundo para sair do modo cabine</translation></message>
+<message><source>More edges</source><translation>Mais bordas</translation></message>
+<message><source>Fewer edges</source><translation>Menos bordas</translation></message>
+<message><source>less: %1</source><translation>menos: %1</translation></message>
+<message><source>more: %1</source><translation>mais: %1</translation></message>
 <message><source>End of the menu</source><translation>Fim do menu</translation></message>
 <message><source>Delete the last letter</source><translation>Apagar a última letra</translation></message>
 <message><source>Enter</source><translation>Enter</translation></message>
 <message><source>Close the keys</source><translation>Fechar as teclas</translation></message>
 <message><source>Capital letter</source><translation>Maiúscula</translation></message>
 <message><source>Space</source><translation>Espaço</translation></message>
-<message><source>More</source><translation>Mais</translation></message>
 <message><source>Previous target or measurement</source><translation>Alvo ou medição anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Alvo ou medição seguinte</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho aparecem aqui. Para marcar um alvo, toque antes em Fixar.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui. Arrastar gira a nuvem, dois dedos a movem.</translation></message>
-<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
-<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
-<message><source>The arrows above show the measurements.</source><translation>As setas acima mostram as medições.</translation></message>
-<message><source>Distance</source><translation>Distância</translation></message>
-<message><source>No target</source><translation>Nenhum alvo</translation></message>
-<message><source>less: %1</source><translation>menos: %1</translation></message>
-<message><source>more: %1</source><translation>mais: %1</translation></message>
-<message><source>Zoom in</source><translation>Aproximar</translation></message>
-<message><source>Zoom out</source><translation>Afastar</translation></message>
+<message><source>More</source><translation>Mais</translation></message>
 <message><source>+ edges gained</source><translation>+ bordas ganhas</translation></message>
 <message><source>− edges lost</source><translation>− bordas perdidas</translation></message>
 <message><source>edges kept</source><translation>bordas mantidas</translation></message>
@@ -1164,6 +1156,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada à mão como não rocha</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>incerto demais para ser mostrado como rocha</translation></message>
 <message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
+<message><source>visible spans a × b</source><translation>extensões visíveis a × b</translation></message>
+<message><source>distance, median</source><translation>distância, mediana</translation></message>
 <message><source>Name…</source><translation>Nome…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
@@ -1185,8 +1179,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>É uma rocha, sim (N)</translation></message>
 <message><source>Rock %1</source><translation>Rocha %1</translation></message>
-<message><source>visible spans a × b</source><translation>extensões visíveis a × b</translation></message>
-<message><source>distance, median</source><translation>distância, mediana</translation></message>
 <message><source>visible area</source><translation>área visível</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>na frente</translation></message>
@@ -1228,6 +1220,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
+<message><source>Zoom in</source><translation>Aproximar</translation></message>
+<message><source>Zoom out</source><translation>Afastar</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>Zoom to what the section is about</source><translation>Enquadrar aquilo de que trata a secção</translation></message>
 <message><source>All</source><translation>Tudo</translation></message>
@@ -1278,7 +1272,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Del e Remover todos não o removem</translation></message>
 <message><source>Remove this target</source><translation>Remover este alvo</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1321,6 +1314,8 @@ RL %3 m</translation></message>
 <message><source>Distance [m]</source><translation>Distância [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
 <message><source>Beam</source><translation>Feixe</translation></message>
+<message><source>Distance</source><translation>Distância</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Um clique perto de uma aresta refere-se ao seu lado próximo; com Shift, à própria célula</translation></message>
 <message><source>from</source><translation>a partir de</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
@@ -1362,8 +1357,6 @@ RL %3 m</translation></message>
 <message><source>Edges, under rocks</source><translation>Bordas, sob as rochas</translation></message>
 <message><source>Draws the edge points over the rocks</source><translation>Desenha os pontos de borda sobre as rochas</translation></message>
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
-<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
 <message><source>neighbours err alike, as in a depth camera</source><translation>os vizinhos erram juntos, como numa câmera de profundidade</translation></message>
 <message><source>each cell errs for itself, in steps of the file</source><translation>cada célula erra por si, em passos do arquivo</translation></message>
@@ -1409,7 +1402,9 @@ RL %3 m</translation></message>
 Double-click: back to the preset</source><translation>
 Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Voltar a %1, o valor da predefinição</translation></message>
+<message><source>%1 auto</source><translation>%1 auto</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos da janela de distâncias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arraste um extremo, ou Esquerda e Direita para o distante, com Shift para o próximo; um clique duplo a torna automática</translation></message>
 <message><source>Gray</source><translation>Cinza</translation></message>
@@ -1472,18 +1467,17 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Without a pose, up is the scanner's z</source><translation>Sem pose, acima é o eixo z do scanner</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar as imagens inteiras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Enquadrar</translation></message>
-<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
-<message><source>Remove: %1</source><translation>Remover: %1</translation></message>
-<message><source>Others…</source><translation>Outros…</translation></message>
-<message><source>End measuring</source><translation>Terminar a medição</translation></message>
 <message><source>Back to the cloud</source><translation>Voltar à nuvem</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
-<message><source>More edges</source><translation>Mais bordas</translation></message>
-<message><source>Fewer edges</source><translation>Menos bordas</translation></message>
 <message><source>No scan</source><translation>Nenhuma varredura</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
+<message><source>Range image</source><translation>Imagem de distâncias</translation></message>
+<message><source>Edge map</source><translation>Mapa de bordas</translation></message>
+<message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
+<message><source>Small picture</source><translation>Imagem pequena</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Rock…</source><translation>Rocha…</translation></message>
@@ -1491,33 +1485,44 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Views</source><translation>Vistas</translation></message>
 <message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
-<message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
-<message><source>Redo: %1</source><translation>Refazer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>in B</source><translation>em B</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>not a target</source><translation>não é um alvo</translation></message>
-<message><source>median of its cells</source><translation>mediana das células</translation></message>
-<message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
-<message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
-<message><source>Range image</source><translation>Imagem de distâncias</translation></message>
-<message><source>Edge map</source><translation>Mapa de bordas</translation></message>
-<message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
-<message><source>Small picture</source><translation>Imagem pequena</translation></message>
-<message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
-<message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
-<message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
-<message><source>Your targets and your edits of rocks are not stored.</source><translation>Seus alvos e suas edições de rochas não estão guardados.</translation></message>
-<message><source>Your targets are not stored.</source><translation>Seus alvos não estão guardados.</translation></message>
-<message><source>Your edits of rocks are not stored.</source><translation>Suas edições de rochas não estão guardadas.</translation></message>
-<message><source>This ends the program.</source><translation>Isto termina o programa.</translation></message>
-<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Ao fechar, a gravação termina. O que foi gravado até agora fica no seu arquivo.</translation></message>
-<message><source>Closing waits until it is complete.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
-<message><source>The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.</source><translation>O disco os recusou. O EdgeScan tenta de novo ao fechar; o que então não puder gravar se perde.</translation></message>
-<message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para sair só do modo cabine, cancele e segure um segundo o botão “Segurar: sair”.</translation></message>
-<message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
-<message><source>Close EdgeScan</source><translation>Fechar o EdgeScan</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho aparecem aqui. Para marcar um alvo, toque antes em Fixar.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui. Arrastar gira a nuvem, dois dedos a movem.</translation></message>
+<message><source>No target</source><translation>Nenhum alvo</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
+<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
+<message><source>The arrows above show the measurements.</source><translation>As setas acima mostram as medições.</translation></message>
+<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
+<message><source>Remove: %1</source><translation>Remover: %1</translation></message>
+<message><source>Others…</source><translation>Outros…</translation></message>
+<message><source>End measuring</source><translation>Terminar a medição</translation></message>
+<message><source>Targets</source><translation>Alvos</translation></message>
+<message><source>Layers</source><translation>Camadas</translation></message>
+<message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
+<message><source>Hide panel</source><translation>Ocultar painel</translation></message>
+<message><source>turned by %1°</source><translation>giradas %1°</translation></message>
+<message><source>mirrored</source><translation>espelhadas</translation></message>
+<message><source>gray %1 to %2 m</source><translation>cinza %1 a %2 m</translation></message>
+<message><source>up to line %1</source><translation>até a linha %1</translation></message>
+<message><source>by class</source><translation>por classe</translation></message>
+<message><source>growing</source><translation>a crescer</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
+<message><source>turntable</source><translation>mesa giratória</translation></message>
+<message><source>free rotation</source><translation>rotação livre</translation></message>
+<message><source>orthographic</source><translation>ortográfica</translation></message>
+<message><source>perspective</source><translation>perspectiva</translation></message>
+<message><source>coarse picture</source><translation>imagem grosseira</translation></message>
+<message><source>Warnings of this scan:
+</source><translation>Avisos desta varredura:
+</translation></message>
+<message><source>&amp;Legends at the Side</source><translation>&amp;Legendas ao lado</translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
+<message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
+<message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Earlier Scan…</source><translation>&amp;Comparar com uma varredura anterior…</translation></message>
@@ -1531,14 +1536,48 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
-<message><source>Targets</source><translation>Alvos</translation></message>
-<message><source>Layers</source><translation>Camadas</translation></message>
-<message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
-<message><source>Hide panel</source><translation>Ocultar painel</translation></message>
-<message><source>&amp;Legends at the Side</source><translation>&amp;Legendas ao lado</translation></message>
-<message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
-<message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
-<message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
+<message><source>“%1” has ended; a click selects a rock again.</source><translation>«%1» terminou; um clique volta a escolher uma rocha.</translation></message>
+<message><source>“%1” has ended; a click pins again.</source><translation>«%1» terminou; um clique volta a fixar.</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;das sobre as rochas</translation></message>
+<message><source>&amp;Rocks</source><translation>&amp;Rochas</translation></message>
+<message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rochas</translation></message>
+<message><source>&amp;Largest Rock by Width b</source><translation>Rocha com a m&amp;aior largura b</translation></message>
+<message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Próxima rocha com largura b menor</translation></message>
+<message><source>&amp;Merge Rocks</source><translation>M&amp;esclar rochas</translation></message>
+<message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir uma rocha</translation></message>
+<message><source>Merge al&amp;ong a Line</source><translation>Mesclar ao longo de &amp;uma linha</translation></message>
+<message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
+<message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Não é rocha, ou é sim</translation></message>
+<message><source>Na&amp;me This Rock…</source><translation>No&amp;me desta rocha…</translation></message>
+<message><source>&amp;Finer</source><translation>Mais &amp;fino</translation></message>
+<message><source>&amp;Coarser</source><translation>Mais &amp;grosso</translation></message>
+<message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
+<message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
+<message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
+<message><source>slope, grade and length of a straight line</source><translation>inclinação, declive e comprimento de uma reta</translation></message>
+<message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
+<message><source>&amp;Pin</source><translation>&amp;Fixar</translation></message>
+<message><source>&amp;Distance</source><translation>&amp;Distância</translation></message>
+<message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
+<message><source>&amp;Angle</source><translation>Â&amp;ngulo</translation></message>
+<message><source>&amp;Spans a × b</source><translation>&amp;Extensões a × b</translation></message>
+<message><source>Along S&amp;urface</source><translation>Ao longo da &amp;superfície</translation></message>
+<message><source>Thr&amp;oat Width</source><translation>Largura da &amp;garganta</translation></message>
+<message><source>Se&amp;ction through the Measurement</source><translation>Se&amp;cção pela medição</translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation>Secção pela &amp;rocha</translation></message>
+<message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
+<message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
+<message><source>Na&amp;me This Target</source><translation>Nome&amp;ar este alvo</translation></message>
+<message><source>Remove This Tar&amp;get</source><translation>&amp;Remover este alvo</translation></message>
+<message><source>Remove All &amp;Targets</source><translation>Remover &amp;todos os alvos</translation></message>
+<message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
+<message><source>Sho&amp;w All</source><translation>&amp;Mostrar tudo</translation></message>
+<message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a uma &amp;caixa em torno da seleção</translation></message>
+<message><source>&amp;Range Gate…</source><translation>&amp;Janela de distância…</translation></message>
+<message><source>Hide &amp;Farther than This Cell</source><translation>Ocultar o que está mais &amp;longe que esta célula</translation></message>
+<message><source>Hide Nearer than This Cell</source><translation>Ocultar o que está mais perto que esta célula</translation></message>
+<message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom na seleção</translation></message>
+<message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
 <message><source>There are no targets yet: pin a cell first.</source><translation>Ainda não há alvos: fixe primeiro uma célula.</translation></message>
 <message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Desenho das bordas (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
@@ -1635,69 +1674,12 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
-<message><source>turned by %1°</source><translation>giradas %1°</translation></message>
-<message><source>mirrored</source><translation>espelhadas</translation></message>
-<message><source>gray %1 to %2 m</source><translation>cinza %1 a %2 m</translation></message>
-<message><source>up to line %1</source><translation>até a linha %1</translation></message>
-<message><source>by class</source><translation>por classe</translation></message>
-<message><source>growing</source><translation>a crescer</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
-<message><source>turntable</source><translation>mesa giratória</translation></message>
-<message><source>free rotation</source><translation>rotação livre</translation></message>
-<message><source>orthographic</source><translation>ortográfica</translation></message>
-<message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>coarse picture</source><translation>imagem grosseira</translation></message>
-<message><source>Next Sweep</source><translation>Varredura seguinte</translation></message>
-<message><source>Undo brings %1 back with its targets and measurements: the next sweep replaced it.</source><translation>Desfazer traz %1 de volta com os seus alvos e medições: a varredura seguinte a substituiu.</translation></message>
-<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 já não é comparado como A, porque pode ser de outro lugar. Desfazer (Ctrl+Z) recupera-o.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Scanner view</source><translation>Vista scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
-<message><source>“%1” has ended; a click selects a rock again.</source><translation>«%1» terminou; um clique volta a escolher uma rocha.</translation></message>
-<message><source>“%1” has ended; a click pins again.</source><translation>«%1» terminou; um clique volta a fixar.</translation></message>
-<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;das sobre as rochas</translation></message>
-<message><source>&amp;Rocks</source><translation>&amp;Rochas</translation></message>
-<message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rochas</translation></message>
-<message><source>&amp;Largest Rock by Width b</source><translation>Rocha com a m&amp;aior largura b</translation></message>
-<message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Próxima rocha com largura b menor</translation></message>
-<message><source>&amp;Merge Rocks</source><translation>M&amp;esclar rochas</translation></message>
-<message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir uma rocha</translation></message>
-<message><source>Merge al&amp;ong a Line</source><translation>Mesclar ao longo de &amp;uma linha</translation></message>
-<message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
-<message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Não é rocha, ou é sim</translation></message>
-<message><source>Na&amp;me This Rock…</source><translation>No&amp;me desta rocha…</translation></message>
-<message><source>&amp;Finer</source><translation>Mais &amp;fino</translation></message>
-<message><source>&amp;Coarser</source><translation>Mais &amp;grosso</translation></message>
-<message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
-<message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
-<message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
-<message><source>slope, grade and length of a straight line</source><translation>inclinação, declive e comprimento de uma reta</translation></message>
-<message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
-<message><source>&amp;Pin</source><translation>&amp;Fixar</translation></message>
-<message><source>&amp;Distance</source><translation>&amp;Distância</translation></message>
-<message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
-<message><source>&amp;Angle</source><translation>Â&amp;ngulo</translation></message>
-<message><source>&amp;Spans a × b</source><translation>&amp;Extensões a × b</translation></message>
-<message><source>Along S&amp;urface</source><translation>Ao longo da &amp;superfície</translation></message>
-<message><source>Thr&amp;oat Width</source><translation>Largura da &amp;garganta</translation></message>
-<message><source>Se&amp;ction through the Measurement</source><translation>Se&amp;cção pela medição</translation></message>
-<message><source>Section th&amp;rough the Rock</source><translation>Secção pela &amp;rocha</translation></message>
-<message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
-<message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
-<message><source>Na&amp;me This Target</source><translation>Nome&amp;ar este alvo</translation></message>
-<message><source>Remove This Tar&amp;get</source><translation>&amp;Remover este alvo</translation></message>
-<message><source>Remove All &amp;Targets</source><translation>Remover &amp;todos os alvos</translation></message>
-<message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
-<message><source>Sho&amp;w All</source><translation>&amp;Mostrar tudo</translation></message>
-<message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a uma &amp;caixa em torno da seleção</translation></message>
-<message><source>&amp;Range Gate…</source><translation>&amp;Janela de distância…</translation></message>
-<message><source>Hide &amp;Farther than This Cell</source><translation>Ocultar o que está mais &amp;longe que esta célula</translation></message>
-<message><source>Hide Nearer than This Cell</source><translation>Ocultar o que está mais perto que esta célula</translation></message>
-<message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom na seleção</translation></message>
-<message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
@@ -1719,11 +1701,24 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Images Large</source><translation>&amp;Imagens grandes</translation></message>
 <message><source>&amp;Cloud Large</source><translation>&amp;Nuvem grande</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
-<message><source>Warnings of this scan:
-</source><translation>Avisos desta varredura:
-</translation></message>
-<message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>O passeio terminou; Ajuda &gt; Passeio começa-o de novo.</translation></message>
+<message><source>Next Sweep</source><translation>Varredura seguinte</translation></message>
+<message><source>Undo brings %1 back with its targets and measurements: the next sweep replaced it.</source><translation>Desfazer traz %1 de volta com os seus alvos e medições: a varredura seguinte a substituiu.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 já não é comparado como A, porque pode ser de outro lugar. Desfazer (Ctrl+Z) recupera-o.</translation></message>
 <message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>A janela não tem espaço para as imagens ao lado deste painel: elas voltam quando você o recolhe.</translation></message>
+<message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
+<message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
+<message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
+<message><source>Your targets and your edits of rocks are not stored.</source><translation>Seus alvos e suas edições de rochas não estão guardados.</translation></message>
+<message><source>Your targets are not stored.</source><translation>Seus alvos não estão guardados.</translation></message>
+<message><source>Your edits of rocks are not stored.</source><translation>Suas edições de rochas não estão guardadas.</translation></message>
+<message><source>This ends the program.</source><translation>Isto termina o programa.</translation></message>
+<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Ao fechar, a gravação termina. O que foi gravado até agora fica no seu arquivo.</translation></message>
+<message><source>Closing waits until it is complete.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
+<message><source>The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.</source><translation>O disco os recusou. O EdgeScan tenta de novo ao fechar; o que então não puder gravar se perde.</translation></message>
+<message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para sair só do modo cabine, cancele e segure um segundo o botão “Segurar: sair”.</translation></message>
+<message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
+<message><source>Close EdgeScan</source><translation>Fechar o EdgeScan</translation></message>
+<message><source>The tour has ended; Help &gt; Tour begins it again.</source><translation>O passeio terminou; Ajuda &gt; Passeio começa-o de novo.</translation></message>
 <message><source>Drawing with edge lines</source><translation>Desenho com as linhas das bordas</translation></message>
 <message><source>E57</source><translation>E57</translation></message>
 <message><source>Range picture</source><translation>Imagem de distâncias</translation></message>
@@ -1882,6 +1877,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
 <message><source>Outlines in the mine grid</source><translation>Contornos em coordenadas da mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
+<message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>The number: without edits, 1 is the largest visible area</source><translation>O número: sem edições, 1 é a maior área visível</translation></message>
 <message><source>visible length a [m]</source><translation>comprimento visível a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Maior extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>

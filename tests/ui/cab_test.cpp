@@ -10,9 +10,8 @@
 #include "ui/base/touch.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
-#include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/cab/numbers_side.h"
-#include "ui/panels/cab/stepper.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/start/start_page.h"
@@ -212,42 +211,6 @@ private slots:
         }
     }
 
-    void theLargeNumbersFitTheirSide() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        on.window.cab().set(true);
-        auto* side = on.window.findChild<NumbersSide*>();
-        QVERIFY(side != nullptr);
-        for (const QSize size : {QSize(1280, 775), QSize(853, 533), QSize(1920, 1040)}) {
-            resizeTo(on.window, size);
-            TargetNumbers numbers{"Cible 12",
-                                  "sur 34",
-                                  "104.911 m",
-                                  "± 0.009",
-                                  "Rocher 104, partie visible",
-                                  "12.43 × 11.72 m",
-                                  "± 0.10 m · candidat – géométrie seule, un seul point de vue",
-                                  {{"E", "498,700.123"}, {"N", "6,203,700.123"}},
-                                  "▲ pas de pose",
-                                  {{"Surface", "37° ± 12 par rapport au faisceau"}, {"Pendage / direction", "aucun plan ne convient"}}};
-            side->showNumbers(numbers);
-            QApplication::processEvents();
-            int seen = 0;
-            for (const QLabel* each : side->findChildren<QLabel*>()) {
-                if (!each->isVisible() || each->text().isEmpty()) continue;
-                ++seen;
-                const QString where = QString("\"%1\" at %2 x %3").arg(each->text()).arg(size.width()).arg(size.height());
-                QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(where));
-                QVERIFY2(each->wordWrap() || each->text().contains('\n') ||
-                             each->fontMetrics().horizontalAdvance(each->text()) <= each->contentsRect().width() + 1,
-                         qPrintable(where));
-            }
-            QVERIFY(seen >= 10);
-            const auto* number = side->findChild<QLabel*>("cab-size");
-            QVERIFY2(number->font().pixelSize() >= 22, qPrintable(QString::number(number->font().pixelSize())));
-        }
-    }
-
     // Distance and coordinates are whole in each language on the lowest screens, whatever the lines about the rock need.
     void theCoordinatesAreInSight() {
         for (const Language& language : kLanguages) {
@@ -259,7 +222,7 @@ private slots:
             on.viewer.rocks.setShown(true);
             QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr && on.viewer.targets.settled(); }));
             const auto* side = on.window.findChild<NumbersSide*>();
-            const QWidget* room = side->findChild<QLabel*>("cab-distance")->parentWidget()->parentWidget();
+            const QWidget* room = side->findChild<QWidget*>("cab-rows")->parentWidget();
             for (const QSize size : {QSize(853, 460), QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
                 resizeTo(on.window, size);
                 const QString where = QString("%1 at %2 x %3").arg(language.code).arg(size.width()).arg(size.height());
@@ -284,37 +247,6 @@ private slots:
         useLanguage("en");
     }
 
-    // A target has all its rows in sight on the screen of a cab, with and without a rock.
-    void noRowOfATargetIsCutOnALowScreen() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        on.window.cab().set(true);
-        resizeTo(on.window, {1024, 768});
-        auto* side = on.window.findChild<NumbersSide*>();
-        TargetNumbers numbers{"Target 1",
-                              "1 of 1",
-                              "5.566 m",
-                              "± 0.018",
-                              "Rock, visible",
-                              "–",
-                              "touch Rocks to measure it",
-                              {{"X", "2.642"}, {"Y", "2.880"}, {"Z", "3.964"}},
-                              "▲ no pose: no E N RL",
-                              {{"Resolves", "55 mm"}, {"Surface", "57° ± 1 off the beam"}}};
-        for (const bool rock : {false, true}) {
-            if (rock) {
-                numbers.rock = "Rock 12, visible";
-                numbers.size = "1.29 × 0.88 m";
-                numbers.sizeRemark = "± 0.05 m · candidate - geometry only, one viewpoint";
-            }
-            side->showNumbers(numbers);
-            for (int n = 0; n < 5; ++n) QApplication::processEvents();
-            const QWidget* rows = side->findChild<QLabel*>("cab-distance")->parentWidget();
-            const QWidget* room = rows->parentWidget();
-            QVERIFY2(rows->height() <= room->height(), qPrintable(QString("%1 px in %2").arg(rows->height()).arg(room->height())));
-        }
-    }
-
     // A measurement with many remarks is whole where the stepper leaves it no room, and a button says that there is more where nothing
     // helps.
     void noRemarkOfAMeasurementIsCut() {
@@ -322,20 +254,27 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         auto* side = on.window.findChild<NumbersSide*>();
-        TargetNumbers few{"Measured", "1 of 2", "1.454 m", "± 0.142", {}, {}, "ranges 6.02 / 5.53 m"}, many = few;
-        many.distanceName = "Throat Width";
-        many.warned = QString::fromUtf8(
-            "▲ a tap went through this throat, 13.18 m behind it: the rim in front was taken\n▲ one end is 0.49 m farther away "
-            "than the other\n▲ farther along, the throat narrows to 1.104 m");
-        many.sizeRemark =
-            "narrowest way near the two taps\ntaps 25 mm away find 1.312 to 1.481 m\nat 6.02, 5.53 m\nits ends are up to 0.35 "
-            "m from the taps";
-        const QWidget* rows = side->findChild<QLabel*>("cab-distance")->parentWidget();
+        using Look = FactRow::Look;
+        const SideFacts few{.title = "Measured\n1 of 2",
+                            .rows = {{Look::Number, {"distance", "Distance", "1.454 m", "± 0.142"}},
+                                     {Look::Words, {"remarks", "", "ranges 6.02 / 5.53 m"}}}};
+        const SideFacts many{
+            .title = few.title,
+            .rows = {{Look::Number, {"distance", "Throat Width", "1.454 m", "± 0.142"}},
+                     {Look::Warning,
+                      {"warned", "",
+                       "▲ a tap went through this throat, 13.18 m behind it: the rim in front was taken\n▲ one end is 0.49 m farther away "
+                       "than the other\n▲ farther along, the throat narrows to 1.104 m"}},
+                     {Look::Words,
+                      {"remarks", "",
+                       "narrowest way near the two taps\ntaps 25 mm away find 1.312 to 1.481 m\nat 6.02, 5.53 m\nits ends are up to 0.35 "
+                       "m from the taps"}}}};
+        const QWidget* rows = side->findChild<QWidget*>("cab-rows");
         const auto* area = qobject_cast<QScrollArea*>(rows->parentWidget()->parentWidget());
         const auto whole = [&] { return rows->height() <= rows->parentWidget()->height(); };
         for (const QSize size : {QSize(1024, 743), QSize(1280, 775), QSize(853, 460)}) {
             resizeTo(on.window, size);
-            side->showNumbers(few);
+            side->show(few);
             const bool low = size.height() < 500;
             QTRY_VERIFY2(whole() && side->mainStepper()->isVisible() == !low, qPrintable(QString("%1 px in %2, stepper %3 at %4, side %5")
                                                                                              .arg(rows->height())
@@ -343,57 +282,11 @@ private slots:
                                                                                              .arg(side->mainStepper()->isVisible())
                                                                                              .arg(size.height())
                                                                                              .arg(side->height())));
-            side->showNumbers(many);
+            side->show(many);
             if (low)
                 QTRY_VERIFY(!whole() && area->findChild<QToolButton*>("cab-page")->isVisible());
             else
                 QTRY_VERIFY2(whole(), qPrintable(QString("%1 px in %2").arg(rows->height()).arg(rows->parentWidget()->height())));
-        }
-    }
-
-    void nothingIsTooSmallForAGlove() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        for (const QSize size : {QSize(1280, 800), QSize(853, 533), QSize(1366, 768), QSize(1920, 1040)}) {
-            on.window.cab().set(true);
-            resizeTo(on.window, size);
-            on.viewer.notice.showNotice(NoticeBar::Kind::Done, "something was done");
-            on.viewer.notice.offer("Undo it", [] {});
-            QApplication::processEvents();
-            int seen = 0;
-            const auto check = [&] {
-                for (QWidget* each : on.window.findChildren<QWidget*>()) {
-                    const bool pressed = qobject_cast<QAbstractButton*>(each) != nullptr || qobject_cast<QComboBox*>(each) != nullptr ||
-                                         qobject_cast<QAbstractSpinBox*>(each) != nullptr ||
-                                         qobject_cast<QAbstractSlider*>(each) != nullptr;
-                    if (!pressed || !each->isVisible()) continue;
-                    if (qobject_cast<QAbstractSpinBox*>(each->parentWidget()) != nullptr) continue;
-                    ++seen;
-                    QVERIFY2(each->width() >= kGlovePx && each->height() >= kGlovePx,
-                             qPrintable(QString("%1 \"%2\": %3 x %4 at %5")
-                                            .arg(each->metaObject()->className(), each->objectName())
-                                            .arg(each->width())
-                                            .arg(each->height())
-                                            .arg(size.width())));
-                    QVERIFY2(on.window.rect().contains(QRect(each->mapTo(&on.window, QPoint()), each->size())) ||
-                                 each->objectName().startsWith("step-") || each->parentWidget()->objectName().startsWith("step-"),
-                             qPrintable(each->objectName() + " is cut off"));
-                }
-            };
-            check();
-            QVERIFY2(seen >= 20, qPrintable(QString::number(seen)));
-            press(on.window, "cab-tune"); // the sliders as steppers
-            QApplication::processEvents();
-            check();
-            press(on.window, "cab-tune");
-            QVERIFY(on.viewer.views.cloud().width() >= 0.45 * size.width());
-            for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) {
-                QVERIFY(dock->isHidden());
-                QCOMPARE(dock->toggleViewAction()->isEnabled(), dock->objectName() == "dock-rock-table"); // which covers the views
-            }
-            QVERIFY(!on.window.menuBar()->isVisible());
-            on.window.cab().set(false);
-            QApplication::processEvents();
         }
     }
 
@@ -822,21 +715,21 @@ private slots:
         QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, pointOnCloud(cloud)); // a tap, as most screens report it
         QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         NumbersSide& side = on.window.cab().frame().side();
-        QTRY_VERIFY2(side.distanceShown().endsWith(" m"), qPrintable(side.distanceShown()));
+        QTRY_VERIFY2(side.shown("distance").endsWith(" m"), qPrintable(side.shown("distance")));
         auto* large = side.findChild<QLabel*>("cab-distance");
         QVERIFY(large->isVisible() && QFontInfo(large->font()).pixelSize() >= 40);
         const inspect::CellTarget& known = on.viewer.targets.known().targets.begin()->second;
-        QCOMPARE(side.distanceShown(), QString("%1 m").arg(known.distanceM, 0, 'f', 3));
+        QCOMPARE(side.shown("distance"), QString("%1 m").arg(known.distanceM, 0, 'f', 3));
         // The second number belongs to the rock, once rocks are shown.
-        QCOMPARE(side.sizeShown(), QString("–"));
+        QCOMPARE(side.shown("size"), QString());
+        QCOMPARE(side.shown("rock"), QString("tap Rocks to measure it"));
         press(on.window, "cab-rocks");
         QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
         for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) QVERIFY(dock->isHidden());
         const rocks::Rock* rock = on.viewer.rocks.picture()->rockAt(known.probe.line * 240 + known.probe.beam);
-        const QString size = rock == nullptr
-                                 ? QString("–")
-                                 : QString("%1 × %2 m").arg(rock->longestCaliperM, 0, 'f', 2).arg(rock->shortestCaliperM, 0, 'f', 2);
-        QTRY_COMPARE(side.sizeShown(), size);
+        const QString size =
+            rock == nullptr ? QString() : QString("%1 × %2 m").arg(rock->longestCaliperM, 0, 'f', 2).arg(rock->shortestCaliperM, 0, 'f', 2);
+        QTRY_COMPARE(side.shown("size"), size);
         // The undo button is visible, and works.
         QToolButton* undo = tool(on.window, "cab-undo");
         QVERIFY(undo->isVisible() && undo->isEnabled());
@@ -869,11 +762,11 @@ private slots:
         NumbersSide& side = on.window.cab().frame().side();
         const auto& rocks = on.viewer.rocks.picture()->study.rocks;
         const rocks::Rock& rock = std::ranges::max(rocks, {}, &rocks::Rock::shortestCaliperM);
-        QTRY_COMPARE(side.sizeShown(), QString("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
-        QCOMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
+        QTRY_COMPARE(side.shown("size"), QString("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
+        QCOMPARE(side.shown("distance"), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
         QVERIFY(on.viewer.targets.notebook().empty());
         // The middle of its points is there too, as in the table.
-        QCOMPARE(side.findChild<QLabel*>("cab-tolerance")->text(), QString("median of its cells"));
+        QCOMPARE(side.findChild<QLabel*>("cab-distance-name")->text(), QString("distance, median"));
         const QString x = QString::number(rock.centreM.x(), 'f', 3);
         const auto labels = side.findChildren<QLabel*>();
         QVERIFY2(std::ranges::any_of(labels, [&](const QLabel* each) { return each->isVisible() && each->text() == x; }), qPrintable(x));
@@ -893,13 +786,14 @@ private slots:
         QTRY_COMPARE(side.findChild<QLabel*>("cab-target")->text().left(8), QString("Target 1"));
         on.viewer.targets.setNote(1, "loose, drill from the left");
         const auto isShown = [&](const QString& words) {
-            return std::ranges::any_of(side.findChildren<QLabel*>(), [&](const QLabel* each) { return each->text().contains(words); });
+            return std::ranges::any_of(side.findChildren<QLabel*>(),
+                                       [&](const QLabel* each) { return each->isVisible() && each->text().contains(words); });
         };
         QTRY_VERIFY(isShown("loose, drill"));
         on.viewer.targets.setNote(1, QString());
         QTRY_VERIFY(!isShown("loose, drill"));
         on.viewer.rocks.lookAtLargest();
-        QTRY_COMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
+        QTRY_COMPARE(side.shown("distance"), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
         QTRY_COMPARE(side.findChild<QLabel*>("cab-target")->text().left(8), QString("Target 1"));
     }
@@ -931,8 +825,8 @@ private slots:
         on.window.cab().set(true);
         NumbersSide& side = on.window.cab().frame().side();
         const auto* title = side.findChild<QLabel*>("cab-target");
-        const auto* kind = side.findChild<QLabel*>("cab-distance-name");
-        const auto* tolerance = side.findChild<QLabel*>("cab-tolerance");
+        const auto words = [&side](const char* name) { return side.findChild<QLabel*>(name)->text(); };
+        const auto length = [&] { return side.shown("distance") + " " + words("cab-distance-tolerance"); };
         const auto measure = [&](std::uint32_t from, std::uint32_t to) {
             inspect::StoredMeasure made;
             made.cells = {from, to};
@@ -947,12 +841,12 @@ private slots:
         QTRY_VERIFY(title->text().startsWith("Target 1"));
         measure(b, c);
         QTRY_VERIFY(title->text().startsWith("M") && on.viewer.targets.settled());
-        const MeasureWords words = on.viewer.targets.wordsOf(on.viewer.targets.notebook().measures.back());
-        QTRY_COMPARE(side.distanceShown() + " " + tolerance->text(), words.value);
-        QCOMPARE(kind->text(), words.kind);
-        QVERIFY2(side.findChild<QLabel*>("cab-size-remark")->text().startsWith("ranges "), qPrintable(words.remarks.join('\n')));
+        const MeasureWords known = on.viewer.targets.wordsOf(on.viewer.targets.notebook().measures.back());
+        QTRY_COMPARE(length(), known.value);
+        QCOMPARE(words("cab-distance-name"), known.kind);
+        QVERIFY2(side.shown("remarks").startsWith("ranges "), qPrintable(known.remarks.join('\n')));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
-        QVERIFY(title->text().startsWith("Target 1") && kind->text() == "Distance");
+        QVERIFY(title->text().startsWith("Target 1") && words("cab-distance-name") == "Distance");
         // One thing is marked in every view: the target or the measurement.
         const auto marked = [&](std::size_t targets, std::size_t ends) {
             const CellMarks& marks = on.viewer.views.cloud().marks();
@@ -968,7 +862,7 @@ private slots:
         for (const std::size_t place : {std::size_t(0), std::size_t(1)}) {
             QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
             QCOMPARE(title->text(), QString("M%1\n%1 of 2").arg(place + 1));
-            QCOMPARE(side.distanceShown() + " " + tolerance->text(), on.viewer.targets.wordsOf(measures[place]).value);
+            QCOMPARE(length(), on.viewer.targets.wordsOf(measures[place]).value);
             marked(0, 2);
         }
         QTest::mouseClick(side.findChild<QToolButton*>("cab-previous"), Qt::LeftButton);

@@ -9,8 +9,8 @@
 #include "ui/base/notice_bar.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
+#include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/cab/numbers_side.h"
-#include "ui/panels/cab/stepper.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
@@ -130,7 +130,7 @@ private slots:
         QToolButton* undo = tool(on.window, "cab-undo");
         on.viewer.views.pin(100 * 240 + 120);
         on.viewer.views.pin(60 * 240 + 60);
-        QCOMPARE(undo->accessibleName(), QString("Undo: new target 2"));
+        QCOMPARE(undo->accessibleName(), QString("Undo new target 2"));
         press(on.window, "cab-undo");
         QCOMPARE(on.viewer.notice.text(), QString("Undone: new target 2."));
         QVERIFY(on.viewer.notice.isVisible());
@@ -258,7 +258,7 @@ private slots:
             const auto* label = side.stepper(first)->findChild<QLabel*>(name);
             QVERIFY(label != nullptr && label->isVisible());
             QCOMPARE(label->text(), QString(words));
-            QVERIFY(side.stepper("method")->findChild<QLabel*>(name) == nullptr);
+            QVERIFY(side.stepper("method")->findChild<QLabel*>(name)->isHidden());
         }
         QVERIFY2(side.stepper(first)->less()->text() != side.stepper("method")->less()->text(), "minus would be read as fewer edges");
     }
@@ -535,10 +535,9 @@ private slots:
             return cut.join(", ");
         };
         QTRY_VERIFY2(wholeRows().isEmpty(), qPrintable(wholeRows()));
-        const auto *remark = area->widget()->findChild<QLabel*>("cab-size-remark"), *pose = area->widget()->findChild<QLabel*>("cab-pose"),
-                   *warned = area->widget()->findChild<QLabel*>("cab-warned");
+        const auto *last = area->widget()->findChild<QLabel*>("cab-edge"), *pose = area->widget()->findChild<QLabel*>("cab-pose");
         const QWidget* below = area->findChild<QWidget*>("cab-below");
-        QVERIFY(placeOf(*remark).top() >= placeOf(*below).top() && pose->text().startsWith("▲"));
+        QVERIFY(placeOf(*last).top() >= placeOf(*below).top() && pose->text().startsWith("▲"));
         QVERIFY2(placeOf(*pose).bottom() < placeOf(*below).top(), "a warning is on the first page");
         for (int n = 0; n < 4 && !page.text().startsWith("▲"); ++n) {
             QTest::mouseClick(&page, Qt::LeftButton);
@@ -553,16 +552,17 @@ private slots:
         QVERIFY2(!tune.text().endsWith(QLatin1Char(10)) && tune.height() >= tune.sizeHint().height(),
                  qPrintable(QString("%1 of %2").arg(tune.height()).arg(tune.sizeHint().height())));
         // Warnings do not push the coordinates away.
-        TargetNumbers two;
-        two.title = "Target 1";
-        two.place = "1 of 3";
-        two.distance = "6.52 m";
-        two.tolerance = "± 0.02";
-        two.unposed = true;
-        two.warned = "▲ the click was 6 cells away, on another surface\n▲ a second warning that needs two lines";
-        two.coordinates = {{"X [m]", "-0.512"}, {"Y", "1.234"}, {"Z", "6.301"}};
+        using Look = FactRow::Look;
         auto* side = on.window.findChild<NumbersSide*>();
-        side->showNumbers(two);
+        side->show(
+            {.title = "Target 1\n1 of 3",
+             .rows = {{Look::Number, {"distance", "Distance", "6.52 m", "± 0.02"}},
+                      {Look::Warning, {"pose", "", "▲ no pose: no E N RL"}},
+                      {Look::Short, {"x", "X [m]", "-0.512"}},
+                      {Look::Short, {"y", "Y", "1.234"}},
+                      {Look::Short, {"z", "Z", "6.301"}},
+                      {Look::Warning,
+                       {"warned", "", "▲ the click was 6 cells away, on another surface\n▲ a second warning that needs two lines"}}}});
         QApplication::processEvents();
         for (const QLabel* each : side->findChildren<QLabel*>()) {
             if (each->text() != "6.301" && each->text() != "-0.512") continue;
@@ -570,14 +570,14 @@ private slots:
                      qPrintable(each->text()));
         }
         // Of many warnings the first ones are next to their number.
-        TargetNumbers throat;
-        throat.title = "W1";
-        throat.distance = "1.61 m";
-        throat.warned = QString("▲ a warning\n").repeated(16).trimmed();
-        on.window.findChild<NumbersSide*>()->showNumbers(throat);
+        SideFacts throat{.title = "W1",
+                         .rows = {{Look::Number, {"distance", "Throat Width", "1.61 m"}},
+                                  {Look::Warning, {"warned", "", QString("▲ a warning\n").repeated(16).trimmed()}}}};
+        side->show(throat);
+        const auto* warned = area->widget()->findChild<QLabel*>("cab-warned");
         QTRY_VERIFY(page.isVisible() && placeOf(*warned).top() + warned->fontMetrics().lineSpacing() <= placeOf(*below).top());
-        throat.warned.clear();
-        on.window.findChild<NumbersSide*>()->showNumbers(throat);
+        throat.rows.pop_back();
+        side->show(throat);
         resizeTo(on.window, {1280, 800});
         QTRY_VERIFY(!page.isVisible());
         QCOMPARE(tune.text(), QString("Tune"));
@@ -632,6 +632,7 @@ private slots:
             on.viewer.rocks.setShown(true);
             QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.picture()->study.rocks.empty(); }));
             on.viewer.rocks.select({on.viewer.rocks.picture()->study.rocks.front().cell});
+            QTRY_VERIFY(on.window.findChild<QLabel*>("cab-size") != nullptr);
             const QLabel *size = on.window.findChild<QLabel*>("cab-size"), *tolerance = on.window.findChild<QLabel*>("cab-size-tolerance");
             const QToolButton& page = *tool(on.window, "cab-page");
             const QWidget* below = page.parentWidget()->findChild<QWidget*>("cab-below");

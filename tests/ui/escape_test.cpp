@@ -5,8 +5,8 @@
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/start/tour.h"
 #include "ui/window/cab_mode.h"
-#include "ui/window/first_tour.h"
 #include "ui/window/pane_places.h"
+#include "ui/window/start.h"
 #include "ui/window/theme.h"
 #include "ui/window/tool_bar.h"
 

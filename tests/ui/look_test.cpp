@@ -9,8 +9,6 @@
 #include "ui/base/elided_label.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
-#include "ui/controllers/paper_drawings.h"
-#include "ui/controllers/paper_pages.h"
 #include "ui/controllers/report_pdf.h"
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/dialogs/export_dialog.h"

@@ -12,7 +12,7 @@
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/cab/cab_frame.h"
-#include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/live/timeline.h"
@@ -25,10 +25,13 @@
 #include "ui/window/start.h"
 #include "ui/window/theme.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QDir>
+#include <QMenuBar>
 #include <QPainter>
 #include <QScreen>
 #include <QtTest>
@@ -49,6 +52,8 @@ constexpr std::array kSizes{QSize(853, 533),  QSize(1024, 768),  QSize(1280, 800
 constexpr double kCloudShare = 0.22;   // of the width, on the desk
 constexpr double kFreeInCab = 0.66;    // of the cloud's pixels
 constexpr double kFreeUnderNote = 0.4; // of the height below the head of a cab: next to the strips of a scanner and of the legend
+
+constexpr int kAllRowsHigh = 768; // px: a window in which a target has all its rows in sight
 
 /// A window, a scanner that sends to it, and where the test is in the product.
 struct Desk {
@@ -117,6 +122,11 @@ bool endWork(Desk& desk) {
     return true;
 }
 
+bool pressTune(Desk& desk) {
+    QTest::mouseClick(desk.on.window.findChild<QToolButton*>("cab-tune"), Qt::LeftButton);
+    return desk.on.settled();
+}
+
 /// In their order: each adds to what is on the screen.
 std::vector<State> modes(bool cab, bool live) {
     std::vector<State> all{
@@ -130,6 +140,7 @@ std::vector<State> modes(bool cab, bool live) {
         {"pin", pinEdge},
         {"rocks", showRocks, hideRocks},
     };
+    if (cab) all.push_back({"tune", pressTune, pressTune});
     if (cab || live) return all;
     all.push_back({"why",
                    [](Desk& desk) {
@@ -224,12 +235,32 @@ QString demanding(const QWidget& window, int width) {
     return names.join(", ");
 }
 
+/// What a finger presses, but for the fields inside of boxes.
+QStringList tooSmallForGloves(const MainWindow& window) {
+    QStringList faults;
+    for (const QWidget* each : window.findChildren<QWidget*>()) {
+        const bool pressed = qobject_cast<const QAbstractButton*>(each) != nullptr || qobject_cast<const QComboBox*>(each) != nullptr ||
+                             qobject_cast<const QAbstractSpinBox*>(each) != nullptr ||
+                             qobject_cast<const QAbstractSlider*>(each) != nullptr;
+        if (!pressed || !each->isVisible() || each->window() != &window) continue;
+        if (each->width() < kGlovePx || each->height() < kGlovePx)
+            faults << QString("%1 \"%2\" is %3 x %4")
+                          .arg(each->metaObject()->className(), each->objectName())
+                          .arg(each->width())
+                          .arg(each->height());
+    }
+    return faults;
+}
+
 QStringList faultsNow(Desk& desk, QSize size) {
     MainWindow& window = desk.on.window;
     QStringList faults;
     if (window.size() != size)
         faults << QString("it is %1 x %2; %3").arg(window.width()).arg(window.height()).arg(demanding(window, size.width()));
     if (desk.cab) {
+        faults << tooSmallForGloves(window);
+        if (window.menuBar()->isVisible()) faults << "the menu bar is there";
+        if (size.height() >= kAllRowsHigh && window.findChild<QWidget*>("cab-page")->isVisible()) faults << "a row is on a second page";
         const QWidget& leave = *window.cab().frame().head().leave();
         if (!leave.isVisible() || !window.rect().contains(QRect(leave.mapTo(&window, QPoint()), leave.size())))
             faults << "Hold to leave is off the screen";

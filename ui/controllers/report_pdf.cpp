@@ -1,27 +1,276 @@
 // Lays the page of a report out on paper.
 #include "ui/controllers/report_pdf.h"
 
-#include "ui/controllers/paper_drawings.h"
-#include "ui/controllers/paper_pages.h"
-
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QFont>
+#include <QFontMetricsF>
 #include <QImage>
 #include <QPageSize>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPdfWriter>
+#include <QRectF>
 #include <QRegularExpression>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
 #include <QTextFrame>
+#include <QTextLayout>
+#include <QTextTable>
 #include <QThread>
 #include <QUrl>
+#include <QXmlStreamReader>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 namespace edgescan::ui {
+namespace {
+
+constexpr int kMostMoves = 500;
+
+/// The first and last place of the lines of a paragraph or a table.
+struct Extent {
+    double top = 0.0, bottom = 0.0;
+};
+
+Extent extentOf(const QTextBlock& block) {
+    const double top = block.document()->documentLayout()->blockBoundingRect(block).top();
+    const QTextLayout& lines = *block.layout();
+    if (lines.lineCount() == 0) return {top, top};
+    const QTextLine first = lines.lineAt(0), last = lines.lineAt(lines.lineCount() - 1);
+    return {top + first.y(), top + last.y() + last.height()};
+}
+
+Extent extentOf(const QTextBlock& first, const QTextBlock& last) {
+    Extent whole = extentOf(first);
+    for (QTextBlock each = first; each.isValid(); each = each.next()) {
+        const Extent of = extentOf(each);
+        whole = {std::min(whole.top, of.top), std::max(whole.bottom, of.bottom)};
+        if (each == last) break;
+    }
+    return whole;
+}
+
+/// A paragraph or a table of the document.
+struct Part {
+    QTextBlock block; // of a table: its first one
+    QTextTable* table = nullptr;
+    Extent extent;
+
+    [[nodiscard]] bool leads() const { // to what follows it; empty ones are around tables
+        return table == nullptr && (block.blockFormat().headingLevel() > 0 || block.text().trimmed().isEmpty());
+    }
+};
+
+std::vector<Part> partsOf(const QTextDocument& document) {
+    std::vector<Part> parts;
+    for (auto each = document.rootFrame()->begin(); !each.atEnd(); ++each) {
+        if (auto* table = qobject_cast<QTextTable*>(each.currentFrame())) {
+            const QTextBlock first = table->firstCursorPosition().block();
+            parts.push_back({first, table, extentOf(first, table->lastCursorPosition().block())});
+        } else if (each.currentFrame() == nullptr && each.currentBlock().isValid()) {
+            parts.push_back({each.currentBlock(), nullptr, extentOf(each.currentBlock())});
+        }
+    }
+    return parts;
+}
+
+bool beginsPage(const Part& part) {
+    const auto policy = part.table != nullptr ? part.table->format().pageBreakPolicy() : part.block.blockFormat().pageBreakPolicy();
+    return (policy & QTextFormat::PageBreak_AlwaysBefore) != 0;
+}
+
+void beginPage(const Part& part) {
+    if (part.table != nullptr) {
+        QTextTableFormat format = part.table->format();
+        format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+        part.table->setFormat(format);
+    } else {
+        QTextBlockFormat format = part.block.blockFormat();
+        format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+        QTextCursor(part.block).setBlockFormat(format);
+    }
+}
+
+/// A row on two pages begins on the second one: the head of its cells is as high as what is left of the first. False: there is none.
+bool moveSplitRow(const QTextDocument& document, QTextTable& table) {
+    for (int row = 0; row < table.rows(); ++row) {
+        Extent whole{1e12, 0.0};
+        for (int column = 0; column < table.columns(); ++column) {
+            const QTextTableCell cell = table.cellAt(row, column);
+            const Extent of = extentOf(cell.firstCursorPosition().block(), cell.lastCursorPosition().block());
+            whole = {std::min(whole.top, of.top), std::max(whole.bottom, of.bottom)};
+        }
+        const int page = pageOf(document, whole.top);
+        if (page == pageOf(document, whole.bottom - 1) || whole.bottom - whole.top > document.pageSize().height() / 2) continue;
+        const double left = (page + 1) * document.pageSize().height() - whole.top;
+        for (int column = 0; column < table.columns(); ++column) {
+            QTextTableCell cell = table.cellAt(row, column);
+            QTextTableCellFormat format = cell.format().toTableCellFormat();
+            if (format.topPadding() >= left) return false; // it did not help
+            format.setTopPadding(left);
+            cell.setFormat(format);
+        }
+        return true;
+    }
+    return false;
+}
+
+/// Moves the first part that must not be where it is. False: there is none.
+bool moveOne(const QTextDocument& document) {
+    const double high = document.pageSize().height();
+    const std::vector<Part> parts = partsOf(document);
+    for (std::size_t n = 0; n < parts.size(); ++n) {
+        const Part& part = parts[n];
+        const int page = pageOf(document, part.extent.top), last = pageOf(document, part.extent.bottom - 1);
+        const double length = part.extent.bottom - part.extent.top;
+        const bool flows = part.table != nullptr && part.table->format().headerRowCount() > 0 && length > high / 4; // its head is repeated
+        const double room = (page + 1) * high - part.extent.top;
+        const bool split = page != last && (flows ? room < high / 8 : length < (part.table != nullptr ? high : high / 2));
+        const bool alone = part.leads() && n + 1 < parts.size() && page != pageOf(document, parts[n + 1].extent.top) && length < high / 2 &&
+                           !beginsPage(parts[n + 1]);
+        if (split || alone) {
+            std::size_t first = n; // a heading goes with it
+            while (first > 0 && parts[first - 1].leads() && pageOf(document, parts[first - 1].extent.top) == page) --first;
+            const bool isTop = beginsPage(parts[first]) || first == 0 || pageOf(document, parts[first - 1].extent.top) != page;
+            if (!isTop) return beginPage(parts[first]), true;
+        }
+        if (part.table != nullptr && page != last && moveSplitRow(document, *part.table)) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+int pageOf(const QTextDocument& document, double y) { return static_cast<int>(std::floor(y / document.pageSize().height())); }
+
+bool isSplit(const QTextBlock& block) {
+    const Extent extent = extentOf(block);
+    return pageOf(*block.document(), extent.top) != pageOf(*block.document(), extent.bottom - 1);
+}
+
+void keepTogether(QTextDocument& document) {
+    for (int moves = 0; moves < kMostMoves && moveOne(document); ++moves) {
+    }
+}
+
+namespace {
+
+constexpr double kOutline = 0.22; // of the height of a number: its dark rim
+
+/// The attributes of an element.
+class Element {
+public:
+    explicit Element(const QXmlStreamReader& xml) : attributes_(xml.attributes()) {}
+    [[nodiscard]] QString text(const char* name) const { return attributes_.value(QLatin1String(name)).toString(); }
+    [[nodiscard]] double number(const char* name) const { return text(name).toDouble(); }
+    [[nodiscard]] QPen pen() const {
+        const QString width = text("stroke-width"), dashes = text("stroke-dasharray");
+        QPen pen(QColor(text("stroke")), width.isEmpty() ? 1.0 : width.toDouble());
+        QVector<qreal> pattern;
+        for (const QString& each : dashes.split(' ', Qt::SkipEmptyParts)) pattern << each.toDouble() / pen.widthF();
+        if (!pattern.isEmpty()) pen.setDashPattern(pattern);
+        return pen;
+    }
+
+private:
+    QXmlStreamAttributes attributes_;
+};
+
+/// "M88.0 202.0 H90.5 V187.3 ...".
+QPainterPath pathOf(const QString& steps) {
+    QPainterPath path;
+    static const QRegularExpression step("([MHV])([-0-9.]+)(?: ([-0-9.]+))?");
+    for (auto all = step.globalMatch(steps); all.hasNext();) {
+        const auto found = all.next();
+        const double value = found.captured(2).toDouble();
+        if (found.captured(1) == "M")
+            path.moveTo(value, found.captured(3).toDouble());
+        else if (found.captured(1) == "H")
+            path.lineTo(value, path.currentPosition().y());
+        else
+            path.lineTo(path.currentPosition().x(), value);
+    }
+    return path;
+}
+
+/// `unit`: height of the numbers over a picture; 0: a text of a drawing on white.
+void drawText(QPainter& painter, const Element& element, const QString& words, double unit) {
+    QFont font("Noto Sans");
+    constexpr int kDrawn = 100; // px: then scaled to its height, which may be less than a pixel
+    const double high = unit > 0 ? unit : element.number("font-size");
+    font.setPixelSize(kDrawn);
+    font.setBold(unit > 0);
+    const QFontMetricsF metrics(font);
+    const QString anchor = unit > 0 ? QStringLiteral("middle") : element.text("text-anchor");
+    const double wide = metrics.horizontalAdvance(words);
+    const double left = anchor == "middle" ? -wide / 2 : anchor == "end" ? -wide : 0.0;
+    QPainterPath path;
+    path.addText(left, unit > 0 ? metrics.capHeight() / 2 : 0.0, font, words);
+    painter.save();
+    painter.translate(element.number("x"), element.number("y"));
+    if (element.text("transform").startsWith("rotate(-90")) painter.rotate(-90);
+    painter.scale(high / kDrawn, high / kDrawn);
+    if (unit > 0) painter.strokePath(path, QPen(Qt::black, kOutline * kDrawn, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.fillPath(path, unit > 0 ? Qt::white : Qt::black);
+    painter.restore();
+}
+
+void draw(QPainter& painter, const QString& svg) {
+    static const QRegularExpression unitOf("--unit:([0-9.]+)px");
+    const double unit = unitOf.match(svg).captured(1).toDouble();
+    QXmlStreamReader xml(svg);
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        const Element element(xml);
+        if (xml.name() == QLatin1String("line")) {
+            painter.setPen(element.pen());
+            painter.drawLine(QPointF(element.number("x1"), element.number("y1")), QPointF(element.number("x2"), element.number("y2")));
+        } else if (xml.name() == QLatin1String("path")) {
+            painter.strokePath(pathOf(element.text("d")), element.pen());
+        } else if (xml.name() == QLatin1String("circle")) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(QColor(element.text("fill")));
+            painter.drawEllipse(QPointF(element.number("cx"), element.number("cy")), element.number("r"), element.number("r"));
+        } else if (xml.name() == QLatin1String("text")) {
+            drawText(painter, element, xml.readElementText(), unit);
+        }
+    }
+}
+
+QSizeF sizeOf(const QString& svg) {
+    static const QRegularExpression box("viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"");
+    const auto found = box.match(svg);
+    return {found.captured(1).toDouble(), found.captured(2).toDouble()};
+}
+
+} // namespace
+
+QImage imageOfDrawing(const QString& svg, double scale) {
+    QImage image((sizeOf(svg) * scale).toSize(), QImage::Format_RGB32);
+    if (image.isNull()) return image;
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(scale, scale);
+    draw(painter, svg);
+    return image;
+}
+
+void drawOver(QImage& picture, const QString& svg) {
+    const QSizeF size = sizeOf(svg);
+    if (picture.isNull() || size.isEmpty()) return;
+    picture = picture.convertToFormat(QImage::Format_RGB32);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(picture.width() / size.width(), picture.height() / size.height());
+    draw(painter, svg);
+}
+
 namespace {
 
 constexpr int kMarginMm = 15;

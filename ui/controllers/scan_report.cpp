@@ -8,6 +8,7 @@
 #include "core/base/whole_file.h"
 #include "core/edges/settings/command_text.h"
 #include "core/exports/html/scan_page.h"
+#include "ui/base/core_words.h"
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"

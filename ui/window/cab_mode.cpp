@@ -1,4 +1,4 @@
-// The window in a cab.
+// The window in a cab, and which of its views is large.
 #include "ui/window/cab_mode.h"
 
 #include "ui/base/core_words.h"
@@ -9,13 +9,10 @@
 #include "ui/controllers/files/source.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
-#include "ui/panels/cab/glove_menus.h"
-#include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/glove_buttons.h"
+#include "ui/panels/cab/gloves.h"
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
-#include "ui/panels/cab/stepper.h"
-#include "ui/panels/cab/swipes.h"
-#include "ui/panels/cab/zoom_buttons.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/keys/commands.h"
 #include "ui/panels/live/live_panel.h"
@@ -27,24 +24,31 @@
 #include "ui/views/cloud/scale_plate.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
 #include "ui/window/docks.h"
 #include "ui/window/main_window.h"
 #include "ui/window/side_column.h"
 #include "ui/window/theme.h"
 #include "ui/window/tool_bar.h"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QDialog>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMouseEvent>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+#include <QTouchEvent>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -54,9 +58,9 @@ constexpr int kCancelAfterMs = 300;
 } // namespace
 
 CabMode::CabMode(MainWindow& window, QWidget* middle)
-    : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
+    : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_, window.viewer().panel.rows())),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
-      zoom_(new ZoomButtons), menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)),
+      zoom_(new QWidget), menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)),
       swipes_(new Swipes(&window)) {
     badge_->setTwoLines();
     badge_->setObjectName("cab-origin");
@@ -65,12 +69,11 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     corner_->hide();
     back_->hide();
     back_->setWords("⇄ " + QObject::tr("Back to the cloud"));
-    connect(zoom_, &ZoomButtons::zoomed, this, &CabMode::zoom);
+    addZoom();
     window.setCentralWidget(frame_);
     window.side().add(*zoom_);
     connectHead();
     connectSide();
-    addTools();
     connect(back_, &CornerPicture::reachChanged, this, [this](int reach) {
         if (large_ != Large::Cloud) imageView().setCovered(reach); // no prompt is below it
     });
@@ -128,7 +131,7 @@ void CabMode::fillMenu() {
         if (each->isHidden()) menu_->addAction(each->text(), each, &QToolButton::click);
     }
     NumbersSide& side = frame_->side();
-    if (side.hasStepper() && !side.mainStepper()->isVisible() && !side.tuning()) {
+    if (!side.mainStepper()->isVisible() && !side.tuning()) {
         menu_->addAction(tr("More edges"), side.mainStepper()->less(), &QToolButton::click);
         menu_->addAction(tr("Fewer edges"), side.mainStepper()->more(), &QToolButton::click);
     }
@@ -138,10 +141,6 @@ void CabMode::fillMenu() {
 
 void CabMode::connectSide() {
     NumbersSide& side = frame_->side();
-    side.setMeaning(tr("More edges"), tr("Fewer edges"));
-    connect(&side, &NumbersSide::stepped, &window_.viewer().panel,
-            [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
-    connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
     connect(&side, &NumbersSide::entryStepRequested, this, &CabMode::step);
     connect(&side, &NumbersSide::titleTapped, this, &CabMode::openTitleMenu);
     connect(&side, &NumbersSide::poseRequested, &window_.viewer().statusLine, &StatusLine::poseRequested);
@@ -316,6 +315,196 @@ void CabMode::showScan() {
     }
     if (scan.placement && scan.placement->outOfSpec) facts = tr("▲ OUT OF SPEC") + " · " + facts;
     frame_->head().showScan(scanName(scan.name), facts);
+}
+
+namespace {
+
+constexpr qint64 kSecondTapMs = 700;
+constexpr int kZoomSide = 52, kBetweenZooms = 4; // px
+constexpr double kZoomStep = 1.25;
+
+} // namespace
+
+/// Where the image has what is chosen: the ends of a measurement, a rock or a target.
+PictureMark CabMode::chosenPlace() const {
+    const LinkedViews& views = window_.viewer().views;
+    if (!window_.viewer().engine.picture()) return {};
+    PictureMark mark;
+    const auto& measures = views.marks().measures;
+    if (const auto chosen = std::ranges::find_if(measures, &MeasureMark::active); chosen != measures.end()) {
+        for (const std::size_t cell : chosen->cells) mark.cells << views.placeOf(cell);
+        mark.links = chosen->links;
+        return mark;
+    }
+    const rocks::Rock* const rock = chosenRock();
+    // A tap on the label of a target leaves the pointer over the cell behind it.
+    const auto pinned = views.pinned() ? views.pinned() : views.marked();
+    if (const auto cell = rock != nullptr ? std::optional<std::size_t>(rock->cell) : pinned) mark.cells << views.placeOf(*cell);
+    return mark;
+}
+
+void CabMode::showCorner() {
+    const bool some = on_ && window_.viewer().engine.picture() != nullptr && small_;
+    corner_->setVisible(some);
+    if (!some) return;
+    corner_->setWords("⇄ " + (image_ == Large::Range ? QObject::tr("Range image") : QObject::tr("Edge map")));
+    corner_->show(imageView().image(), chosenPlace(), imageView().viewPort()->toScreen());
+}
+
+ImageView& CabMode::imageView() const {
+    LinkedViews& views = window_.viewer().views;
+    return image_ == Large::Edges ? views.edges() : views.gray();
+}
+
+/// A tap at this place is meant for what was there, for a moment after the change is painted: a large cloud takes its time.
+void CabMode::noteChangeUnder(const QRegion& place) {
+    if (!on_ || place.isEmpty()) return;
+    std::erase_if(left_, [](const LeftPlace& each) { return each.isOver(); });
+    left_.push_back({place});
+    QTimer::singleShot(0, this, [this] {
+        for (LeftPlace& each : left_) {
+            if (!each.since.isValid()) each.since.start();
+        }
+    });
+}
+
+/// Exchanges the large view and the corner: image and cloud.
+void CabMode::swap() {
+    const CornerPicture& used = large_ == Large::Cloud ? *corner_ : *back_;
+    const QRect place = used.isVisible() ? QRect(used.mapToGlobal(QPoint()), used.size()) : QRect();
+    showLarge(large_ == Large::Cloud ? image_ : Large::Cloud);
+    noteChangeUnder(place); // also of the other one, which is there now
+}
+
+void CabMode::showLarge(Large which) {
+    if (std::exchange(large_, which) == which) return;
+    if (which != Large::Cloud) image_ = which;
+    const bool isImage = which != Large::Cloud;
+    ImageView& image = imageView();
+    for (ImageView* each : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) {
+        each->removeEventFilter(back_);
+        each->setCovered(0);
+    }
+    back_->setParent(&image);
+    image.installEventFilter(back_);
+    window_.viewer().views.setOnlyImage(which == Large::Range);
+    window_.showAlone(isImage ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
+    back_->setVisible(isImage);
+    back_->endAt(corner_->isHidden() ? 0 : corner_->geometry().bottom()); // a second tap at the same place swaps them back
+    if (isImage) image.setCovered(back_->reach());
+    showCorner();
+    emit viewsChanged();
+}
+
+/// A direction is one of the cloud.
+void CabMode::showCloud() {
+    if (on_) showLarge(Large::Cloud);
+}
+
+/// Each does what it says, whatever is large.
+void CabMode::fillViews(QMenu& menu) {
+    menu.clear();
+    auto* views = menu.findChild<QActionGroup*>();
+    if (views == nullptr) views = new QActionGroup(&menu); // one of them is on
+    for (const auto& [which, words] : {std::pair(Large::Cloud, QObject::tr("Cloud")), std::pair(Large::Range, QObject::tr("Range image")),
+                                       std::pair(Large::Edges, QObject::tr("Edge map"))}) {
+        QAction* action = menu.addAction(words, this, [this, which = which] { showLarge(which); });
+        action->setCheckable(true);
+        action->setChecked(large_ == which);
+        views->addAction(action);
+    }
+    menu.addSeparator();
+    QAction* small = menu.addAction(tr("Small picture"), this, [this](bool on) {
+        small_ = on;
+        showCorner();
+        emit viewsChanged();
+    });
+    small->setCheckable(true);
+    small->setChecked(small_);
+    small->setEnabled(large_ == Large::Cloud); // an image has no picture in its corner
+    QMenu& directions = menuWith("View/Look from/Top (from Above)");
+    menu.addSeparator();
+    menu.addMenu(&directions);
+    connect(&directions, &QMenu::triggered, this, &CabMode::showCloud, Qt::UniqueConnection);
+}
+
+std::string CabMode::viewsKept() const {
+    const char* names[]{"cloud", "range", "edges"};
+    return std::string(names[static_cast<int>(large_)]) + (image_ == Large::Edges ? " edges" : " range") + (small_ ? " small" : "");
+}
+
+void CabMode::useViews(const QString& kept) {
+    const QStringList words = kept.split(' ');
+    const QStringList names{"cloud", "range", "edges"};
+    const auto large = names.indexOf(words.value(0));
+    if (large < 0) return;
+    showLarge(Large::Cloud);
+    image_ = words.value(1) == "edges" ? Large::Edges : Large::Range;
+    small_ = words.contains("small");
+    showLarge(static_cast<Large>(large));
+    showCorner();
+}
+
+/// Shows all of the large view.
+void CabMode::fit() {
+    if (large_ == Large::Cloud)
+        window_.viewer().views.cloud().zoomToFit();
+    else
+        window_.viewer().views.gray().viewPort()->fit();
+}
+
+/// Zooms the large view about its middle.
+void CabMode::zoom(double factor) {
+    CloudView& cloud = window_.viewer().views.cloud();
+    if (large_ == Large::Cloud) return cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, factor));
+    ViewPort& images = *window_.viewer().views.gray().viewPort();
+    images.zoomAt(images.centre(), factor);
+}
+
+void CabMode::addZoom() {
+    zoom_->setObjectName("cab-zoom");
+    auto* row = new QHBoxLayout(zoom_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kBetweenZooms);
+    for (const bool in : {true, false}) {
+        auto* button = new QToolButton;
+        button->setObjectName(in ? "cab-zoom-in" : "cab-zoom-out");
+        button->setText(in ? "+" : "−");
+        button->setAccessibleName(in ? tr("Zoom in") : tr("Zoom out"));
+        button->setFixedSize(kZoomSide, kZoomSide);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAutoRepeat(true);
+        QFont letters = button->font();
+        letters.setPixelSize(kZoomSide / 2);
+        letters.setBold(true);
+        button->setFont(letters);
+        connect(button, &QToolButton::clicked, this, [this, in] { zoom(in ? kZoomStep : 1.0 / kZoomStep); });
+        row->addWidget(button);
+    }
+    zoom_->hide();
+}
+
+bool CabMode::LeftPlace::isOver() const { return since.isValid() && since.elapsed() >= kSecondTapMs; }
+
+bool CabMode::isOnLeftPlace(const QPoint& onScreen) const {
+    return std::ranges::any_of(left_, [&onScreen](const LeftPlace& each) { return !each.isOver() && each.onScreen.contains(onScreen); });
+}
+
+bool CabMode::eventFilter(QObject* watched, QEvent* event) {
+    const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
+    if (press) {
+        const QPoint at = static_cast<QMouseEvent*>(event)->globalPos();
+        secondTap_ = !keypad_->place().contains(at) && isOnLeftPlace(at);
+    }
+    if (event->type() == QEvent::TouchBegin) {
+        const auto points = static_cast<QTouchEvent*>(event)->touchPoints();
+        if (std::ranges::any_of(points, [this](const auto& each) { return isOnLeftPlace(each.screenPos().toPoint()); })) {
+            event->ignore(); // Qt sends the mouse event instead
+            return true;
+        }
+    }
+    return ((press || follows) && secondTap_) || QObject::eventFilter(watched, event);
 }
 
 } // namespace edgescan::ui

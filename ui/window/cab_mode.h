@@ -14,6 +14,9 @@ class QAbstractButton;
 class QMenu;
 class QToolButton;
 
+namespace edgescan::inspect {
+struct PinnedTarget;
+}
 namespace edgescan::rocks {
 struct Rock;
 }
@@ -25,12 +28,11 @@ class CornerPicture;
 class GloveMenus;
 class ImageView;
 class Keypad;
-class ZoomButtons;
 class MainWindow;
 struct PictureMark;
 class StateBadge;
 class Swipes;
-struct TargetNumbers;
+struct SideFacts;
 
 /// GUI thread only. The window must outlive it.
 class CabMode : public QObject {
@@ -40,6 +42,8 @@ public:
     CabMode(MainWindow& window, QWidget* middle);
     ~CabMode() override;
 
+    /// Its buttons do what the commands do: call it after the menus are made.
+    void addTools();
     void set(bool on);
     [[nodiscard]] bool on() const { return on_; }
     [[nodiscard]] CabFrame& frame() { return *frame_; }
@@ -61,7 +65,6 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void connectHead();
     void fillMenu();
-    void addTools();
     void addSideButtons();
     void fillRemoval(QMenu& menu, bool all);
     void fillMeasures(QMenu& menu);
@@ -69,8 +72,7 @@ private:
     /// The menu with this command of the menu bar: its entries, not a second list. `id`: its path in English.
     [[nodiscard]] QMenu& menuWith(const QString& id) const;
     void fillViews(QMenu& menu);
-    [[nodiscard]] QToolButton* undoButton();
-    [[nodiscard]] QToolButton* redoButton();
+    void addUndo();
     void connectSide();
     void follow();
     void nameUndone();
@@ -88,10 +90,12 @@ private:
     [[nodiscard]] ImageView& imageView() const;
     void fit();
     void zoom(double factor);
+    void addZoom();
     void lockDocks(bool on);
-    [[nodiscard]] TargetNumbers numbers() const;
-    [[nodiscard]] TargetNumbers ofRock(const rocks::Rock& rock) const;
-    [[nodiscard]] TargetNumbers ofMeasure(std::size_t place) const;
+    [[nodiscard]] SideFacts ofTarget(const inspect::PinnedTarget& target) const;
+    [[nodiscard]] SideFacts ofRock(const rocks::Rock& rock) const;
+    [[nodiscard]] SideFacts ofMeasure(std::size_t place) const;
+    [[nodiscard]] SideFacts ofNothing() const;
     [[nodiscard]] const rocks::Rock* chosenRock() const;
     void step(int by);
     [[nodiscard]] PictureMark chosenPlace() const;
@@ -101,7 +105,7 @@ private:
     CabFrame* frame_;
     CornerPicture* corner_;
     CornerPicture* back_; // returns to the cloud, over the image
-    ZoomButtons* zoom_;
+    QWidget* zoom_;
     QMenu* menu_;
     Keypad* keypad_;
     GloveMenus* gloveMenus_;

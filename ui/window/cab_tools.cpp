@@ -1,5 +1,4 @@
-// Actions of the tools, the corner and the numbers of cab mode.
-#include "core/base/tolerance_text.h"
+// The tools, menus and numbers of cab mode.
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
 #include "core/inspect/measure/notebook.h"
@@ -8,10 +7,11 @@
 #include "ui/base/shown_text.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
+#include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/cab/numbers_side.h"
-#include "ui/panels/cab/stepper.h"
-#include "ui/panels/cab/tool_column.h"
-#include "ui/panels/cab/zoom_buttons.h"
+#include "ui/panels/dialogs/sheets.h"
+#include "ui/panels/keys/shortcuts.h"
+#include "ui/panels/rocks/rock_card.h"
 #include "ui/panels/targets/target_words.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
@@ -22,94 +22,117 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/main_window.h"
 
-#include <QCheckBox>
+#include <QCursor>
 #include <QMenu>
 #include <QToolButton>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <functional>
 #include <utility>
 
 namespace edgescan::ui {
 namespace {
 
-constexpr int kNearHigh = 48; // px
+constexpr int kNearHigh = 48;            // px
+constexpr std::size_t kMostRemovals = 4; // newest measurements in the menu
+constexpr std::size_t kMostPins = 4;     // newest targets in it
 
-void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
+using Look = FactRow::Look;
 
-QString metres(double m, int decimals) { return QString::number(m, 'f', decimals); }
-
-void addSize(TargetNumbers& values, const rocks::Rock& rock) {
-    values.rock = CabMode::tr("Rock %1, visible").arg(rock.label);
-    values.size = CabMode::tr("%1 × %2 m").arg(metres(rock.longestCaliperM, 2), metres(rock.shortestCaliperM, 2));
-    values.sizeTolerance = CabMode::tr("± %1 m").arg(metres(shownTolerance(rock.toleranceM, 2), 2));
-    values.sizeRemark = (rock.apart.empty() ? QString() : partsText(rock) + " · ") + QObject::tr(rocks::kRockCaveat);
+void addText(SideFacts& side, Look look, const char* key, const QString& text, bool underlined = false) {
+    if (!text.isEmpty()) side.rows.push_back({look, {.key = key, .value = text, .underlined = underlined}});
 }
 
-void addPlace(TargetNumbers& values, const Eigen::Vector3d& placeM, bool mine, bool pending) {
+/// Without a pose the coordinates count from the scanner: a tap on the warning, else on the coordinates, opens the pose.
+void addPlace(SideFacts& side, const QStringList& numbers, bool mine) {
+    if (!mine) addText(side, Look::Warning, "pose", CabMode::tr("▲ no pose: no E N RL"), true);
     int n = 0;
-    for (const char* name : mine ? std::array{"E [m]", "N", "RL"} : std::array{"X [m]", "Y", "Z"})
-        values.coordinates.emplace_back(name, pending ? QStringLiteral("…") : metres(placeM[n++], 3));
-    values.unposed = !mine;
+    for (const char* name : mine ? std::array{"E [m]", "N", "RL"} : std::array{"X [m]", "Y", "Z"}) {
+        constexpr std::array kKeys{"x", "y", "z"};
+        side.rows.push_back({Look::Short, {.key = kKeys[n], .name = name, .value = numbers[n], .underlined = mine}});
+        ++n;
+    }
+}
+
+void addSize(SideFacts& side, const rocks::Rock& rock) {
+    Fact size = sizeFact(rock);
+    size.name = CabMode::tr("Rock %1, visible").arg(rock.label);
+    side.rows.push_back({Look::Number, size});
+}
+
+void addCaveat(SideFacts& side, const rocks::Rock& rock) {
+    addText(side, Look::Words, "remarks", (rock.apart.empty() ? QString() : partsText(rock) + " · ") + rockCaveat());
+}
+
+/// A tap opens the menu next to the button.
+void opens(QToolButton& button, const std::function<QMenu&()>& menu) {
+    showMenuSign(button);
+    QObject::connect(&button, &QToolButton::clicked, &button,
+                     [&button, menu] { menu().popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); });
+}
+
+/// A menu of its own.
+void opensOwn(QToolButton& button, const std::function<void(QMenu&)>& fill) {
+    opens(button, [fill, menu = new QMenu(&button)]() -> QMenu& {
+        fill(*menu);
+        return *menu;
+    });
+}
+
+/// Does what the command of the desk does, and is on and enabled with it.
+void followCommand(QToolButton& button, QAction& action) {
+    button.setCheckable(action.isCheckable());
+    const auto update = [&button, &action] {
+        button.setChecked(action.isChecked());
+        button.setEnabled(action.isEnabled());
+        button.setAccessibleName(action.property(kPlainName).isValid() ? action.text().remove('&') : button.text()); // it names the step
+    };
+    QObject::connect(&action, &QAction::changed, &button, update);
+    QObject::connect(&button, &QToolButton::clicked, &action, [&action, update] {
+        action.trigger();
+        update();
+    });
+    update();
 }
 
 } // namespace
 
 void CabMode::addTools() {
     ToolColumn& column = frame_->tools();
-    LinkedViews& views = window_.viewer().views;
+    Viewer& v = window_.viewer();
+    const QList<KeyedCommand> commands = keyedCommands(window_.actions());
     QToolButton* pin = column.add("cab-pin", "pin", tr("Pin"));
-    pin->setCheckable(true);
-    connect(pin, &QToolButton::clicked, this, [this](bool on) {
-        Viewer& viewer = window_.viewer();
-        viewer.measures.stop();
-        viewer.rocks.useTool(RockTool::None);
-        viewer.views.setChoosesOnly(!on && viewer.rocks.shown()); // first: the tool says so
-        viewer.views.setTool(Tool::Pin);
-        viewer.explanation.closeCard();
-    });
+    followCommand(*pin, actionOf(commands, "Measure/Pin"));
+    connect(pin, &QToolButton::clicked, &v.explanation, &Explanation::closeCard);
     QToolButton* measure = column.add("cab-measure", "measure", tr("Measure"));
     measure->setCheckable(true);
-    auto* kinds = new QMenu(measure);
-    const auto followTool = [this, pin, measure] {
-        const LinkedViews& shown = window_.viewer().views;
-        pin->setChecked(shown.tool() == Tool::Pin && !shown.choosesOnly() && window_.viewer().rocks.tool() == RockTool::None);
-        measure->setChecked(window_.viewer().measures.kind().has_value());
-    };
-    connect(measure, &QToolButton::clicked, this, [this, kinds, measure, followTool] {
-        followTool(); // the chosen tool determines which button is on
-        fillMeasures(*kinds);
-        openNextTo(*kinds, *measure);
-    });
-    connect(&views, &LinkedViews::toolChanged, this, followTool);
-    connect(&window_.viewer().measures, &Measures::kindChanged, this, followTool);
-    connect(&window_.viewer().rocks, &Rocks::toolChanged, this, followTool);
-    followTool();
+    const auto followKind = [measure, &v] { measure->setChecked(v.measures.kind().has_value()); }; // a press alone does not switch it
+    connect(measure, &QToolButton::clicked, measure, followKind);
+    connect(&v.measures, &Measures::kindChanged, measure, followKind);
+    opensOwn(*measure, [this](QMenu& menu) { fillMeasures(menu); });
     QToolButton* rocks = column.add("cab-rocks", "rocks", tr("Rocks"));
     rocks->setCheckable(true);
-    connect(rocks, &QToolButton::clicked, &window_.viewer().rocks, &Rocks::setShown);
+    connect(rocks, &QToolButton::clicked, &v.rocks, &Rocks::setShown);
     QToolButton* rock = column.add("cab-rock", "rock", tr("Rock…"));
     rock->setAccessibleName(tr("What can be done with rocks"));
-    connect(rock, &QToolButton::clicked, this, [this, rock] { openNextTo(menuWith("Rocks/Largest Rock by Width b"), *rock); });
+    opens(*rock, [this]() -> QMenu& { return menuWith("Rocks/Largest Rock by Width b"); });
     const auto followRocks = [this, rocks, rock](bool on) {
         rocks->setChecked(on);
         rock->setEnabled(on);
         if (on_ && on) window_.viewer().measures.stop(); // a tap would set a point
     };
-    connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, followRocks);
-    followRocks(window_.viewer().rocks.shown());
-    QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
-    connect(compare, &QToolButton::clicked, this, [this, compare] { openNextTo(menuWith("Edges/Compare A/B/Keep This as A"), *compare); });
+    connect(&v.rocks, &Rocks::shownChanged, rocks, followRocks);
+    followRocks(v.rocks.shown());
+    opens(*column.add("cab-compare", "ab", tr("A/B")), [this]() -> QMenu& { return menuWith("Edges/Compare A/B/Keep This as A"); });
     QToolButton* why = column.add("cab-why", "why", tr("Why"));
     why->setCheckable(true);
-    const auto followWhy = [this, why] { why->setChecked(window_.viewer().views.tool() == Tool::Why); }; // it waits for a tap
-    connect(why, &QToolButton::clicked, this, [this, followWhy] {
-        LinkedViews& shown = window_.viewer().views;
-        shown.tool() == Tool::Why ? shown.setTool(Tool::Pin) : window_.viewer().explanation.explainMarked();
+    const auto followWhy = [why, &v] { why->setChecked(v.views.tool() == Tool::Why); }; // it waits for a tap
+    connect(why, &QToolButton::clicked, this, [&v, followWhy] {
+        v.views.tool() == Tool::Why ? v.views.setTool(Tool::Pin) : v.explanation.explainMarked();
         followWhy();
     });
-    connect(&views, &LinkedViews::toolChanged, why, followWhy);
+    connect(&v.views, &LinkedViews::toolChanged, why, followWhy);
     QToolButton* scanner = column.add("cab-scanner", "view-from-scanner", tr("Scanner"));
     connect(scanner, &QToolButton::clicked, this, [this] {
         showLarge(Large::Cloud);
@@ -118,64 +141,41 @@ void CabMode::addTools() {
     QToolButton* fit = column.add("cab-fit", "fit", tr("Fit"));
     connect(fit, &QToolButton::clicked, this, &CabMode::fit);
     QToolButton* images = column.add("cab-images", "images", tr("Views"));
-    auto* choices = new QMenu(images);
-    connect(images, &QToolButton::clicked, this, [this, choices, images] {
-        fillViews(*choices);
-        openNextTo(*choices, *images);
-    });
+    opensOwn(*images, [this](QMenu& menu) { fillViews(menu); });
     remove_ = column.add("cab-remove", "remove", tr("Remove"));
-    auto* shown = new QMenu(remove_);
-    connect(remove_, &QToolButton::clicked, this, [this, shown] {
-        fillRemoval(*shown, false);
-        openNextTo(*shown, *remove_);
-    });
-    column.setFoot({undoButton(), redoButton()});
-    const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-rocks", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
-    for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
-    for (QToolButton* each : {measure, rock, compare, images, remove_, frame_->head().menu()}) showMenuSign(*each);
+    opensOwn(*remove_, [this](QMenu& menu) { fillRemoval(menu, false); });
+    showMenuSign(*frame_->head().menu());
+    addUndo();
     addSideButtons();
+    ofScan_.insert(ofScan_.end(), {measure, rocks, why, scanner, fit, images});
 }
 
-/// Of a measurement that is being made it takes back the last point.
-QToolButton* CabMode::undoButton() {
+/// Of a measurement that is being made Undo takes back the last point.
+void CabMode::addUndo() {
+    const QList<KeyedCommand> commands = keyedCommands(window_.actions());
+    QToolButton* redo = gloveButton("cab-redo", "redo", tr("Redo"));
+    followCommand(*redo, actionOf(commands, "Edit/Redo"));
     QToolButton* undo = gloveButton("cab-undo", "undo", tr("Undo"));
-    QUndoStack& stack = window_.viewer().undo;
+    QAction& last = actionOf(commands, "Edit/Undo");
     Measures& measures = window_.viewer().measures;
-    connect(undo, &QToolButton::clicked, this, [&stack, &measures] {
-        if (!measures.removeLastPick()) stack.undo();
+    connect(undo, &QToolButton::clicked, this, [&last, &measures] {
+        if (!measures.removeLastPick()) last.trigger();
     });
-    const auto follow = [undo, &stack, &measures] {
-        const QString step = stack.undoText();
-        undo->setEnabled(!measures.picked().empty() || stack.canUndo());
-        undo->setAccessibleName(!measures.picked().empty() ? tr("Take the last point back")
-                                : step.isEmpty()           ? tr("Undo")
-                                                           : tr("Undo: %1").arg(step));
-        undo->setToolTip(undo->accessibleName());
+    const auto update = [undo, &last, &measures] {
+        const bool picked = !measures.picked().empty();
+        undo->setEnabled(picked || last.isEnabled());
+        undo->setAccessibleName(picked ? tr("Take the last point back") : last.text().remove('&'));
     };
     // Of what ends first: the stack is cleared when the window goes, after the measures.
-    connect(&stack, &QUndoStack::canUndoChanged, &measures, follow);
-    connect(&stack, &QUndoStack::undoTextChanged, &measures, follow);
-    connect(&measures, &Measures::asked, undo, follow);
-    follow();
-    return undo;
-}
-
-QToolButton* CabMode::redoButton() {
-    QToolButton* redo = gloveButton("cab-redo", "redo", tr("Redo"));
-    QUndoStack& stack = window_.viewer().undo;
-    connect(redo, &QToolButton::clicked, &stack, &QUndoStack::redo);
-    const auto follow = [redo, &stack] {
-        redo->setEnabled(stack.canRedo());
-        redo->setAccessibleName(stack.canRedo() ? tr("Redo: %1").arg(stack.redoText()) : tr("Redo"));
-        redo->setToolTip(redo->accessibleName());
-    };
-    connect(&stack, &QUndoStack::canRedoChanged, redo, follow);
-    connect(&stack, &QUndoStack::redoTextChanged, redo, follow);
-    follow();
-    return redo;
+    connect(&last, &QAction::changed, &measures, update);
+    connect(&measures, &Measures::asked, undo, update);
+    update();
+    frame_->tools().setFoot({undo, redo});
 }
 
 void CabMode::addSideButtons() {
+    const QList<KeyedCommand> commands = keyedCommands(window_.actions());
+    NumbersSide& side = frame_->side();
     QToolButton* tune = gloveButton("cab-tune", "tune", tr("Tune"));
     tune->setCheckable(true);
     // In the head of the settings, and where a low screen has room next to the number that is changed most.
@@ -183,75 +183,97 @@ void CabMode::addSideButtons() {
     QToolButton* near = gloveButton("cab-default-near", "usual", tr("Default"));
     near->setToolButtonStyle(Qt::ToolButtonTextOnly);
     near->setMinimumHeight(kNearHigh);
-    for (QToolButton* each : {usual, near})
-        connect(each, &QToolButton::clicked, this, [this] { window_.viewer().tuning.usePreset(edges::builtInPresets().front()); });
-    frame_->side().mainStepper()->setAside(near);
+    side.mainStepper()->setAside(near);
     QToolButton* classes = gloveButton("cab-classes", "layers", QObject::tr("Classes"));
-    classes->setCheckable(true);
-    connect(classes, &QToolButton::clicked, &window_.viewer().legend, &EdgeLegend::byClassRequested);
-    connect(window_.viewer().legend.byClass(), &QCheckBox::toggled, classes, &QToolButton::setChecked);
-    for (QToolButton* each : {usual, classes}) frame_->side().addSettingsButton(each);
     QToolButton* report = gloveButton("cab-report", "report", tr("Report"));
-    connect(report, &QToolButton::clicked, this, [this] { window_.viewer().report.ask(); });
+    for (const auto& [button, command] : {std::pair(usual, "Edges/Restore the Default Settings"),
+                                          {near, "Edges/Restore the Default Settings"},
+                                          {classes, "View/Edges by Class"},
+                                          {report, "File/Report"}})
+        followCommand(*button, actionOf(commands, command));
+    for (QToolButton* each : {usual, classes}) side.addSettingsButton(each);
     QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
-    connect(out, &QToolButton::clicked, this, [this, out] { openNextTo(*window_.findChild<QToolButton*>("tool-export")->menu(), *out); });
-    showMenuSign(*out);
-    frame_->side().addTune(tune);
-    for (QToolButton* each : {report, out}) frame_->side().addButton(each);
-    for (QWidget* each : std::initializer_list<QWidget*>{tune, usual, classes, report, out, frame_->side().mainStepper()})
-        ofScan_.push_back(each);
+    opens(*out, [this]() -> QMenu& { return *window_.findChild<QToolButton*>("tool-export")->menu(); });
+    side.addTune(tune);
+    for (QToolButton* each : {report, out}) side.addButton(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{tune, usual, classes, out, side.mainStepper()}) ofScan_.push_back(each);
 }
 
 void CabMode::showSettings() {
     if (!on_) return;
-    const edges::Settings& settings = window_.viewer().engine.settings();
-    const edges::Parameter& first = edges::sweptParameter(settings.method);
-    std::vector<SteppedSetting> shown;
-    const auto add = [&](const edges::Parameter& p) {
-        shown.push_back({p.key, QObject::tr(p.label), window_.viewer().panel.valueText(p.key)});
-    };
-    add(first);
-    if (const auto& picture = window_.viewer().engine.picture())
-        shown.back().found = countText(picture->detection->edges->size()) + '\n' +
-                             (window_.viewer().views.flipped() ? tr("in B") : EdgeLegend::tr("Edges")); // as in the legend
-    for (const edges::Parameter& p : edges::parameters()) {
-        if (p.usedBy(settings) && !p.several && &p != &first) add(p);
-    }
-    frame_->side().showSettings(shown);
+    const auto& picture = window_.viewer().engine.picture();
+    const QString edges = window_.viewer().views.flipped() ? tr("in B") : EdgeLegend::tr("Edges"); // as in the legend
+    frame_->side().showMain(*window_.viewer().panel.row(edges::sweptParameter(window_.viewer().engine.settings().method).key),
+                            picture == nullptr ? QString() : countText(picture->detection->edges->size()) + '\n' + edges);
 }
 
-TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
-    TargetNumbers values;
+SideFacts CabMode::ofRock(const rocks::Rock& rock) const {
+    SideFacts side;
     const auto others = static_cast<int>(window_.viewer().rocks.selected().size()) - 1;
-    values.title = tr("Rock %1").arg(rock.label);
     const RockPicture& picture = *window_.viewer().rocks.picture();
     const bool isTarget = std::ranges::any_of(window_.viewer().targets.notebook().targets, [&](const inspect::PinnedTarget& target) {
         return picture.labelAt(target.cell) == rock.label;
     });
-    values.place = others > 0 ? tr("and %1 more selected").arg(others) : isTarget ? QString() : tr("not a target");
-    values.distance = tr("%1 m").arg(rock.distanceM, 0, 'f', 2);
-    values.tolerance = tr("median of its cells"); // which has no ± of its own
+    side.title = tr("Rock %1").arg(rock.label) + '\n' +
+                 (others > 0 ? tr("and %1 more selected").arg(others)
+                  : isTarget ? QString()
+                             : tr("not a target"));
+    side.rows.push_back({Look::Number, distanceFact(rock)});
+    addSize(side, rock); // above the coordinates: a low screen shows it at once
     const bool placed = picture.detection->scan->placement != nullptr;
     const rocks::RockRows rows(picture.study, placed ? CoordinateFrame::Mine : CoordinateFrame::Scanner); // the middle, as in the table
-    addPlace(values, rows.of(rock).centreM, placed, window_.viewer().engine.placePending());
-    addSize(values, rock);
-    values.ofRock = true;
-    return values;
+    const bool pending = window_.viewer().engine.placePending();
+    addPlace(side, pending ? QStringList{"…", "…", "…"} : numbersOf(rows.of(rock).centreM), placed);
+    addCaveat(side, rock);
+    return side;
 }
 
-TargetNumbers CabMode::ofMeasure(std::size_t place) const {
+SideFacts CabMode::ofMeasure(std::size_t place) const {
     const auto& measures = window_.viewer().targets.notebook().measures;
     const MeasureWords words = window_.viewer().targets.wordsOf(measures[place]);
-    TargetNumbers values;
-    values.title = exactText(inspect::measureName(measures[place]));
-    values.place = tr("%1 of %2").arg(place + 1).arg(measures.size());
-    values.distanceName = words.kind;
-    const bool one = words.value.count("±") == 1; // several lengths have one each
-    values.distance = !window_.viewer().targets.settled() ? QStringLiteral("…") : one ? words.value.section(" ± ", 0, 0) : words.value;
-    values.tolerance = one ? "± " + words.value.section(" ± ", 1) : QString();
-    values.warned = words.warnings.join('\n');
-    values.sizeRemark = words.remarks.join('\n');
-    return values;
+    Fact length{"distance", words.kind, window_.viewer().targets.settled() ? words.value : QStringLiteral("…")};
+    if (length.value.count("±") == 1) { // several lengths have one each
+        length.tolerance = "± " + length.value.section(" ± ", 1);
+        length.value = length.value.section(" ± ", 0, 0);
+    }
+    SideFacts side;
+    side.title = exactText(inspect::measureName(measures[place])) + '\n' + tr("%1 of %2").arg(place + 1).arg(measures.size());
+    side.rows.push_back({Look::Number, length});
+    addText(side, Look::Warning, "warned", words.warnings.join('\n'));
+    addText(side, Look::Words, "remarks", words.remarks.join('\n'));
+    return side;
+}
+
+SideFacts CabMode::ofTarget(const inspect::PinnedTarget& target) const {
+    const Targets& targets = window_.viewer().targets;
+    const auto& all = targets.notebook().targets;
+    SideFacts side;
+    side.title = (target.name.empty() ? tr("Target %1").arg(target.number) : shownName(exactText(target.name), 20)) +
+                 QString::fromUtf8("\u00a0▾\n") + // a tap on it opens its menu
+                 tr("%1 of %2").arg(1 + (&target - all.data())).arg(all.size());
+    side.locked = target.locked;
+    const auto known = targets.known().targets.find(target.cell);
+    if (known == targets.known().targets.end()) return side;
+    const TargetSurroundings around = targets.around(target.cell);
+    const Facts facts = targetFacts(known->second, around);
+    side.rows.push_back({Look::Number, facts.front()});
+    const Fact* mine = factOf(facts, "mine");
+    const bool placed = mine != nullptr && !mine->numbers.isEmpty();
+    if (mine != nullptr) addPlace(side, (placed ? mine : factOf(facts, "place"))->numbers, placed);
+    const QString clicked = targets.clickOf(target);
+    if (clicked.contains("▲")) addText(side, Look::Warning, "warned", clicked.mid(clicked.indexOf("▲")));
+    const auto addLine = [&side](const Fact& fact) { side.rows.push_back({Look::Line, fact}); };
+    if (around.rock != nullptr) {
+        addSize(side, *around.rock);
+        addCaveat(side, *around.rock);
+    } else {
+        const Fact* rock = factOf(facts, "rock");
+        addLine(rock != nullptr ? *rock : Fact{"rock", tr("Rock, visible"), tr("tap Rocks to measure it")});
+    }
+    if (!target.note.empty()) addLine({"note", tr("Note"), shownName(exactText(target.note))});
+    if (mine == nullptr) return side; // nothing was measured there
+    for (const char* key : {"resolves", "surface", "edge"}) addLine(*factOf(facts, key));
+    return side;
 }
 
 /// The selected rock, if it is not that of the target.
@@ -280,57 +302,97 @@ void CabMode::step(int by) {
     window_.viewer().rocks.selectPinned(); // if it was chosen already
 }
 
-TargetNumbers CabMode::numbers() const {
+/// What is shown while nothing is chosen.
+SideFacts CabMode::ofNothing() const {
     const Targets& targets = window_.viewer().targets;
-    const auto& all = targets.notebook().targets;
-    const inspect::PinnedTarget* target = targets.active();
-    const rocks::Rock* const rock = chosenRock();
-    const auto chosen = targets.chosenMeasure();
-    TargetNumbers values = chosen ? ofMeasure(*chosen) : rock != nullptr ? ofRock(*rock) : TargetNumbers{};
-    values.choosesOnly = window_.viewer().views.choosesOnly();
-    values.targets = static_cast<int>(all.size());
-    values.measures = static_cast<int>(targets.notebook().measures.size());
-    values.only = (chosen || (rock == nullptr && target != nullptr)) && values.targets + values.measures == 1;
-    values.measuring = window_.viewer().measures.kind().has_value();
-    values.note = window_.viewer().targetsPanel.note();
-    if (chosen || rock != nullptr || target == nullptr) return values;
-    values.title = (target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20)) +
-                   QString::fromUtf8("\u00a0▾"); // a tap on it opens its menu
-    values.opens = true;
-    values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
-    values.locked = target->locked;
-    const auto known = targets.known().targets.find(target->cell);
-    if (known == targets.known().targets.end()) return values;
-    const inspect::CellTarget& cell = known->second;
-    const TargetSurroundings around = targets.around(target->cell);
-    values.distance = distanceText(cell);
-    values.tolerance = toleranceText(cell);
-    values.rock = around.rocksShown && around.rocksKnown ? tr("Rock") : tr("Rock, visible");
-    values.size = QStringLiteral("–");
-    if (around.rock != nullptr) {
-        addSize(values, *around.rock);
-    } else {
-        values.sizeRemark = !around.rocksShown  ? tr("tap Rocks to measure it")
-                            : around.rocksKnown ? tr("no rock here")
-                                                : tr("being computed …");
-    }
-    if (!target->note.empty()) values.rows.emplace_back(tr("Note"), shownName(exactText(target->note)));
-    if (cell.probe.state != CellState::Valid) return values;
-    addPlace(values, cell.probe.mineM.value_or(cell.probe.pointM), cell.probe.mineM.has_value(), around.placePending);
-    if (const QString clicked = targets.clickOf(*target); clicked.contains("▲")) values.warned = clicked.mid(clicked.indexOf("▲"));
-    for (const TargetRow& row : targetRows(cell, around)) {
-        if (QStringList{QObject::tr("Surface"), QObject::tr("Resolves"), QObject::tr("Edge")}.contains(row.name))
-            values.rows.emplace_back(row.name, row.value);
-    }
-    return values;
+    const bool pins = !targets.notebook().targets.empty();
+    const QString note = window_.viewer().targetsPanel.note();
+    const QString tap = window_.viewer().views.choosesOnly()
+                            ? tr("Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.")
+                            : tr("Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two "
+                                 "fingers move it.");
+    SideFacts side;
+    side.title = pins ? targetCount(targets.notebook().targets.size()) : tr("No target");
+    const QString hint = window_.viewer().measures.kind() ? tr("Tap the ends of the measurement: its length is shown here.")
+                         : pins                           ? tr("Tap a target, or an arrow above: its distance and its size are shown here.")
+                         : !targets.notebook().empty()    ? tr("The arrows above show the measurements.") + "\n\n" + tap
+                                                          : (note.isEmpty() ? QString() : note + "\n\n") + tap;
+    addText(side, Look::Words, "hint", hint);
+    return side;
 }
 
 void CabMode::showNumbers() {
     if (!on_) return;
-    TargetNumbers shown = numbers();
-    if (window_.viewer().views.flipped() && !shown.title.isEmpty()) shown.title = "B: " + shown.title; // while A is in the views
-    frame_->side().showNumbers(shown);
-    remove_->setEnabled(!window_.viewer().targets.notebook().empty());
+    const Targets& targets = window_.viewer().targets;
+    const inspect::PinnedTarget* const target = targets.active();
+    const rocks::Rock* const rock = chosenRock();
+    const auto measure = targets.chosenMeasure();
+    const bool some = measure || rock != nullptr || target != nullptr;
+    SideFacts side = measure ? ofMeasure(*measure) : rock != nullptr ? ofRock(*rock) : target != nullptr ? ofTarget(*target) : ofNothing();
+    const std::size_t entries = targets.notebook().targets.size() + targets.notebook().measures.size();
+    side.arrows = entries > (some && (measure || rock == nullptr) ? 1U : 0U);
+    if (window_.viewer().views.flipped() && some) side.title = "B: " + side.title; // while A is in the views
+    frame_->side().show(side);
+    remove_->setEnabled(entries > 0);
+}
+
+QMenu& CabMode::menuWith(const QString& id) const { return *qobject_cast<QMenu*>(actionOf(keyedCommands(window_.actions()), id).parent()); }
+
+/// A menu, not one tap: a glove must not remove what it did not mean. What is chosen is alone in it, until the operator asks for others.
+void CabMode::fillRemoval(QMenu& menu, bool all) {
+    menu.clear();
+    Targets& targets = window_.viewer().targets;
+    const auto& pins = targets.notebook().targets;
+    const std::vector<QString> measures = targets.measuresInWords();
+    const auto addTarget = [&](const inspect::PinnedTarget& target) {
+        const QString words = tr("Target %1").arg(targets.inWords(target));
+        QAction* removal = menu.addAction((target.locked ? tr("Locked: %1") : tr("Remove: %1")).arg(words).replace('&', "&&"), &targets,
+                                          [&targets, number = target.number] { targets.remove(number); });
+        removal->setEnabled(!target.locked);
+    };
+    const auto addMeasure = [&](std::size_t n) {
+        menu.addAction(tr("Remove: %1").arg(measures[n].simplified()), &targets, [&targets, n] { targets.removeMeasure(n); });
+    };
+    const inspect::PinnedTarget* target = targets.active();
+    const auto measure = targets.chosenMeasure();
+    if (!all && (measure || target != nullptr)) {
+        measure ? addMeasure(*measure) : addTarget(*target);
+        if (pins.size() + measures.size() == 1) return;
+        const auto showOthers = [this, &menu] {
+            fillRemoval(menu, true);
+            menu.popup(menu.pos());
+        };
+        menu.addAction(tr("Others…"), this, [this, showOthers] { QMetaObject::invokeMethod(this, showOthers, Qt::QueuedConnection); });
+        return;
+    }
+    std::for_each(pins.rbegin(), pins.rbegin() + static_cast<std::ptrdiff_t>(std::min(pins.size(), kMostPins)), addTarget);
+    for (std::size_t n = measures.size(); n-- > measures.size() - std::min(measures.size(), kMostRemovals);) addMeasure(n);
+}
+
+void CabMode::fillMeasures(QMenu& menu) {
+    menu.clear();
+    Measures& measures = window_.viewer().measures;
+    for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
+        if (!each.inViews) continue;
+        const QString name = QObject::tr(each.label);
+        if (measures.kind() == each.kind) // at its place: the other rows do not move
+            menu.addAction(tr("End measuring") + ": " + name, &measures, &Measures::stop);
+        else
+            menu.addAction(name, &measures, [&measures, kind = each.kind] { measures.start(kind); });
+    }
+    menu.addSeparator();
+    for (const char* section : {"Measure/Section through the Measurement", "Measure/Section through the Rock"})
+        menu.addAction(&actionOf(keyedCommands(window_.actions()), section));
+}
+
+/// Of the target in the title: the entries that a click on it has in the views.
+void CabMode::openTitleMenu() {
+    const inspect::PinnedTarget* const target = window_.viewer().targets.active();
+    if (target == nullptr || chosenRock() != nullptr || window_.viewer().targets.chosenMeasure()) return;
+    auto* menu = new QMenu(&window_);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    window_.viewer().targets.addEntriesOf(*menu, target->number);
+    menu->popup(QCursor::pos());
 }
 
 } // namespace edgescan::ui

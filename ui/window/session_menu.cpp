@@ -4,6 +4,7 @@
 #include "ui/base/pane.h"
 #include "ui/controllers/sessions/session_in_picture.h"
 #include "ui/controllers/sessions/sessions.h"
+#include "ui/panels/rocks/rock_table.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/docks.h"

@@ -1,7 +1,22 @@
-// The start page in the window.
+// The start page and the tour in the window.
 #pragma once
 
+class QBoxLayout;
+
 namespace edgescan::ui {
+
+class MainWindow;
+class Preferences;
+
+/// Puts the strip, hidden, at the end of the column.
+void addTour(MainWindow& window, QBoxLayout& column);
+
+void startTour(MainWindow& window);
+/// False: it was not shown.
+bool endTour(MainWindow& window);
+
+/// Once, on the first start with stored settings.
+void offerTour(MainWindow& window, Preferences& preferences);
 
 class MainWindow;
 class Preferences;

@@ -11,6 +11,8 @@ class QToolButton;
 
 namespace edgescan::ui {
 
+class MainWindow;
+
 /// Icons, with the names for which the bar has room next to the place of the prompt: a prompt never moves a button. GUI thread only.
 class ToolBar : public QToolBar {
     Q_OBJECT
@@ -67,5 +69,8 @@ private:
     QAction* wordsPlace_;
     QString asked_, rockTool_, selected_;
 };
+
+/// Adds the buttons of commands. Call it after the menus are made.
+void addToolButtons(MainWindow& window);
 
 } // namespace edgescan::ui

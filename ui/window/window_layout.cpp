@@ -1,4 +1,4 @@
-// Divides the window between cloud, images and panels, and remembers the operator's layout.
+// Lays the window out; what Esc ends, and the question before it closes.
 #include "ui/window/main_window.h"
 
 #include "ui/base/notice_bar.h"
@@ -6,6 +6,7 @@
 #include "ui/base/window_room.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/keys/commands.h"
+#include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -15,11 +16,19 @@
 #include "ui/window/docks.h"
 #include "ui/window/pane_places.h"
 #include "ui/window/side_column.h"
+#include "ui/window/start.h"
 #include "ui/window/tool_bar.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
+#include <QBoxLayout>
+#include <QCloseEvent>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLayout>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QScreen>
 #include <QSplitter>
 #include <QStyle>
@@ -251,6 +260,123 @@ void MainWindow::moveEvent(QMoveEvent* event) {
     QMainWindow::moveEvent(event);
     followFrame();
     rememberTimer_.start();
+}
+
+/// Changes of the layout in cab mode.
+void MainWindow::useCab(bool on) {
+    viewsRow_->setDirection(on ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    side_->setStrip(on);
+    side_->setVisible(on); // on the desk where it has room: arrange()
+    viewer_.tools.setVisible(!on);
+    findChild<QToolBar*>("badge-bar")->setVisible(!on); // the head of the cab has its own badge
+    showAlone(on ? &viewer_.cloud : nullptr);
+    for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own text
+}
+
+void MainWindow::lockDocks(DockLock by, bool on) { docks_->setLocked(by, on); }
+
+void MainWindow::showAlone(const QWidget* view) {
+    Pane* wanted = nullptr;
+    for (Pane* pane : panes_) wanted = pane->content() == view ? pane : wanted;
+    if (maximised_ != nullptr) maximise(maximised_);
+    if (wanted != nullptr) maximise(wanted);
+}
+
+void MainWindow::quit() {
+    byHand_ = true;
+    close();
+    byHand_ = false;
+}
+
+void MainWindow::end() {
+    viewer_.engine.works().cancelAll();
+    viewer_.live.scanner().disconnectScanner();
+    remember();
+    QApplication::exit(0); // of all event loops: open questions end as if they were cancelled
+}
+
+bool MainWindow::mayClose(bool byHand) {
+    const bool records = viewer_.live.scanner().recording();
+    const bool byGlove = byHand && cab_->on(); // it may have meant the button that leaves cab mode
+    const bool targets = viewer_.targets.unsaved(), edits = viewer_.rocks.unsaved();
+    const bool lost = targets || edits;
+    if (!records && !viewer_.engine.saving() && !lost && !byGlove) return true;
+    const bool writes = records || viewer_.engine.saving();
+    QMessageBox box(QMessageBox::Warning, tr("Close EdgeScan?"),
+                    records            ? tr("A recording is being written.")
+                    : writes           ? tr("A file is still being written.")
+                    : targets && edits ? tr("Your targets and your edits of rocks are not stored.")
+                    : targets          ? tr("Your targets are not stored.")
+                    : edits            ? tr("Your edits of rocks are not stored.")
+                                       : tr("This ends the program."),
+                    QMessageBox::Cancel, this);
+    box.setObjectName("close-question");
+    box.setInformativeText(records  ? tr("Closing ends the recording. What was recorded so far remains in its file.")
+                           : writes ? tr("Closing waits until it is complete.")
+                           : lost   ? tr("The disk refused them. EdgeScan tries again as it closes; what it cannot write then is lost.")
+                                    : tr("To leave cab mode only, cancel, then hold the button “Hold to leave” for one second."));
+    QPushButton* end = box.addButton(records ? tr("End the Recording and Close") : tr("Close EdgeScan"), QMessageBox::DestructiveRole);
+    end->setObjectName("end-and-close");
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == end;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayClose(byHand_ || event->spontaneous())) return event->ignore();
+    viewer_.live.scanner().disconnectScanner();
+    remember();
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    auto* number = qobject_cast<QAbstractSpinBox*>(focusWidget());
+    if (number != nullptr && (isEnter || event->key() == Qt::Key_Escape))
+        number->clearFocus(); // the next key is a command
+    else if (event->key() == Qt::Key_Escape)
+        escape();
+    else if (event->key() != Qt::Key_Backspace || !viewer_.measures.removeLastPick())
+        QMainWindow::keyPressEvent(event);
+}
+
+// One press ends one thing, whichever view has the keyboard focus; docs/guide/keys.md has this order.
+void MainWindow::escape() {
+    if (viewer_.engine.opening()) { // a save or a comparison has its button
+        viewer_.engine.cancel();
+        viewer_.notice.showHint(tr("Cancelled; what was on the screen stays."));
+        return;
+    }
+    if (leaveTool() || viewer_.explanation.closeCard() || viewer_.notice.fold()) return;
+    if (viewer_.notice.isVisible())
+        viewer_.notice.closeShown();
+    else if (viewer_.livePanel.closeAddress())
+        return;
+    else if (maximised_ != nullptr && !cab_->on())
+        maximise(maximised_);
+    else if (endTour(*this))
+        viewer_.notice.showHint(tr("The tour has ended; Help > Tour begins it again."));
+    else if (!viewer_.selection.cells().empty())
+        viewer_.selection.select({});
+    else if (viewer_.sections.close())
+        return;
+    else {
+        viewer_.views.clearPin();
+        viewer_.targets.chooseMeasure(std::nullopt);
+        viewer_.rocks.select({});
+    }
+}
+
+/// With its unfinished clicks, and the hint about them. False: no tool is in use.
+bool MainWindow::leaveTool() {
+    const bool isRocks = viewer_.rocks.tool() != RockTool::None;
+    const Tool tool = viewer_.views.tool();
+    const bool pinsOnRocks = tool == Tool::Pin && viewer_.rocks.shown() && !viewer_.views.choosesOnly();
+    if (!isRocks && !pinsOnRocks && (tool == Tool::Pin || tool == Tool::Why)) return false; // Why ends with its card
+    isRocks ? viewer_.rocks.useTool(RockTool::None) : viewer_.views.setTool(Tool::Pin);
+    if (pinsOnRocks) viewer_.views.setChoosesOnly(true);
+    viewer_.notice.endPassing();
+    return true;
 }
 
 } // namespace edgescan::ui

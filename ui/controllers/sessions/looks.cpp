@@ -1,12 +1,16 @@
-// The table of looks.
+// The looks of a session, and its sweep in a recording.
 #include "ui/controllers/sessions/parts.h"
 
 #include "ui/base/shown_text.h"
 #include "ui/controllers/comparing.h"
 #include "ui/controllers/confidence.h"
+#include "ui/controllers/live.h"
 #include "ui/controllers/saved_views.h"
 #include "ui/controllers/scan_look.h"
+#include "ui/controllers/sessions/sessions.h"
 #include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/engine.h"
+#include "ui/panels/live/timeline.h"
 #include "ui/views/cloud/cloud_view.h"
 
 #include <QString>
@@ -121,6 +125,36 @@ std::vector<StatePart> looksParts(ScanLook& look, LinkedViews& views, SavedViews
         lookPart("least-confidence-percent", confidence, leastText, useLeast, GivenBack::BeforeScan, &Confidence::changed),
         lookPart("changes-shown", comparing, changesText, useChanges, GivenBack::BeforeScan),
     };
+}
+
+/// False: it is another recording, or one without other sweeps.
+bool Sessions::lookInSweeps() {
+    const inspect::SessionScan& scan = wanted_->state.scan;
+    const std::string& sha256 = scan.identity.sha256;
+    if (scan.kind != inspect::SessionScan::Kind::Recording || nextSweep_) return false;
+    if (!sha256.empty() && sha256 != engine_.picture()->detection->scan->sha256) return false;
+    nextSweep_ = 0;
+    if (live_.timeline().active()) lookInNextSweep(); // else when it was read
+    return true;
+}
+
+void Sessions::lookInNextSweep() {
+    Timeline& timeline = live_.timeline();
+    while (*nextSweep_ < timeline.contents().sweeps.size()) {
+        const int end = timeline.endOf((*nextSweep_)++);
+        if (end != timeline.home()) return timeline.goTo(end);
+    }
+    nextSweep_.reset();
+    timeline.goTo(timeline.home());
+    refuseScan();
+}
+
+void Sessions::lookAt(const ReplayedSweep& at) {
+    if (!wanted_ || !nextSweep_ || found_ || *nextSweep_ == 0 || at.position != live_.timeline().endOf(*nextSweep_ - 1)) return;
+    if (at.sweep.scan && inspect::isSweepOf(wanted_->state.scan, *at.sweep.scan))
+        found_ = at.sweep.scan; // given back when it is on the screen
+    else
+        lookInNextSweep();
 }
 
 } // namespace edgescan::ui

@@ -2,9 +2,8 @@
 #include "ui/panels/cab/cab_frame.h"
 
 #include "ui/base/elided_label.h"
-#include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/cab/numbers_side.h"
-#include "ui/panels/cab/tool_column.h"
 
 #include <QDateTime>
 #include <QGridLayout>
@@ -136,8 +135,8 @@ bool CabHead::event(QEvent* event) {
     return used;
 }
 
-CabFrame::CabFrame(QWidget* middle, QWidget* badge, QWidget* parent)
-    : QWidget(parent), head_(new CabHead(badge)), tools_(new ToolColumn), side_(new NumbersSide) {
+CabFrame::CabFrame(QWidget* middle, QWidget* badge, const std::vector<ParameterRow*>& settings)
+    : head_(new CabHead(badge)), tools_(new ToolColumn), side_(new NumbersSide(settings)) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(0);

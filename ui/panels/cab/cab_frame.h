@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QLabel;
 class QToolButton;
 
@@ -11,6 +13,7 @@ namespace edgescan::ui {
 class ElidedLabel;
 class HoldButton;
 class NumbersSide;
+class ParameterRow;
 class ToolColumn;
 
 /// The top row in cab mode. GUI thread only.
@@ -62,7 +65,8 @@ private:
 class CabFrame : public QWidget {
     Q_OBJECT
 public:
-    CabFrame(QWidget* middle, QWidget* badge, QWidget* parent = nullptr);
+    /// `settings`: the rows of the panel, which the side shows large.
+    CabFrame(QWidget* middle, QWidget* badge, const std::vector<ParameterRow*>& settings);
 
     void setCab(bool on);
     [[nodiscard]] CabHead& head() { return *head_; }

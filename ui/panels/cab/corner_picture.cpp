@@ -1,8 +1,8 @@
 // Draws the picture in the corner.
 #include "ui/panels/cab/corner_picture.h"
 
+#include "ui/base/fact_row.h"
 #include "ui/base/marks.h"
-#include "ui/panels/cab/fitted_label.h"
 
 #include <QHideEvent>
 #include <QPainter>

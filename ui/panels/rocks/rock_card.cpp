@@ -15,6 +15,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace edgescan::ui {
 namespace {
 
@@ -72,9 +74,17 @@ QString whyNoRock(const rocks::Region* region) {
 
 } // namespace
 
+Fact sizeFact(const rocks::Rock& rock) {
+    return {"size", RockCard::tr("visible spans a × b"),
+            RockCard::tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2),
+            "± " + metres(shownTolerance(rock.toleranceM, 2))};
+}
+
+Fact distanceFact(const rocks::Rock& rock) { return {"distance", RockCard::tr("distance, median"), metres(rock.distanceM)}; }
+
 RockCard::RockCard(QWidget* parent)
-    : QFrame(parent), swatch_(new QLabel), title_(new QLabel), spans_(new QLabel), state_(new QLabel), caveat_(new QLabel),
-      close_(new QToolButton), name_(new QPushButton(tr("Name…"))), section_(new QPushButton(tr("Section"))),
+    : QFrame(parent), swatch_(new QLabel), title_(new QLabel), spans_(new QLabel), state_(new QLabel), rows_(new FactList),
+      caveat_(new QLabel), close_(new QToolButton), name_(new QPushButton(tr("Name…"))), section_(new QPushButton(tr("Section"))),
       split_(new QPushButton(tr("Split"))), cut_(new QPushButton(tr("Cut"))), merge_(new QPushButton(tr("Merge"))),
       rockOrNot_(new QPushButton(tr("Not a Rock"))) {
     setObjectName("rock-card");
@@ -97,26 +107,11 @@ RockCard::RockCard(QWidget* parent)
     head->addWidget(swatch_);
     head->addWidget(title_, 1);
     head->addWidget(close_);
-    auto* lines = new QVBoxLayout;
-    lines->setSpacing(2);
-    // A clicked number replaces the text that it is in: only after the click.
-    const auto follow = [this](QLabel* label) {
-        connect(
-            label, &QLabel::linkActivated, this, [this](const QString& rock) { emit rockRequested(rock.toUInt()); }, Qt::QueuedConnection);
-    };
     state_->setObjectName("rock-state");
     state_->setTextFormat(Qt::RichText);
-    follow(state_);
-    for (std::size_t n = 0; n < kRows; ++n) {
-        rows_[n] = {new QLabel, new QLabel};
-        follow(rows_[n].second);
-        rows_[n].second->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        rows_[n].second->setWordWrap(true);
-        auto* line = new QHBoxLayout; // no columns: a long name does not narrow the numbers of other rows
-        line->addWidget(rows_[n].first, 0, Qt::AlignTop);
-        line->addWidget(rows_[n].second, 1);
-        lines->addLayout(line);
-    }
+    // A clicked number replaces the text that it is in: only after the click.
+    connect(state_, &QLabel::linkActivated, rows_, &FactList::linked, Qt::QueuedConnection);
+    connect(rows_, &FactList::linked, this, [this](const QString& rock) { emit rockRequested(rock.toUInt()); });
     split_->setCheckable(true);
     split_->setToolTip(tr("Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)"));
     cut_->setCheckable(true);
@@ -140,7 +135,7 @@ RockCard::RockCard(QWidget* parent)
     column->addLayout(head);
     column->addWidget(spans_);
     column->addWidget(state_);
-    column->addLayout(lines);
+    column->addWidget(rows_);
     column->addWidget(caveat_);
 
     connect(close_, &QToolButton::clicked, this, &RockCard::closeRequested);
@@ -157,10 +152,6 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
                     const RockNames& names) {
     setVisible(!cells.empty());
     if (cells.empty()) return;
-    for (const auto& [name, value] : rows_) {
-        name->hide();
-        value->hide();
-    }
     const rocks::Rock* rock = picture.rockAt(cells.back());
     isRock_ = rock != nullptr;
     if (isRock_)
@@ -188,23 +179,29 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
 void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets, const QString& name) {
     swatch_->setPixmap(QPixmap::fromImage(rockSwatch(picture, rock, kSwatchSide)));
     title_->setText(tr("Rock %1").arg(rock.label) + (name.isEmpty() ? QString() : " " + name)); // as in the table
-    spans_->setText(tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
+    Fact size = sizeFact(rock);
+    spans_->setText(std::exchange(size.value, size.tolerance));
     spans_->show();
-    setRow(0, tr("visible spans a × b"), tr("± %1").arg(metres(shownTolerance(rock.toleranceM, 2))));
-    setRow(1, tr("distance, median"), metres(rock.distanceM));
-    setRow(2, tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2));
-    setRow(3, tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0));
-    setRow(4, tr("behind rocks"), listed(rock.rocksInFront), Qt::RichText);
-    setRow(5, tr("visible contacts"), contactsText(rock), Qt::RichText);
-    setRow(6, tr("free height below"), rock.freeHeightM > 0.0 ? atLeastText(metres(rock.freeHeightM)) : tr("none seen"));
-    setRow(7, tr("arch angle"), archText(rock), Qt::RichText);
-    if (rocks::upOf(*picture.study.segmentation->inputs.scan).assumed) setRow(8, tr("up"), tr("the scanner's z axis, assumed"));
-    setRow(9, tr("confidence p"), exactText(rocks::confidenceText(rock)));
+    const auto linked = [](const char* key, const QString& name, const QString& value) {
+        return Fact{.key = key, .name = name, .value = value, .links = true};
+    };
+    Facts facts{size,
+                distanceFact(rock),
+                {"area", tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2)},
+                {"front", tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0)},
+                linked("behind", tr("behind rocks"), listed(rock.rocksInFront)),
+                linked("contacts", tr("visible contacts"), contactsText(rock)),
+                {"free", tr("free height below"), rock.freeHeightM > 0.0 ? atLeastText(metres(rock.freeHeightM)) : tr("none seen")},
+                linked("arch", tr("arch angle"), archText(rock))};
+    if (rocks::upOf(*picture.study.segmentation->inputs.scan).assumed)
+        facts.push_back({"up", tr("up"), tr("the scanner's z axis, assumed")});
+    facts.push_back({"confidence", tr("confidence p"), exactText(rocks::confidenceText(rock))});
     QStringList pinned;
     for (const auto& [cell, target] : targets) {
         if (picture.labelAt(cell) == rock.label) pinned << target;
     }
-    if (!pinned.isEmpty()) setRow(10, tr("pinned target"), pinned.join(", "));
+    if (!pinned.isEmpty()) facts.push_back({"target", tr("pinned target"), pinned.join(", ")});
+    rows_->show(facts);
 }
 
 void RockCard::showNoRock(const RockPicture& picture, std::size_t cell) {
@@ -212,28 +209,18 @@ void RockCard::showNoRock(const RockPicture& picture, std::size_t cell) {
     title_->setText(tr("Not a rock"));
     spans_->hide();
     const rocks::Region* region = picture.regionAt(cell);
-    setRow(0, tr("because"), whyNoRock(region));
-    if (region == nullptr) return;
-    setRow(1, tr("cells"), countText(region->sums.cells));
-    setRow(2, tr("visible area"), tr("%1 m²").arg(region->sums.areaM2, 0, 'f', 2));
-}
-
-void RockCard::setRow(std::size_t row, const QString& name, const QString& value, Qt::TextFormat format) {
-    rows_[row].first->setText(name);
-    rows_[row].second->setTextFormat(format);
-    rows_[row].second->setText(value);
-    rows_[row].first->show();
-    rows_[row].second->show();
+    Facts facts{{"because", tr("because"), whyNoRock(region)}};
+    if (region != nullptr) {
+        facts.push_back({"cells", tr("cells"), countText(region->sums.cells)});
+        facts.push_back({"area", tr("visible area"), tr("%1 m²").arg(region->sums.areaM2, 0, 'f', 2)});
+    }
+    rows_->show(facts);
 }
 
 QString RockCard::text() const {
-    const auto plain = [](const QLabel& label) {
-        return label.textFormat() == Qt::RichText ? QTextDocumentFragment::fromHtml(label.text()).toPlainText() : label.text();
-    };
-    QStringList lines{title_->text(), spans_->isHidden() ? QString() : spans_->text(), plain(*state_)};
-    for (const auto& [name, value] : rows_) {
-        if (!name->isHidden()) lines << name->text() + ": " + plain(*value);
-    }
+    QStringList lines{title_->text(), spans_->isHidden() ? QString() : spans_->text(),
+                      QTextDocumentFragment::fromHtml(state_->text()).toPlainText()};
+    lines << rows_->texts();
     lines << rockCaveat() << caveat_->text();
     return lines.join('\n');
 }

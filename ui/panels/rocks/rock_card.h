@@ -1,20 +1,23 @@
 // The card of the selection: one rock, several rocks, or a place that is not a rock; with buttons that change it.
 #pragma once
 
+#include "ui/base/fact_row.h"
 #include "ui/panels/rocks/rock_picture.h"
 
 #include <QFrame>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
-class QGridLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
 
 namespace edgescan::ui {
+
+/// Its visible spans: "2.51 × 1.83 m" with ±, and the distance of its middle.
+[[nodiscard]] Fact sizeFact(const rocks::Rock& rock);
+[[nodiscard]] Fact distanceFact(const rocks::Rock& rock);
 
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
 class RockCard : public QFrame {
@@ -52,16 +55,14 @@ signals:
     void markRequested(bool rock);
 
 private:
-    static constexpr std::size_t kRows = 11;
     void showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets, const QString& name);
     void showNoRock(const RockPicture& picture, std::size_t cell);
-    void setRow(std::size_t row, const QString& name, const QString& value, Qt::TextFormat format = Qt::PlainText);
 
     QLabel* swatch_;
     QLabel* title_;
     QLabel* spans_;
     QLabel* state_;
-    std::array<std::pair<QLabel*, QLabel*>, kRows> rows_{};
+    FactList* rows_;
     QLabel* caveat_;
     QToolButton* close_;
     QPushButton* name_;

@@ -19,33 +19,26 @@ namespace edgescan::ui {
 namespace {
 
 constexpr double kLarge = 2.0; // relative to the normal font size, for the main number of the card
-constexpr const char* kDistanceRow = "Distance";
 
-QString distanceWords(const inspect::CellTarget& target) { return (distanceText(target) + " " + toleranceText(target)).trimmed(); }
-
-// The value of the row when the target was set, if there was one ("▲ no pose" is not one) and it differs now; both as stored.
-QString wasOf(const inspect::PinnedTarget& pinned, const std::pair<std::string, std::string>& now) {
-    const auto row = std::ranges::find(pinned.asPinned, now.first, &std::pair<std::string, std::string>::first);
-    if (row == pinned.asPinned.end() || row->second == now.second || exactText(row->second).startsWith("▲")) return {};
-    return TargetCard::tr("was %1").arg(shownName(exactText(row->second)));
+/// In English, as in the file, which people with other languages may read.
+Facts storedFacts(const inspect::CellTarget& target, const TargetSurroundings& around) {
+    const SourceTexts words;
+    return targetFacts(target, around);
 }
 
-/// The rows that a slider may change, as stored; `all`: with rows whose value is not computed yet.
-std::vector<std::pair<std::string, std::string>> measuredRows(const inspect::CellTarget& target, const TargetSurroundings& around,
-                                                              bool all) {
-    const SourceTexts words; // people with other languages may read the file
-    std::vector<std::pair<std::string, std::string>> rows{{kDistanceRow, distanceWords(target).toStdString()}};
-    for (const TargetRow& row : targetRows(target, around)) {
-        if (row.measured && (all || row.known)) rows.emplace_back(row.name.toStdString(), row.value.toStdString());
-    }
-    return rows;
+/// The value when the target was set, if there was one ("▲ no pose" is not one) and it differs now.
+QString wasOf(const inspect::PinnedTarget& pinned, const Fact& stored) {
+    const auto row = std::ranges::find(pinned.asPinned, stored.name.toStdString(), &std::pair<std::string, std::string>::first);
+    if (!stored.measured || row == pinned.asPinned.end() || row->second == stored.text().toStdString()) return {};
+    const QString was = exactText(row->second);
+    return was.startsWith("▲") ? QString() : TargetCard::tr("was %1").arg(shownName(was));
 }
 
 } // namespace
 
 TargetCard::TargetCard(QWidget* parent)
     : QFrame(parent), number_(new QLabel), name_(new QLineEdit), note_(new QLineEdit), wholeNote_(new QLabel), lock_(new QToolButton),
-      close_(new QToolButton), distance_(new QLabel), tolerance_(new QLabel), lines_(new QVBoxLayout), caveat_(new QLabel),
+      close_(new QToolButton), distance_(new QLabel), tolerance_(new QLabel), rows_(new FactList), caveat_(new QLabel),
       why_(new QPushButton(tr("Why"))), measure_(new QPushButton(tr("Measure"))), copy_(new QPushButton(tr("Copy"))) {
     setObjectName("target-card");
     setFrameShape(QFrame::StyledPanel);
@@ -79,9 +72,6 @@ TargetCard::TargetCard(QWidget* parent)
     large.setPointSizeF(kLarge * large.pointSizeF());
     large.setBold(true);
     distance_->setFont(large);
-    tolerance_->setToolTip(
-        tr("Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included."));
-    distance_->setToolTip(tolerance_->toolTip());
     caveat_->setText(QObject::tr(rocks::kRockCaveat));
     caveat_->setWordWrap(true);
 
@@ -96,7 +86,6 @@ TargetCard::TargetCard(QWidget* parent)
     tolerance_->setWordWrap(true); // "was 14.944 m ± 0.035 m" does not widen the panel
     tolerance_->setAlignment(Qt::AlignLeft | Qt::AlignBottom);
     number->addWidget(tolerance_, 1);
-    lines_->setSpacing(2);
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {why_, measure_, copy_}) {
         button->setMinimumWidth(std::max(48, button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width() + 14));
@@ -110,7 +99,7 @@ TargetCard::TargetCard(QWidget* parent)
     column->addLayout(buttons); // above the rows: in sight also where the card must be scrolled
     column->addWidget(note_);
     column->addWidget(wholeNote_);
-    column->addLayout(lines_);
+    column->addWidget(rows_);
     column->addWidget(caveat_);
 
     connect(close_, &QToolButton::clicked, this, &TargetCard::closeRequested);
@@ -135,19 +124,15 @@ void TargetCard::show(const inspect::PinnedTarget& target, const inspect::CellTa
     lock_->setText(target.locked ? tr("Locked") : tr("Lock"));
     close_->setEnabled(!target.locked);
     if (known == nullptr) return;
-    const auto compared = measuredRows(*known, around, true);
-    auto row = compared.begin();
-    const QString was = wasOf(target, *row++);
-    distance_->setText(distanceText(*known));
-    tolerance_->setText(toleranceText(*known) + (was.isEmpty() ? QString() : "\n" + was));
-    const std::vector<TargetRow> rows = targetRows(*known, around);
-    for (std::size_t n = 0; n < std::max(rows.size(), rows_.size()); ++n) {
-        if (n < rows.size()) setRow(n, rows[n], rows[n].measured ? wasOf(target, *row++) : QString());
-        if (n >= rows.size()) {
-            rows_[n].first->hide();
-            rows_[n].second->hide();
-        }
-    }
+    const Facts stored = storedFacts(*known, around);
+    Facts facts = targetFacts(*known, around);
+    for (std::size_t n = 0; n < facts.size(); ++n) facts[n].was = wasOf(target, stored[n]);
+    const Fact& distance = facts.front();
+    distance_->setText(distance.value);
+    tolerance_->setText(distance.was.isEmpty() ? distance.tolerance : distance.tolerance + "\n" + distance.was);
+    for (QLabel* each : {distance_, tolerance_}) each->setToolTip(distance.tip);
+    facts.erase(facts.begin());
+    rows_->show(facts);
     measure_->setEnabled(known->probe.state == CellState::Valid);
 }
 
@@ -169,41 +154,22 @@ void TargetCard::editName() {
     name_->selectAll();
 }
 
-void TargetCard::setRow(std::size_t row, const TargetRow& words, const QString& was) {
-    if (row == rows_.size()) {
-        rows_.emplace_back(new QLabel, new QLabel);
-        rows_[row].second->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        rows_[row].second->setWordWrap(true);
-        rows_[row].second->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        auto* line = new QHBoxLayout; // no columns: a long name does not narrow the numbers of other rows
-        line->addWidget(rows_[row].first, 0, Qt::AlignTop);
-        line->addWidget(rows_[row].second, 1);
-        lines_->addLayout(line);
-    }
-    const auto& [name, value] = rows_[row];
-    name->setText(*words.unit == '\0' ? words.name : QString("%1 [%2]").arg(words.name, words.unit));
-    value->setText(was.isEmpty() ? words.value : words.value + "\n" + was);
-    for (QLabel* label : {name, value}) {
-        label->setToolTip(words.tip);
-        label->show();
-    }
-}
-
 QString TargetCard::text() const {
     const QString title =
         name_->text().isEmpty() ? tr("Target %1").arg(number_->text()) : tr("Target %1: %2").arg(number_->text(), name_->text());
     QStringList lines{title};
     if (!note_->text().isEmpty()) lines << tr("Note") + ": " + note_->text();
     lines << (distance_->text() + " " + tolerance_->text()).trimmed();
-    for (const auto& [row, value] : rows_) {
-        if (!row->isHidden()) lines << row->text() + ": " + value->text();
-    }
-    lines << caveat_->text();
+    lines << rows_->texts() << caveat_->text();
     return lines.join('\n');
 }
 
 std::vector<std::pair<std::string, std::string>> rowsToStore(const inspect::CellTarget& target, const TargetSurroundings& around) {
-    return measuredRows(target, around, false);
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const Fact& fact : storedFacts(target, around)) {
+        if (fact.measured && fact.known) rows.emplace_back(fact.name.toStdString(), fact.text().toStdString());
+    }
+    return rows;
 }
 
 } // namespace edgescan::ui

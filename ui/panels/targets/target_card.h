@@ -10,9 +10,10 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QToolButton;
-class QVBoxLayout;
 
 namespace edgescan::ui {
+
+class FactList;
 
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
 class TargetCard : public QFrame {
@@ -46,7 +47,6 @@ protected:
 
 private:
     void fitNote();
-    void setRow(std::size_t row, const TargetRow& words, const QString& was);
 
     QLabel* number_;
     QLineEdit* name_;
@@ -56,8 +56,7 @@ private:
     QToolButton* close_;
     QLabel* distance_;
     QLabel* tolerance_;
-    QVBoxLayout* lines_;
-    std::vector<std::pair<QLabel*, QLabel*>> rows_;
+    FactList* rows_;
     QLabel* caveat_;
     QPushButton* why_;
     QPushButton* measure_;

@@ -19,106 +19,119 @@ namespace edgescan::ui {
 namespace {
 
 QString fixed(double value, int decimals) { return exactText(fixedText(value, decimals)); }
-QString triple(const Eigen::Vector3d& v) { return QStringLiteral("%1, %2, %3").arg(fixed(v.x(), 3), fixed(v.y(), 3), fixed(v.z(), 3)); }
 QString noPose() { return QObject::tr("▲ no pose"); }
 QString inMillimetres(double metres) { return QObject::tr("%1 mm").arg(fixed(std::ceil(1000.0 * metres - 1e-9), 0)); }
 
-TargetRow placeRow(const inspect::CellTarget& target) {
-    return {.name = QObject::tr("X, Y, Z"),
-            .value = triple(target.probe.pointM),
+Fact placeRow(const inspect::CellTarget& target) {
+    return {.key = "place",
+            .name = QObject::tr("X, Y, Z"),
+            .value = numbersOf(target.probe.pointM).join(", "),
             .tip = QObject::tr("Metres in the frame of the scan"),
-            .unit = "m"};
+            .unit = "m",
+            .numbers = numbersOf(target.probe.pointM)};
 }
 
-TargetRow mineRow(const inspect::CellTarget& target) {
-    return {.name = QObject::tr("E, N, RL"),
-            .value = target.probe.mineM ? triple(*target.probe.mineM) : noPose(),
+Fact mineRow(const inspect::CellTarget& target) {
+    return {.key = "mine",
+            .name = QObject::tr("E, N, RL"),
+            .value = target.probe.mineM ? numbersOf(*target.probe.mineM).join(", ") : noPose(),
             .tip = QObject::tr("Easting, Northing and RL (height) in the mine grid, in metres"),
-            .unit = target.probe.mineM ? "m" : ""};
+            .unit = target.probe.mineM ? "m" : "",
+            .numbers = target.probe.mineM ? numbersOf(*target.probe.mineM) : QStringList()};
 }
 
-TargetRow rockRow(const TargetSurroundings& around) {
+Fact rockRow(const TargetSurroundings& around) {
     constexpr const char* kName = QT_TRANSLATE_NOOP("QObject", "Rock, visible");
     static_assert(std::string_view(kName) == inspect::kRockRow);
     const QString name = QObject::tr(kName);
-    if (!around.rocksKnown) return {name, QObject::tr("being computed …"), {}, true, false};
-    if (around.rock == nullptr) return {name, QObject::tr("none here"), QString()};
+    if (!around.rocksKnown) return {.key = "rock", .name = name, .value = QObject::tr("being computed …"), .known = false};
+    if (around.rock == nullptr) return {"rock", name, QObject::tr("none here")};
     const rocks::Rock& rock = *around.rock;
-    return {name,
-            QObject::tr("%1 × %2 ± %3 m") // without its number: this is stored, and numbers change with the rocks
-                .arg(fixed(rock.longestCaliperM, 2), fixed(rock.shortestCaliperM, 2), fixed(shownTolerance(rock.toleranceM, 2), 2)),
-            QObject::tr("Length a and width b of its visible part. Hidden parts are not included.")};
+    return {.key = "rock",
+            .name = name,
+            .value =
+                QObject::tr("%1 × %2 ± %3 m") // without its number: this is stored, and numbers change with the rocks
+                    .arg(fixed(rock.longestCaliperM, 2), fixed(rock.shortestCaliperM, 2), fixed(shownTolerance(rock.toleranceM, 2), 2)),
+            .tip = QObject::tr("Length a and width b of its visible part. Hidden parts are not included.")};
 }
 
-TargetRow resolvesRow(const inspect::CellTarget& target) {
-    if (!target.resolution) return {QObject::tr("Resolves"), QObject::tr("not known"), QString()};
-    return {
-        QObject::tr("Resolves"), inMillimetres(target.resolution->smallestM()),
-        QObject::tr("The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution")
-            .arg(inMillimetres(target.resolution->spacingM), inMillimetres(target.resolution->beamM))};
+Fact resolvesRow(const inspect::CellTarget& target) {
+    if (!target.resolution) return {"resolves", QObject::tr("Resolves"), QObject::tr("not known")};
+    return {.key = "resolves",
+            .name = QObject::tr("Resolves"),
+            .value = inMillimetres(target.resolution->smallestM()),
+            .tip =
+                QObject::tr(
+                    "The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution")
+                    .arg(inMillimetres(target.resolution->spacingM), inMillimetres(target.resolution->beamM))};
 }
 
-TargetRow surfaceRow(const inspect::CellTarget& target) {
-    if (!target.surface) return {QObject::tr("Surface"), QObject::tr("no plane fits"), QString()};
-    return {
-        QObject::tr("Surface"),
-        QObject::tr("%1° ± %2° off the beam")
-            .arg(fixed(target.surface->offBeamDeg, 0), fixed(shownTolerance(inspect::kReportedSigmas * target.surface->sigmaDeg, 0), 0)),
-        QObject::tr("Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2")
-            .arg(target.surface->cells)
-            .arg(inMillimetres(target.surface->reliefM))};
+Fact surfaceRow(const inspect::CellTarget& target) {
+    if (!target.surface) return {"surface", QObject::tr("Surface"), QObject::tr("no plane fits")};
+    return {.key = "surface",
+            .name = QObject::tr("Surface"),
+            .value = QObject::tr("%1° ± %2° off the beam")
+                         .arg(fixed(target.surface->offBeamDeg, 0),
+                              fixed(shownTolerance(inspect::kReportedSigmas * target.surface->sigmaDeg, 0), 0)),
+            .tip = QObject::tr("Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2")
+                       .arg(target.surface->cells)
+                       .arg(inMillimetres(target.surface->reliefM))};
 }
 
-TargetRow dipRow(const inspect::CellTarget& target) {
-    const QString name = QObject::tr("Dip / direction");
-    const QString tip = QObject::tr("Of the plane to the horizon, and clockwise from grid north the way it falls");
-    if (!target.surface) return {name, QObject::tr("no plane fits"), tip};
-    if (!target.dip) return {name, noPose(), tip};
+Fact dipRow(const inspect::CellTarget& target) {
+    Fact fact{.key = "dip",
+              .name = QObject::tr("Dip / direction"),
+              .value = target.surface ? noPose() : QObject::tr("no plane fits"),
+              .tip = QObject::tr("Of the plane to the horizon, and clockwise from grid north the way it falls")};
+    if (!target.surface || !target.dip) return fact;
     // A level surface has no dip direction: within its uncertainty it may dip in any direction.
     const bool falls = target.dip->dipDeg > inspect::kReportedSigmas * target.surface->sigmaDeg;
-    return {name, QObject::tr("%1° / %2").arg(fixed(target.dip->dipDeg, 0), falls ? fixed(target.dip->directionDeg, 0) + "°" : "–"), tip};
+    fact.value = QObject::tr("%1° / %2").arg(fixed(target.dip->dipDeg, 0), falls ? fixed(target.dip->directionDeg, 0) + "°" : "–");
+    return fact;
 }
 
-TargetRow boomRow(const inspect::BoomAtCell& boom) {
+Fact boomRow(const inspect::BoomAtCell& boom) {
     const QString distance = QObject::tr("%1 m").arg(fixed(boom.distanceM, 2));
-    return {
-        QObject::tr("From the boom"),
-        boom.angleDeg ? QObject::tr("%1 · surface %2° off square").arg(distance, fixed(*boom.angleDeg, 0)) : distance,
-        QObject::tr("To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the "
-                    "boom points straight at the surface")};
+    return {.key = "boom",
+            .name = QObject::tr("From the boom"),
+            .value = boom.angleDeg ? QObject::tr("%1 · surface %2° off square").arg(distance, fixed(*boom.angleDeg, 0)) : distance,
+            .tip = QObject::tr(
+                "To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the "
+                "boom points straight at the surface")};
 }
 
-TargetRow cellRow(const inspect::CellTarget& target) {
-    TargetRow row{QObject::tr("Cell"), QObject::tr("line %1 · beam %2").arg(target.probe.line).arg(target.probe.beam), QString(), false};
+Fact cellRow(const inspect::CellTarget& target) {
+    Fact row{.key = "cell",
+             .name = QObject::tr("Cell"),
+             .value = QObject::tr("line %1 · beam %2").arg(target.probe.line).arg(target.probe.beam),
+             .measured = false};
     if (!std::isnan(target.probe.beamDeg))
         row.tip = QObject::tr("Line angle %1°, beam angle %2°").arg(fixed(target.probe.lineDeg, 3), fixed(target.probe.beamDeg, 3));
     return row;
 }
 
-TargetRow edgeRow(const inspect::CellTarget& target) {
+Fact edgeRow(const inspect::CellTarget& target) {
     QString value = edgeText(target);
     if (target.strength) value += QObject::tr(", strength %1").arg(shownText(edges::strengthNumber(*target.strength)));
-    return {QObject::tr("Edge"), value, QObject::tr("Strength 1 is at the threshold; Why says more")};
+    return {
+        .key = "edge", .name = QObject::tr("Edge"), .value = value, .tip = QObject::tr("Strength 1 is at the threshold; Why says more")};
 }
 
 /// For edge cells only: the value of the confidence picture.
-TargetRow confidenceRow(const ShownConfidence& confidence) {
+Fact confidenceRow(const ShownConfidence& confidence) {
     using State = ShownConfidence::State;
-    TargetRow row{
-        QObject::tr(kConfidenceRow), QStringLiteral("…"),
-        QObject::tr(
-            "Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the "
-            "settings, not whether a rock is there.")};
+    Fact row{.key = "confidence",
+             .name = QObject::tr(kConfidenceRow),
+             .value = QStringLiteral("…"),
+             .tip = QObject::tr(
+                 "Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the "
+                 "settings, not whether a rock is there.")};
     row.known = confidence.state == State::Known;
     if (row.known) row.value = QObject::tr("%1 % of %2 settings").arg(confidence.percent).arg(confidence.settings);
     if (confidence.state == State::Growing) row.value = QObject::tr("when the sweep has ended");
     if (confidence.state == State::Large) row.value = QObject::tr("large scan: show Edge Confidence");
     return row;
 }
-
-} // namespace
-
-namespace {
 
 QString moveText(const inspect::ClickedCell& click, const edges::Detection& detection) {
     switch (click.reason) {
@@ -155,6 +168,8 @@ QString edgeText(const inspect::CellTarget& target) {
     return target.probe.kind == edges::DepthEdge::None ? QObject::tr("edge") : QObject::tr(edges::edgeClassLabel(target.probe.kind));
 }
 
+QStringList numbersOf(const Eigen::Vector3d& placeM) { return {fixed(placeM.x(), 3), fixed(placeM.y(), 3), fixed(placeM.z(), 3)}; }
+
 QString distanceText(const inspect::CellTarget& target) {
     if (target.probe.state == CellState::Valid) return QObject::tr("%1 m").arg(fixed(target.distanceM, 3));
     return cellStateText(target.probe.state);
@@ -168,9 +183,8 @@ QString toleranceText(const inspect::CellTarget& target) {
 
 QString positionText(const inspect::CellTarget& target) {
     if (target.probe.state != CellState::Valid) return {};
-    const Eigen::Vector3d& at = target.probe.mineM ? *target.probe.mineM : target.probe.pointM;
-    return (target.probe.mineM ? QObject::tr("E %1  N %2\nRL %3 m") : QObject::tr("x %1  y %2  z %3 m"))
-        .arg(fixed(at.x(), 3), fixed(at.y(), 3), fixed(at.z(), 3));
+    const QStringList at = numbersOf(target.probe.mineM.value_or(target.probe.pointM));
+    return (target.probe.mineM ? QObject::tr("E %1  N %2\nRL %3 m") : QObject::tr("x %1  y %2  z %3 m")).arg(at[0], at[1], at[2]);
 }
 
 QString briefPositionText(const inspect::CellTarget& target) {
@@ -200,12 +214,10 @@ QString tableHeading() {
 QString tableRow(const inspect::PinnedTarget& pinned, const inspect::CellTarget* target) {
     QStringList row{QString::number(pinned.number), shownName(exactText(pinned.name))};
     const bool some = target != nullptr && target->probe.state == CellState::Valid;
-    const auto add = [&](bool known, double metres) { row << (known ? fixed(metres, 3) : QString()); };
-    add(some, some ? target->distanceM : 0.0);
-    add(some && target->toleranceM > 0.0, some ? shownTolerance(target->toleranceM, 3) : 0.0);
-    for (int axis = 0; axis < 3; ++axis) add(some, some ? target->probe.pointM[axis] : 0.0);
-    const bool placed = some && target->probe.mineM;
-    for (int axis = 0; axis < 3; ++axis) add(placed, placed ? (*target->probe.mineM)[axis] : 0.0);
+    row << (some ? fixed(target->distanceM, 3) : QString())
+        << (some && target->toleranceM > 0.0 ? fixed(shownTolerance(target->toleranceM, 3), 3) : QString());
+    for (const Fact& fact : some ? Facts{placeRow(*target), mineRow(*target)} : Facts(2, Fact{""}))
+        row << (fact.numbers.isEmpty() ? QStringList{"", "", ""} : fact.numbers);
     for (const bool line : {true, false})
         row << (target == nullptr ? QString() : QString::number(line ? target->probe.line : target->probe.beam));
     row << (target == nullptr ? QString() : edgeText(*target));
@@ -213,31 +225,41 @@ QString tableRow(const inspect::PinnedTarget& pinned, const inspect::CellTarget*
     return row.join('\t');
 }
 
-std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const TargetSurroundings& around) {
-    std::vector<TargetRow> rows;
+Facts targetFacts(const inspect::CellTarget& target, const TargetSurroundings& around) {
+    const bool valid = target.probe.state == CellState::Valid;
+    Facts facts{{.key = "distance",
+                 .name = QObject::tr("Distance"),
+                 .value = distanceText(target),
+                 .tolerance = toleranceText(target),
+                 .tip = QObject::tr("Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes "
+                                    "everywhere are not included.")}};
     if (!around.clicked.isEmpty())
-        rows.push_back({QObject::tr("Clicked"), around.clicked,
-                        QObject::tr("A click near an edge means its near side; with Shift it means the very cell"), false});
-    if (target.probe.state == CellState::Valid) {
-        rows.push_back({QObject::tr("from"), QObject::tr("scanner, line of sight"), QString(), false});
-        rows.push_back(placeRow(target));
-        const auto addPlaced = [&](TargetRow row) {
-            row.known = !around.placePending;
-            if (!row.known) row.value = QStringLiteral("…");
-            rows.push_back(std::move(row));
+        facts.push_back({.key = "clicked",
+                         .name = QObject::tr("Clicked"),
+                         .value = around.clicked,
+                         .tip = QObject::tr("A click near an edge means its near side; with Shift it means the very cell"),
+                         .measured = false});
+    if (valid) {
+        facts.push_back({.key = "from", .name = QObject::tr("from"), .value = QObject::tr("scanner, line of sight"), .measured = false});
+        facts.push_back(placeRow(target));
+        const auto addPlaced = [&](Fact fact) {
+            fact.known = !around.placePending;
+            if (!fact.known) fact.value = QStringLiteral("…");
+            for (QString& each : fact.numbers) each = fact.known ? each : fact.value;
+            facts.push_back(std::move(fact));
         };
         addPlaced(mineRow(target));
-        if (around.rocksShown) rows.push_back(rockRow(around));
-        rows.push_back(resolvesRow(target));
-        rows.push_back(surfaceRow(target));
+        if (around.rocksShown) facts.push_back(rockRow(around));
+        facts.push_back(resolvesRow(target));
+        facts.push_back(surfaceRow(target));
         addPlaced(dipRow(target));
         if (target.boom) addPlaced(boomRow(*target.boom));
     }
-    rows.push_back(cellRow(target));
-    rows.push_back(edgeRow(target));
-    if (target.probe.edge && around.confidence.state != ShownConfidence::State::NotAsked) rows.push_back(confidenceRow(around.confidence));
-    rows.push_back({QObject::tr("Picture"), around.source, QString(), false});
-    return rows;
+    facts.push_back(cellRow(target));
+    facts.push_back(edgeRow(target));
+    if (target.probe.edge && around.confidence.state != ShownConfidence::State::NotAsked) facts.push_back(confidenceRow(around.confidence));
+    facts.push_back({.key = "picture", .name = QObject::tr("Picture"), .value = around.source, .measured = false});
+    return facts;
 }
 
 } // namespace edgescan::ui

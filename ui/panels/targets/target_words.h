@@ -1,14 +1,13 @@
-// The rows of a target's card, in order.
+// The facts of a target, in the order of its card.
 #pragma once
 
 #include "core/inspect/measure/cell_target.h"
 #include "core/inspect/measure/near_side.h"
 #include "core/inspect/measure/notebook.h"
 #include "core/rocks/attributes/attributes.h"
+#include "ui/base/fact_row.h"
 
 #include <QString>
-
-#include <vector>
 
 namespace edgescan::ui {
 
@@ -33,14 +32,6 @@ struct TargetSurroundings {
 
 inline constexpr const char* kConfidenceRow = QT_TRANSLATE_NOOP("QObject", "Confidence"); ///< name of that row in files
 
-struct TargetRow {
-    QString name, value;
-    QString tip{};
-    bool measured = true;  ///< a slider can change it: then the card also shows the earlier value
-    bool known = true;     ///< false: not computed yet, not to be stored
-    const char* unit = ""; ///< shown after the name; not stored
-};
-
 /// "8.13 m behind an edge; measured on its near side, 2 cells away". Empty if the click was not moved and no
 /// other surface is in front of it. Says so if `detection` has no edge there: settings can hide one, and a slip of
 /// the stepper is not an edge.
@@ -60,7 +51,9 @@ struct TargetRow {
 [[nodiscard]] QString tableRow(const inspect::PinnedTarget& target, const inspect::CellTarget* known);
 /// Its heading, with units.
 [[nodiscard]] QString tableHeading();
-/// All rows except the distance.
-[[nodiscard]] std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const TargetSurroundings& around);
+/// The three numbers of a place, metres.
+[[nodiscard]] QStringList numbersOf(const Eigen::Vector3d& placeM);
+/// All facts, the distance first. Of a cell without a range few are known.
+[[nodiscard]] Facts targetFacts(const inspect::CellTarget& target, const TargetSurroundings& around);
 
 } // namespace edgescan::ui

@@ -26,9 +26,6 @@ namespace edgescan::ui {
 class CountCurve;
 class ParameterRow;
 
-/// The chosen entries of a list of choices, in the language of the window.
-[[nodiscard]] QString choiceWords(const edges::Parameter& parameter, const edges::Settings& settings);
-
 /// The name of a built-in preset in plain words; of any other preset its own name.
 [[nodiscard]] QString presetName(const std::string& name);
 
@@ -55,10 +52,7 @@ public:
     /// The curve under the slider of "lower", "step" or "sensitivity".
     [[nodiscard]] CountCurve* curve(const char* key) const;
     [[nodiscard]] ParameterRow* row(const char* key) const;
-    /// Changes the parameter like its row, by so many steps. The caller emits editEnded(). A choice goes to its next value.
-    void step(const char* key, int steps);
-    /// "1.00 x", "39 mm auto".
-    [[nodiscard]] QString valueText(const char* key) const;
+    [[nodiscard]] const std::vector<ParameterRow*>& rows() const { return rows_; }
 
 public slots:
     void setRatioLocked(bool locked);

@@ -199,6 +199,8 @@ void ParameterRow::addReset(QWidget* parent) {
 
 void ParameterRow::show(double value, double inUse, double preset) {
     showing_ = true;
+    value_ = value;
+    inUse_ = inUse;
     const bool automatic = std::isnan(value);
     const double shown = automatic ? inUse : value;
     if (automatic_ != nullptr) automatic_->setChecked(automatic);
@@ -242,6 +244,28 @@ void ParameterRow::setVisible(bool visible) {
     visible_ = visible;
     for (QWidget* widget : widgets()) widget->setVisible(visible);
     reset_->setVisible(visible && differs_);
+    emit shown();
+}
+
+QString ParameterRow::valueText() const {
+    if (choice_ != nullptr) return choice_->currentText();
+    const double number = std::isnan(value_) ? inUse_ : value_;
+    if (std::isnan(number)) return tr("auto");
+    const QString text = QString::number(number, 'f', parameter_.decimals) + number_->suffix();
+    return std::isnan(value_) ? tr("%1 auto").arg(text) : text;
+}
+
+void ParameterRow::step(int steps) {
+    const edges::Parameter& p = parameter_;
+    double value = value_;
+    if (!p.choices.empty()) {
+        const int at = edges::sliderPosition(p, value), last = static_cast<int>(p.choices.size()) - 1;
+        value = p.choices[static_cast<std::size_t>(std::clamp(at + std::clamp(steps, -1, 1), 0, last))].value;
+    } else {
+        if (std::isnan(value)) value = std::isnan(inUse_) ? p.minimum : inUse_;
+        value = edges::snapped(p, std::clamp(value + steps * p.step, p.minimum, p.sliderMaximum));
+    }
+    emit changed(value, true);
 }
 
 void ParameterRow::changeTo(double value) {

@@ -34,6 +34,11 @@ public:
     void show(double value, double inUse, double preset);
     void setEnabled(bool enabled);
     void setVisible(bool visible);
+    [[nodiscard]] bool visible() const { return visible_; }
+    /// Changes the value by so many steps, as a drag does: dragEnded() is the caller's. A choice goes to its next value.
+    void step(int steps);
+    /// "1.00 x", "39 mm auto".
+    [[nodiscard]] QString valueText() const;
     /// Parses a text typed into the number, such as "0.5 m"; error: the reason why it is not a value. By default the table parses it.
     using Reading = std::function<Result<double>(const QString&)>;
     void read(Reading reading);
@@ -48,6 +53,8 @@ signals:
     /// The operator changed it. `dragging`: more changes will follow before dragEnded().
     void changed(double value, bool dragging);
     void dragEnded();
+    /// The value that is shown, or whether the row is, may be another one.
+    void shown();
     /// The typed text is not a value and the former value is restored; the sentence gives the reason.
     void refused(const QString& sentence);
     /// The button, or a double-click: restore the value of the preset.
@@ -69,6 +76,7 @@ private:
     QComboBox* choice_ = nullptr;          // null for numbers
     QAbstractButton* automatic_ = nullptr; // null: the parameter has no automatic value
     QToolButton* reset_ = nullptr;
+    double value_ = edges::kAutomatic, inUse_ = edges::kAutomatic;
     bool differs_ = false; // from the preset
     bool visible_ = true;
     bool showing_ = false;

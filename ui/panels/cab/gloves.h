@@ -1,4 +1,4 @@
-// Menus for gloves: each has an entry that closes it, a swipe scrolls it, and a tap next to it does nothing else.
+// Menus and scrolling for gloves: a menu has an entry that closes it, a swipe scrolls, and a tap next to a menu does nothing else.
 #pragma once
 
 #include <QObject>
@@ -8,8 +8,28 @@
 class QAction;
 class QMenu;
 class QMouseEvent;
+class QAbstractScrollArea;
 
 namespace edgescan::ui {
+
+inline constexpr const char* kPaged = "paged"; ///< property of an area that a button turns by pages instead
+
+/// GUI thread only. While it is on, a drag with the left button scrolls each page that is higher than its room, and each list. A tap still
+/// presses what is below it, and a drag across still moves a slider. Lists of boxes are popups and scroll by their arrows.
+class Swipes : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+    ~Swipes() override;
+
+    void setOn(bool on);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    static void grab(QAbstractScrollArea& area);
+    static void giveBack(QAbstractScrollArea& area);
+};
 
 /// GUI thread only. While it is on, every menu of the program begins with Close: on a small screen a menu covers all that could be tapped
 /// to close it.
