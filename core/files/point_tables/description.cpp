@@ -43,6 +43,7 @@ struct OwnFile {
     std::string_view format, what, hint;
 };
 constexpr std::array kOwnFiles = std::to_array<OwnFile>({
+    {"FeatureCollection", "this is a drawing of rocks (GeoJSON) and not a scan", "open its scan"},
     {"edgescan-preset/1", "this is a preset and not a scan", "choose it in the panel Edges, or give it with --preset"},
     {"edgescan-detect/1", "this is a report of detect and not a scan", "open its scan"},
     {"edgescan-rocks/1", "this is a report of rocks and not a scan", "open its scan"},
