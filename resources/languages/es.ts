@@ -377,6 +377,35 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>%1 s after the start of the scan</source><translation>%1 s después del inicio del escaneo</translation></message>
 <message><source>Turning view</source><translation>Vista giratoria</translation></message>
 <message><source>Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2.</source><translation>Arrastre para girar, rueda o dos dedos para acercarse, clic en un punto para ver sus números. Teclas: las flechas giran, + y - acercan, Mayús y flechas desplazan, Intro elige lo que está en el centro, Inicio vuelve. Mostrados, elegidos por igual: %1 y %2.</translation></message>
+<message><source>Turn</source><translation>Girar</translation></message>
+<message><source>Edges only</source><translation>Solo bordes</translation></message>
+<message><source>Nearer</source><translation>Más cerca</translation></message>
+<message><source>Farther</source><translation>Más lejos</translation></message>
+<message><source>Larger points</source><translation>Puntos más grandes</translation></message>
+<message><source>From the start</source><translation>Desde el inicio</translation></message>
+<message><source>No point there.</source><translation>Ahí no hay ningún punto.</translation></message>
+<message><source>Line %1, beam %2: range %3 mm, %4; %5 m.</source><translation>Línea %1, haz %2: distancia %3 mm, %4; %5 m.</translation></message>
+<message><source>Beam at %1 degrees, line at %2 degrees.</source><translation>Haz a %1 grados, línea a %2 grados.</translation></message>
+<message><source>Rock %1: visible %2 x %3 m, ± %4 m, at %5 m; candidate - geometry only, one viewpoint.</source><translation>Roca %1: visible %2 x %3 m, ± %4 m, a %5 m; candidata: solo geometría, un punto de vista.</translation></message>
+<message><source>This browser has no WebGL; the pictures below show the same.</source><translation>Este navegador no tiene WebGL; las imágenes de abajo muestran lo mismo.</translation></message>
+<message><source>no edge</source><translation>sin borde</translation></message>
+<message><source>edge</source><translation>borde</translation></message>
+<message><source>jump</source><translation>salto</translation></message>
+<message><source>convex fold</source><translation>pliegue convexo</translation></message>
+<message><source>concave fold</source><translation>pliegue cóncavo</translation></message>
+<message><source>data border</source><translation>límite de los datos</translation></message>
+<message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
+<message><source>void rim</source><translation>borde de un vacío</translation></message>
+<message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>Size curve of the visible rocks: share of the rocks over their visible width b</source><translation>Curva de tamaños de las rocas visibles: proporción de las rocas según su ancho visible b</translation></message>
+<message><source>Ranges as gray levels, line by line</source><translation>Distancias como niveles de gris, línea por línea</translation></message>
+<message><source>Edges on darkened gray levels</source><translation>Bordes sobre niveles de gris oscurecidos</translation></message>
+<message><source>The points in perspective, seen from behind the scanner</source><translation>Los puntos en perspectiva, vistos desde detrás del escáner</translation></message>
+<message><source>The rocks in perspective, seen from behind the scanner</source><translation>Las rocas en perspectiva, vistas desde detrás del escáner</translation></message>
+<message><source>Rocks as coloured faces on gray levels</source><translation>Rocas como caras de color sobre niveles de gris</translation></message>
+<message><source>Targets and measures on gray levels</source><translation>Objetivos y medidas sobre niveles de gris</translation></message>
+<message><source>What changed, on the grid of this scan</source><translation>Lo que cambió, en la cuadrícula de este escaneo</translation></message>
+<message><source>Points of the scan in three dimensions; arrow keys turn, plus and minus come nearer, Enter picks</source><translation>Puntos del escaneo en tres dimensiones; las flechas giran, más y menos acercan y alejan, Intro elige</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
 <message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
@@ -987,7 +1016,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir y archivar</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
-<message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Líneas de escaneo</translation></message>
 <message><source>Beams</source><translation>Haces</translation></message>
@@ -1310,8 +1338,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>allí no se midió nada; medido en la celda más cercana</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>no se midió nada a menos de %1 celdas</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ también hay una superficie más cercana a menos de %1 celdas: amplíe si era esa</translation></message>
-<message><source>no edge</source><translation>sin borde</translation></message>
-<message><source>edge</source><translation>borde</translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
 <message><source>E %1  N %2
 RL %3 m</source><translation>E %1  N %2
@@ -1805,12 +1831,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Cómo las dos componentes del gradiente se convierten en una magnitud.</translation></message>
 <message><source>Laplacian mask</source><translation>Máscara del laplaciano</translation></message>
 <message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Qué máscara representa el laplaciano de gaussiana.</translation></message>
-<message><source>jump</source><translation>salto</translation></message>
-<message><source>convex fold</source><translation>pliegue convexo</translation></message>
-<message><source>concave fold</source><translation>pliegue cóncavo</translation></message>
-<message><source>data border</source><translation>límite de los datos</translation></message>
-<message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
-<message><source>void rim</source><translation>borde de un vacío</translation></message>
 <message><source>All edges</source><translation>Todos</translation></message>
 <message><source>Rock borders</source><translation>De rocas</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>

@@ -377,6 +377,35 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>%1 s after the start of the scan</source><translation>%1 s après le début du scan</translation></message>
 <message><source>Turning view</source><translation>Vue tournante</translation></message>
 <message><source>Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2.</source><translation>Glissez pour tourner, molette ou deux doigts pour approcher, cliquez sur un point pour ses nombres. Touches : les flèches tournent, + et - approchent, Maj et flèches déplacent, Entrée choisit ce qui est au milieu, Début revient. Montrés, choisis régulièrement : %1 et %2.</translation></message>
+<message><source>Turn</source><translation>Tourner</translation></message>
+<message><source>Edges only</source><translation>Arêtes seules</translation></message>
+<message><source>Nearer</source><translation>Plus près</translation></message>
+<message><source>Farther</source><translation>Plus loin</translation></message>
+<message><source>Larger points</source><translation>Points plus gros</translation></message>
+<message><source>From the start</source><translation>Vue de départ</translation></message>
+<message><source>No point there.</source><translation>Il n'y a pas de point à cet endroit.</translation></message>
+<message><source>Line %1, beam %2: range %3 mm, %4; %5 m.</source><translation>Ligne %1, faisceau %2 : distance %3 mm, %4 ; %5 m.</translation></message>
+<message><source>Beam at %1 degrees, line at %2 degrees.</source><translation>Faisceau à %1 degrés, ligne à %2 degrés.</translation></message>
+<message><source>Rock %1: visible %2 x %3 m, ± %4 m, at %5 m; candidate - geometry only, one viewpoint.</source><translation>Bloc %1 : visible %2 x %3 m, ± %4 m, à %5 m ; candidat : géométrie seule, un seul point de vue.</translation></message>
+<message><source>This browser has no WebGL; the pictures below show the same.</source><translation>Ce navigateur n'a pas WebGL ; les images ci-dessous montrent la même chose.</translation></message>
+<message><source>no edge</source><translation>pas d'arête</translation></message>
+<message><source>edge</source><translation>arête</translation></message>
+<message><source>jump</source><translation>saut</translation></message>
+<message><source>convex fold</source><translation>pli convexe</translation></message>
+<message><source>concave fold</source><translation>pli concave</translation></message>
+<message><source>data border</source><translation>bord des données</translation></message>
+<message><source>outline before a void</source><translation>contour devant un vide</translation></message>
+<message><source>void rim</source><translation>bord d'un vide</translation></message>
+<message><source>Logo</source><translation>Logo</translation></message>
+<message><source>Size curve of the visible rocks: share of the rocks over their visible width b</source><translation>Courbe des tailles des blocs visibles : part des blocs selon leur largeur visible b</translation></message>
+<message><source>Ranges as gray levels, line by line</source><translation>Distances en niveaux de gris, ligne par ligne</translation></message>
+<message><source>Edges on darkened gray levels</source><translation>Arêtes sur niveaux de gris assombris</translation></message>
+<message><source>The points in perspective, seen from behind the scanner</source><translation>Les points en perspective, vus de derrière le scanner</translation></message>
+<message><source>The rocks in perspective, seen from behind the scanner</source><translation>Les blocs en perspective, vues de derrière le scanner</translation></message>
+<message><source>Rocks as coloured faces on gray levels</source><translation>Blocs en faces colorées sur niveaux de gris</translation></message>
+<message><source>Targets and measures on gray levels</source><translation>Cibles et mesures sur niveaux de gris</translation></message>
+<message><source>What changed, on the grid of this scan</source><translation>Ce qui a changé, sur la grille de ce scan</translation></message>
+<message><source>Points of the scan in three dimensions; arrow keys turn, plus and minus come nearer, Enter picks</source><translation>Points du scan en trois dimensions ; les flèches tournent, plus et moins rapprochent et éloignent, Entrée choisit</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
 <message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
@@ -987,7 +1016,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF : des pages à imprimer et à classer</translation></message>
 <message><source>Author</source><translation>Auteur</translation></message>
 <message><source>Logo (PNG)</source><translation>Logo (PNG)</translation></message>
-<message><source>Logo</source><translation>Logo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Lignes de scan</translation></message>
 <message><source>Beams</source><translation>Faisceaux</translation></message>
@@ -1310,8 +1338,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>rien n'y a été mesuré ; mesuré à la cellule la plus proche</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>rien n'a été mesuré à moins de %1 cellules</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ une surface plus proche est aussi à moins de %1 cellules : zoomez si c’est elle que vous visiez</translation></message>
-<message><source>no edge</source><translation>pas d'arête</translation></message>
-<message><source>edge</source><translation>arête</translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
 <message><source>E %1  N %2
 RL %3 m</source><translation>E %1  N %2
@@ -1805,12 +1831,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Comment les deux composantes du gradient deviennent une grandeur.</translation></message>
 <message><source>Laplacian mask</source><translation>Masque du laplacien</translation></message>
 <message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Quel masque représente le laplacien de gaussienne.</translation></message>
-<message><source>jump</source><translation>saut</translation></message>
-<message><source>convex fold</source><translation>pli convexe</translation></message>
-<message><source>concave fold</source><translation>pli concave</translation></message>
-<message><source>data border</source><translation>bord des données</translation></message>
-<message><source>outline before a void</source><translation>contour devant un vide</translation></message>
-<message><source>void rim</source><translation>bord d'un vide</translation></message>
 <message><source>All edges</source><translation>Toutes</translation></message>
 <message><source>Rock borders</source><translation>De roches</translation></message>
 <message><source>Even</source><translation>Régulière</translation></message>

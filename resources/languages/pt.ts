@@ -377,6 +377,35 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>%1 s after the start of the scan</source><translation>%1 s depois do início da varredura</translation></message>
 <message><source>Turning view</source><translation>Vista giratória</translation></message>
 <message><source>Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2.</source><translation>Arraste para girar, roda ou dois dedos para aproximar, clique em um ponto para ver seus números. Teclas: as setas giram, + e - aproximam, Shift e setas deslocam, Enter escolhe o que está no meio, Home volta. Mostrados, escolhidos por igual: %1 e %2.</translation></message>
+<message><source>Turn</source><translation>Girar</translation></message>
+<message><source>Edges only</source><translation>Só bordas</translation></message>
+<message><source>Nearer</source><translation>Mais perto</translation></message>
+<message><source>Farther</source><translation>Mais longe</translation></message>
+<message><source>Larger points</source><translation>Pontos maiores</translation></message>
+<message><source>From the start</source><translation>Do início</translation></message>
+<message><source>No point there.</source><translation>Não há ponto ali.</translation></message>
+<message><source>Line %1, beam %2: range %3 mm, %4; %5 m.</source><translation>Linha %1, feixe %2: distância %3 mm, %4; %5 m.</translation></message>
+<message><source>Beam at %1 degrees, line at %2 degrees.</source><translation>Feixe a %1 graus, linha a %2 graus.</translation></message>
+<message><source>Rock %1: visible %2 x %3 m, ± %4 m, at %5 m; candidate - geometry only, one viewpoint.</source><translation>Rocha %1: visível %2 x %3 m, ± %4 m, a %5 m; candidata: só geometria, um ponto de vista.</translation></message>
+<message><source>This browser has no WebGL; the pictures below show the same.</source><translation>Este navegador não tem WebGL; as imagens abaixo mostram o mesmo.</translation></message>
+<message><source>no edge</source><translation>sem borda</translation></message>
+<message><source>edge</source><translation>borda</translation></message>
+<message><source>jump</source><translation>salto</translation></message>
+<message><source>convex fold</source><translation>dobra convexa</translation></message>
+<message><source>concave fold</source><translation>dobra côncava</translation></message>
+<message><source>data border</source><translation>limite dos dados</translation></message>
+<message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
+<message><source>void rim</source><translation>beira de um vazio</translation></message>
+<message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>Size curve of the visible rocks: share of the rocks over their visible width b</source><translation>Curva de tamanhos das rochas visíveis: proporção das rochas pela sua largura visível b</translation></message>
+<message><source>Ranges as gray levels, line by line</source><translation>Distâncias como níveis de cinza, linha por linha</translation></message>
+<message><source>Edges on darkened gray levels</source><translation>Bordas sobre níveis de cinza escurecidos</translation></message>
+<message><source>The points in perspective, seen from behind the scanner</source><translation>Os pontos em perspectiva, vistos de trás do scanner</translation></message>
+<message><source>The rocks in perspective, seen from behind the scanner</source><translation>As rochas em perspectiva, vistas de trás do scanner</translation></message>
+<message><source>Rocks as coloured faces on gray levels</source><translation>Rochas como faces coloridas sobre níveis de cinza</translation></message>
+<message><source>Targets and measures on gray levels</source><translation>Alvos e medidas sobre níveis de cinza</translation></message>
+<message><source>What changed, on the grid of this scan</source><translation>O que mudou, na grade desta varredura</translation></message>
+<message><source>Points of the scan in three dimensions; arrow keys turn, plus and minus come nearer, Enter picks</source><translation>Pontos da varredura em três dimensões; as setas giram, mais e menos aproximam e afastam, Enter escolhe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
 <message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
@@ -987,7 +1016,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir e arquivar</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
-<message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Linhas da varredura</translation></message>
 <message><source>Beams</source><translation>Feixes</translation></message>
@@ -1310,8 +1338,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>nada foi medido aí; medido na célula mais próxima</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>nada foi medido a menos de %1 células</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ também há uma superfície mais próxima a menos de %1 células: amplie se era essa</translation></message>
-<message><source>no edge</source><translation>sem borda</translation></message>
-<message><source>edge</source><translation>borda</translation></message>
 <message><source>± not known</source><translation>± desconhecido</translation></message>
 <message><source>E %1  N %2
 RL %3 m</source><translation>E %1  N %2
@@ -1805,12 +1831,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Como as duas componentes do gradiente viram uma magnitude.</translation></message>
 <message><source>Laplacian mask</source><translation>Máscara do laplaciano</translation></message>
 <message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Qual máscara representa o laplaciano de gaussiana.</translation></message>
-<message><source>jump</source><translation>salto</translation></message>
-<message><source>convex fold</source><translation>dobra convexa</translation></message>
-<message><source>concave fold</source><translation>dobra côncava</translation></message>
-<message><source>data border</source><translation>limite dos dados</translation></message>
-<message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
-<message><source>void rim</source><translation>beira de um vazio</translation></message>
 <message><source>All edges</source><translation>Todas</translation></message>
 <message><source>Rock borders</source><translation>De rochas</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>
