@@ -692,7 +692,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Archivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
-<message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
+<message><source>The session is not saved: %1</source><translation>La sesión no se guarda: %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
 <message><source>There is nothing to save yet: open a scan first. To store a live sweep, record it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
 <message><source>Save session</source><translation>Guardar sesión</translation></message>

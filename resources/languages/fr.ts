@@ -692,7 +692,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Fichiers JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
-<message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
+<message><source>The session is not saved: %1</source><translation>La session n'est pas enregistrée : %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>enregistrée désormais à chaque changement</translation></message>
 <message><source>There is nothing to save yet: open a scan first. To store a live sweep, record it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
 <message><source>Save session</source><translation>Enregistrer la session</translation></message>

@@ -692,7 +692,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Arquivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
-<message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
+<message><source>The session is not saved: %1</source><translation>A sessão não é salva: %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>a partir de agora salva a cada mudança</translation></message>
 <message><source>There is nothing to save yet: open a scan first. To store a live sweep, record it.</source><translation>Ainda não há nada a salvar: abra primeiro uma varredura. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
 <message><source>Save session</source><translation>Salvar sessão</translation></message>
