@@ -143,20 +143,22 @@ void Comparing::keep() {
         notice_.showHint(tr("There is no picture to keep yet: open a scan first."));
         return;
     }
-    push(stepName("Keep as A"), engine_.picture(), fromShown());
+    // On another scan the step is undone while A is there.
+    push(stepName("Keep as A"), engine_.picture(), fromShown(), [this, here = engine_.hereNow()] { return pictureA_ || here(); });
 }
 
-void Comparing::forget() {
+void Comparing::forget(const std::function<bool()>& here) {
     if (!pictureA_) return;
     ViewPort& images = *views_.gray().viewPort();
     if (region_ && images.part() == regionPart_) images.fit(); // the operator did not move them since
-    push(stepName("Forget A"), nullptr, std::nullopt);
+    push(stepName("Forget A"), nullptr, std::nullopt, here);
 }
 
-/// Of two scans the other one can be opened: with a pair it may have been on the screen.
+/// Of two scans the other one can be opened: with a pair it may have been on the screen. What the operator ended does not begin again on
+/// a later scan.
 void Comparing::end() {
     const auto earlier = comparison_ && comparison_->isOfTwoScans() ? earlier_ : std::nullopt;
-    forget();
+    forget(engine_.hereNow());
     if (earlier) {
         note(NoticeBar::Kind::Done,
              tr("The comparison ended: B, %1, is on the screen.").arg(scanName(engine_.picture()->detection->scan->name)));
@@ -180,7 +182,8 @@ void Comparing::forgetDemo() {
     notice_.offerUndo(undo_);
 }
 
-void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from) {
+void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from,
+                     std::function<bool()> here) {
     // The picture may be freed when the step is undone: it is then made again.
     struct State {
         std::weak_ptr<const Picture> picture;
@@ -191,15 +194,16 @@ void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& 
         setDifferenceShown(true); // a comparison begins with it
         emit begun();
     }
+    const auto useState = [this](const State& state) {
+        const auto picture = state.picture.lock();
+        if (picture || !state.some)
+            use(picture, state.from);
+        else if (state.from)
+            read(*state.from, false);
+        return picture || !state.some || state.from; // else of a sweep that was not recorded to a file
+    };
     undo_.push(
-        new UndoStep<State>(what, {pictureA_, pictureA_ != nullptr, earlier_}, {after, after != nullptr, from}, [this](const State& state) {
-            const auto picture = state.picture.lock();
-            if (picture || !state.some)
-                use(picture, state.from);
-            else if (state.from)
-                read(*state.from, false);
-            return picture || !state.some || state.from; // else of a sweep that was not recorded to a file
-        }));
+        new UndoStep<State>(what, {pictureA_, pictureA_ != nullptr, earlier_}, {after, after != nullptr, from}, useState, std::move(here)));
 }
 
 std::optional<inspect::EarlierScan> Comparing::fromShown() const {
