@@ -800,7 +800,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Sus objetivos no se guardaron: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
-<message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
+<message><source>Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Aún sin guardar. Los objetivos de un barrido en vivo se guardan cuando abre su grabación; los de una parte de una grabación, cuando se muestra su barrido entero.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
@@ -1097,9 +1097,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>picture image of the window</source><translation>imagen captura de la ventana</translation></message>
 <message><source>refresh read again</source><translation>actualizar leer de nuevo</translation></message>
 <message><source>compare before after change difference</source><translation>comparar antes después cambio diferencia</translation></message>
-<message><source>on</source><translation>activado</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
-<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Las letras fuera de un campo son teclas; estas cambiaron: %1.</translation></message>
+<message><source>on</source><translation>activado</translation></message>
 <message><source>Add a Scan as a Layer…</source><translation>Añadir un escaneo como capa…</translation></message>
 <message><source>Remove</source><translation>Quitar</translation></message>
 <message><source>Place by Targets</source><translation>Colocar por objetivos</translation></message>
@@ -1466,11 +1465,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Bordes encontrados en %1 ms</translation></message>
 <message><source>%1 cells · edges pending</source><translation>%1 celdas · bordes pendientes</translation></message>
 <message><source>edges pending</source><translation>bordes pendientes</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1: %2 en vez de %3</translation></message>
 <message><source>default settings</source><translation>ajustes predeterminados</translation></message>
 <message><source>settings: %1 changed</source><translation>ajustes: %1 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
 <message><source>Set of default settings: %1</source><translation>Conjunto de ajustes predeterminados: %1</translation></message>
-<message><source>%1: %2 instead of %3</source><translation>%1: %2 en vez de %3</translation></message>
 <message><source>Reset %1</source><translation>Restablecer %1</translation></message>
 <message><source>Reset all</source><translation>Restablecer todo</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos los ajustes son los del conjunto predeterminado.</translation></message>
@@ -1562,6 +1561,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Hide panel</source><translation>Ocultar panel</translation></message>
 <message><source>&amp;Legends at the Side</source><translation>&amp;Leyendas al lado</translation></message>
+<message><source>view of the cloud</source><translation>vista de la nube</translation></message>
+<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Las letras fuera de un campo son teclas; estas cambiaron: %1.</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>

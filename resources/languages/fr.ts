@@ -800,7 +800,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Vos cibles ne sont pas enregistrées : %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
-<message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
+<message><source>Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Pas encore enregistrées. Les cibles d'un balayage en direct sont enregistrées quand vous ouvrez son enregistrement, celles d'une partie d'un enregistrement quand son balayage entier est affiché.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
@@ -1097,9 +1097,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>picture image of the window</source><translation>image capture de la fenêtre</translation></message>
 <message><source>refresh read again</source><translation>actualiser relire</translation></message>
 <message><source>compare before after change difference</source><translation>comparer avant après changement différence</translation></message>
-<message><source>on</source><translation>activé</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
-<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Les lettres hors d'un champ sont des touches ; celles-ci ont changé : %1.</translation></message>
+<message><source>on</source><translation>activé</translation></message>
 <message><source>Add a Scan as a Layer…</source><translation>Ajouter un scan comme couche…</translation></message>
 <message><source>Remove</source><translation>Supprimer</translation></message>
 <message><source>Place by Targets</source><translation>Placer par cibles</translation></message>
@@ -1466,11 +1465,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Arêtes trouvées en %1 ms</translation></message>
 <message><source>%1 cells · edges pending</source><translation>%1 cellules · arêtes en attente</translation></message>
 <message><source>edges pending</source><translation>arêtes en attente</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1 : %2 au lieu de %3</translation></message>
 <message><source>default settings</source><translation>réglages par défaut</translation></message>
 <message><source>settings: %1 changed</source><translation>réglages : %1 modifié(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modifié(s)</translation></message>
 <message><source>Set of default settings: %1</source><translation>Jeu de réglages par défaut : %1</translation></message>
-<message><source>%1: %2 instead of %3</source><translation>%1 : %2 au lieu de %3</translation></message>
 <message><source>Reset %1</source><translation>Rétablir %1</translation></message>
 <message><source>Reset all</source><translation>Tout rétablir</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Tous les réglages sont ceux du jeu par défaut.</translation></message>
@@ -1562,6 +1561,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Hide panel</source><translation>Masquer le panneau</translation></message>
 <message><source>&amp;Legends at the Side</source><translation>&amp;Légendes sur le côté</translation></message>
+<message><source>view of the cloud</source><translation>vue du nuage</translation></message>
+<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Les lettres hors d'un champ sont des touches ; celles-ci ont changé : %1.</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>

@@ -800,7 +800,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Seus alvos não foram guardados: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
-<message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
+<message><source>Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Ainda não guardados. Os alvos de uma varredura ao vivo são guardados quando você abre a gravação; os de uma parte de uma gravação, quando a varredura inteira é mostrada.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
@@ -1097,9 +1097,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>picture image of the window</source><translation>imagem captura da janela</translation></message>
 <message><source>refresh read again</source><translation>atualizar ler de novo</translation></message>
 <message><source>compare before after change difference</source><translation>comparar antes depois mudança diferença</translation></message>
-<message><source>on</source><translation>ligado</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
-<message><source>Letters outside a field are keys; these changed: %1.</source><translation>As letras fora de um campo são teclas; estas mudaram: %1.</translation></message>
+<message><source>on</source><translation>ligado</translation></message>
 <message><source>Add a Scan as a Layer…</source><translation>Adicionar varredura como camada…</translation></message>
 <message><source>Remove</source><translation>Remover</translation></message>
 <message><source>Place by Targets</source><translation>Posicionar por alvos</translation></message>
@@ -1466,11 +1465,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Bordas encontradas em %1 ms</translation></message>
 <message><source>%1 cells · edges pending</source><translation>%1 células · arestas pendentes</translation></message>
 <message><source>edges pending</source><translation>arestas pendentes</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1: %2 em vez de %3</translation></message>
 <message><source>default settings</source><translation>ajustes padrão</translation></message>
 <message><source>settings: %1 changed</source><translation>ajustes: %1 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
 <message><source>Set of default settings: %1</source><translation>Conjunto de ajustes padrão: %1</translation></message>
-<message><source>%1: %2 instead of %3</source><translation>%1: %2 em vez de %3</translation></message>
 <message><source>Reset %1</source><translation>Restaurar %1</translation></message>
 <message><source>Reset all</source><translation>Restaurar tudo</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos os ajustes são os do conjunto padrão.</translation></message>
@@ -1562,6 +1561,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Hide panel</source><translation>Ocultar painel</translation></message>
 <message><source>&amp;Legends at the Side</source><translation>&amp;Legendas ao lado</translation></message>
+<message><source>view of the cloud</source><translation>vista da nuvem</translation></message>
+<message><source>Letters outside a field are keys; these changed: %1.</source><translation>As letras fora de um campo são teclas; estas mudaram: %1.</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
