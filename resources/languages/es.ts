@@ -7,7 +7,7 @@
 <message><source>LIVE</source><translation>EN VIVO</translation></message>
 <message><source>STALE</source><translation>ANTICUADO</translation></message>
 <message><source>STALE %1</source><translation>ANTICUADO %1</translation></message>
-<message><source>LOST</source><translation>PERDIDO</translation></message>
+<message><source>NOT CONNECTED</source><translation>SIN CONEXIÓN</translation></message>
 <message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
 <message><source>STOPPED</source><translation>DETENIDO</translation></message>
 <message><source>STOPPED %1</source><translation>DETENIDO %1</translation></message>
@@ -90,6 +90,8 @@
 <message><source>the filling of gaps in the Edges panel</source><translation>el relleno de huecos del panel de aristas</translation></message>
 <message><source>the outlines in the picture</source><translation>los contornos en la imagen</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» en Escaneo &gt; Cómo se lee el escaneo</translation></message>
+<message><source>the angles of beams and lines and the axis in Scan &gt; How the Scan Is Read</source><translation>los ángulos de haces y líneas y el eje en Escaneo &gt; Cómo se lee el escaneo</translation></message>
+<message><source>%1 to %2</source><translation>%1 a %2</translation></message>
 <message><source>valid</source><translation>válida</translation></message>
 <message><source>no return</source><translation>sin retorno</translation></message>
 <message><source>device status</source><translation>estado del equipo</translation></message>
@@ -201,11 +203,11 @@
 <message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Las superficies de los dos escaneos no encajan, así que no se dan áreas de cambio.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
 <message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2, la mayor en área: %3 por %4 m ± %5 m,
-ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>región %1 de %2, la mayor en área: %3 por %4 m ± %5 m,
+ahora a %7 m; %6 m² en la superficie más cercana, sin su borde de una celda</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
-ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
+ahora a %7 m; %6 m² en la superficie más cercana, sin su borde de una celda</translation></message>
 <message><source>farther</source><translation>más lejos</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
@@ -563,6 +565,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Todavía no hay nada seleccionado: primero trace un recuadro (B) o un lazo (L) sobre una vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
+<message><source>Export targets: %1</source><translation>Exportar objetivos: %1</translation></message>
 <message><source>Export</source><translation>Exportar</translation></message>
 <message><source>Save screenshot</source><translation>Guardar la captura de pantalla</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
@@ -2518,7 +2521,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>a numpy array of shape %1 is larger than any scan</source><translation>una matriz numpy de forma %1 es mayor que cualquier escaneo</translation></message>
 <message><source>split it</source><translation>divídala</translation></message>
 <message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>una matriz numpy de forma %1 pueden ser puntos con los ejes cambiados, o tres líneas de distancias</translation></message>
-<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>guarde los puntos como (n, 3), que es points.T, o indique los ángulos: --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>guarde los puntos como (n, 3), que es points.T, o indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>una matriz numpy de forma %1 no es ni distancias (líneas, haces) ni puntos (n, 3) o (líneas, haces, 3)</translation></message>
 <message><source>save it in one of these shapes</source><translation>guárdela en una de estas formas</translation></message>
 <message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>El archivo contiene más de una matriz (numpy.save más de una vez); se leyó la primera.</translation></message>
@@ -3581,7 +3584,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>lines were lost between two sweeps</source><translation>líneas se perdieron entre dos barridos</translation></message>
 <message><source> (first at line </source><translation> (primero en la línea </translation></message>
 <message><source> (%1 by the counters)</source><translation> (%1 según los contadores)</translation></message>
-<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» de la grabación es «%2», que no se puede usar</translation></message>
 <message><source>the recording computer's clock, carried on by the scanner's</source><translation>el reloj del ordenador que grabó, continuado por el del escáner</translation></message>
 <message><source> from line %1 on</source><translation> desde la línea %1</translation></message>
 <message><source>window too dirty to measure through</source><translation>ventana demasiado sucia para medir a través</translation></message>

@@ -7,7 +7,7 @@
 <message><source>LIVE</source><translation>EN DIRECT</translation></message>
 <message><source>STALE</source><translation>PÉRIMÉ</translation></message>
 <message><source>STALE %1</source><translation>PÉRIMÉ %1</translation></message>
-<message><source>LOST</source><translation>PERDU</translation></message>
+<message><source>NOT CONNECTED</source><translation>NON CONNECTÉ</translation></message>
 <message><source>LOST %1</source><translation>PERDU %1</translation></message>
 <message><source>STOPPED</source><translation>ARRÊTÉ</translation></message>
 <message><source>STOPPED %1</source><translation>ARRÊTÉ %1</translation></message>
@@ -90,6 +90,8 @@
 <message><source>the filling of gaps in the Edges panel</source><translation>le comblement des trous dans le panneau des arêtes</translation></message>
 <message><source>the outlines in the picture</source><translation>les contours dans l'image</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>« %1 » dans Scan &gt; Comment le scan est lu</translation></message>
+<message><source>the angles of beams and lines and the axis in Scan &gt; How the Scan Is Read</source><translation>les angles des faisceaux et des lignes et l'axe dans Scan &gt; Comment le scan est lu</translation></message>
+<message><source>%1 to %2</source><translation>%1 à %2</translation></message>
 <message><source>valid</source><translation>valide</translation></message>
 <message><source>no return</source><translation>sans retour</translation></message>
 <message><source>device status</source><translation>état de l'appareil</translation></message>
@@ -201,11 +203,11 @@
 <message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Les surfaces des deux scans ne concordent pas : aucune surface de changement n'est donnée.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
 <message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2, la plus grande en surface : %3 de %4 m ± %5 m,
-maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>région %1 sur %2, la plus grande en surface : %3 de %4 m ± %5 m,
+maintenant à %7 m ; %6 m² à la surface la plus proche, sans son bord d'une cellule</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
-maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
+maintenant à %7 m ; %6 m² à la surface la plus proche, sans son bord d'une cellule</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
 <message><source>nearer</source><translation>plus près</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
@@ -563,6 +565,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Rien n'est encore sélectionné : tracez d'abord une boîte (B) ou un lasso (L) sur une vue.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
+<message><source>Export targets: %1</source><translation>Exporter les cibles : %1</translation></message>
 <message><source>Export</source><translation>Exporter</translation></message>
 <message><source>Save screenshot</source><translation>Enregistrer la capture d'écran</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
@@ -2518,7 +2521,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>a numpy array of shape %1 is larger than any scan</source><translation>un tableau numpy de forme %1 est plus grand que tout scan</translation></message>
 <message><source>split it</source><translation>divisez-le</translation></message>
 <message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>un tableau numpy de forme %1 peut être des points aux axes échangés, ou trois lignes de distances</translation></message>
-<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>enregistrez les points en (n, 3), c'est-à-dire points.T, ou indiquez les angles : --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>enregistrez les points en (n, 3), c'est-à-dire points.T, ou indiquez --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>un tableau numpy de forme %1 n'est ni des distances (lignes, faisceaux) ni des points (n, 3) ou (lignes, faisceaux, 3)</translation></message>
 <message><source>save it in one of these shapes</source><translation>enregistrez-le dans une de ces formes</translation></message>
 <message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>Le fichier contient plus d'un tableau (numpy.save plus d'une fois) ; le premier a été lu.</translation></message>
@@ -3581,7 +3584,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>lines were lost between two sweeps</source><translation>lignes ont été perdues entre deux balayages</translation></message>
 <message><source> (first at line </source><translation> (d'abord à la ligne </translation></message>
 <message><source> (%1 by the counters)</source><translation> (%1 d'après les compteurs)</translation></message>
-<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>« %1 » de l'enregistrement est « %2 », ce qui ne peut pas être utilisé</translation></message>
 <message><source>the recording computer's clock, carried on by the scanner's</source><translation>l'horloge de l'ordinateur qui a enregistré, prolongée par celle du scanner</translation></message>
 <message><source> from line %1 on</source><translation> à partir de la ligne %1</translation></message>
 <message><source>window too dirty to measure through</source><translation>fenêtre trop sale pour mesurer à travers</translation></message>

@@ -7,7 +7,7 @@
 <message><source>LIVE</source><translation>AO VIVO</translation></message>
 <message><source>STALE</source><translation>DESATUALIZADO</translation></message>
 <message><source>STALE %1</source><translation>DESATUALIZADO %1</translation></message>
-<message><source>LOST</source><translation>PERDIDO</translation></message>
+<message><source>NOT CONNECTED</source><translation>SEM CONEXÃO</translation></message>
 <message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
 <message><source>STOPPED</source><translation>PARADO</translation></message>
 <message><source>STOPPED %1</source><translation>PARADO %1</translation></message>
@@ -90,6 +90,8 @@
 <message><source>the filling of gaps in the Edges panel</source><translation>o preenchimento de falhas no painel de arestas</translation></message>
 <message><source>the outlines in the picture</source><translation>os contornos na imagem</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» em Varredura &gt; Como a varredura é lida</translation></message>
+<message><source>the angles of beams and lines and the axis in Scan &gt; How the Scan Is Read</source><translation>os ângulos de feixes e linhas e o eixo em Varredura &gt; Como a varredura é lida</translation></message>
+<message><source>%1 to %2</source><translation>%1 a %2</translation></message>
 <message><source>valid</source><translation>válida</translation></message>
 <message><source>no return</source><translation>sem retorno</translation></message>
 <message><source>device status</source><translation>estado do aparelho</translation></message>
@@ -201,11 +203,11 @@
 <message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>As superfícies das duas varreduras não se ajustam, por isso não se dão áreas de mudança.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
 <message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2, a maior em área: %3 por %4 m ± %5 m,
-agora a %7 m; %6 m² na superfície mais próxima</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>região %1 de %2, a maior em área: %3 por %4 m ± %5 m,
+agora a %7 m; %6 m² na superfície mais próxima, sem a sua borda de uma célula</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
-agora a %7 m; %6 m² na superfície mais próxima</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
+agora a %7 m; %6 m² na superfície mais próxima, sem a sua borda de uma célula</translation></message>
 <message><source>farther</source><translation>mais longe</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
@@ -563,6 +565,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Ainda não há nada selecionado: primeiro trace uma caixa (B) ou um laço (L) sobre uma vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
+<message><source>Export targets: %1</source><translation>Exportar alvos: %1</translation></message>
 <message><source>Export</source><translation>Exportar</translation></message>
 <message><source>Save screenshot</source><translation>Salvar a captura de tela</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
@@ -2518,7 +2521,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>a numpy array of shape %1 is larger than any scan</source><translation>uma matriz numpy de forma %1 é maior que qualquer varredura</translation></message>
 <message><source>split it</source><translation>divida-a</translation></message>
 <message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>uma matriz numpy de forma %1 podem ser pontos com os eixos trocados, ou três linhas de distâncias</translation></message>
-<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>salve os pontos como (n, 3), que é points.T, ou indique os ângulos: --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>salve os pontos como (n, 3), que é points.T, ou indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>uma matriz numpy de forma %1 não é nem distâncias (linhas, feixes) nem pontos (n, 3) ou (linhas, feixes, 3)</translation></message>
 <message><source>save it in one of these shapes</source><translation>salve-a numa destas formas</translation></message>
 <message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>O arquivo contém mais de uma matriz (numpy.save mais de uma vez); foi lida a primeira.</translation></message>
@@ -3581,7 +3584,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>lines were lost between two sweeps</source><translation>linhas perderam-se entre duas varreduras</translation></message>
 <message><source> (first at line </source><translation> (primeiro na linha </translation></message>
 <message><source> (%1 by the counters)</source><translation> (%1 segundo os contadores)</translation></message>
-<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» da gravação é «%2», que não pode ser usado</translation></message>
 <message><source>the recording computer's clock, carried on by the scanner's</source><translation>o relógio do computador que gravou, continuado pelo do scanner</translation></message>
 <message><source> from line %1 on</source><translation> a partir da linha %1</translation></message>
 <message><source>window too dirty to measure through</source><translation>janela suja demais para medir através dela</translation></message>

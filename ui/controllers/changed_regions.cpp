@@ -69,20 +69,22 @@ void Comparing::goToRegion(int by) {
     const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
     regionPart_ = QRectF(box.adjusted(-around, -around, around, around));
     // First the words: the cloud turns the region to where the legend with them leaves room, and the legend stays where it is.
-    legend_.showRegion((n == 0 ? tr("region %1 of %2, the largest by area: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface")
-                               : tr("region %1 of %2: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface"))
-                           .arg(n + 1)
-                           .arg(count)
-                           .arg(region.farther ? tr("farther") : tr("nearer"))
-                           .arg(region.byM, 0, 'f', 2)
-                           .arg(shownTolerance(region.toleranceM, 2), 0, 'f', 2)
-                           .arg(region.areaM2, 0, 'f', 2)
-                           .arg(region.rangeM, 0, 'f', 2),
-                       QString("%1/%2 <span style='color:%3'>■</span> %4%5 m")
-                           .arg(n + 1)
-                           .arg(count)
-                           .arg(changeColour(region.farther ? ChangeRow::Farther : ChangeRow::Nearer).name(), region.farther ? "+" : "−")
-                           .arg(region.byM, 0, 'f', 2));
+    legend_.showRegion(
+        (n == 0 ? tr("region %1 of %2, the largest by area: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface, without its "
+                     "border of one cell")
+                : tr("region %1 of %2: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface, without its border of one cell"))
+            .arg(n + 1)
+            .arg(count)
+            .arg(region.farther ? tr("farther") : tr("nearer"))
+            .arg(region.byM, 0, 'f', 2)
+            .arg(shownTolerance(region.toleranceM, 2), 0, 'f', 2)
+            .arg(region.areaM2, 0, 'f', 2)
+            .arg(region.rangeM, 0, 'f', 2),
+        QString("%1/%2 <span style='color:%3'>■</span> %4%5 m")
+            .arg(n + 1)
+            .arg(count)
+            .arg(changeColour(region.farther ? ChangeRow::Farther : ChangeRow::Nearer).name(), region.farther ? "+" : "−")
+            .arg(region.byM, 0, 'f', 2));
     views_.gray().viewPort()->fitTo(regionPart_);
     const std::vector<std::uint32_t> cells = cellsOf(kinds, region);
     views_.cloud().lookAtCells(cells);
