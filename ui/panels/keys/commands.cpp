@@ -165,6 +165,7 @@ KeysOfFocus::KeysOfFocus(QWidget* window) : QObject(window) {
 /// How all switches and tools are before a key that may be the first one of a text.
 void KeysOfFocus::beginText() {
     if (letters_.isActive()) return;
+    letters_.start(); // the next key may come before this one has worked
     pressed_ = 0;
     run_.clear();
     before_.clear();
