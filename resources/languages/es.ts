@@ -7,7 +7,7 @@
 <message><source>LIVE</source><translation>EN VIVO</translation></message>
 <message><source>STALE</source><translation>ANTICUADO</translation></message>
 <message><source>STALE %1</source><translation>ANTICUADO %1</translation></message>
-<message><source>LOST</source><translation>PERDIDO</translation></message>
+<message><source>NOT CONNECTED</source><translation>SIN CONEXIÓN</translation></message>
 <message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
 <message><source>STOPPED</source><translation>DETENIDO</translation></message>
 <message><source>STOPPED %1</source><translation>DETENIDO %1</translation></message>
@@ -90,6 +90,8 @@
 <message><source>the filling of gaps in the Edges panel</source><translation>el relleno de huecos del panel de aristas</translation></message>
 <message><source>the outlines in the picture</source><translation>los contornos en la imagen</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» en Escaneo &gt; Cómo se lee el escaneo</translation></message>
+<message><source>the angles of beams and lines and the axis in Scan &gt; How the Scan Is Read</source><translation>los ángulos de haces y líneas y el eje en Escaneo &gt; Cómo se lee el escaneo</translation></message>
+<message><source>%1 to %2</source><translation>%1 a %2</translation></message>
 <message><source>valid</source><translation>válida</translation></message>
 <message><source>no return</source><translation>sin retorno</translation></message>
 <message><source>device status</source><translation>estado del equipo</translation></message>
@@ -223,11 +225,11 @@
 <message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Las superficies de los dos escaneos no encajan, así que no se dan áreas de cambio.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
 <message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2, la mayor en área: %3 por %4 m ± %5 m,
-ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>región %1 de %2, la mayor en área: %3 por %4 m ± %5 m,
+ahora a %7 m; %6 m² en la superficie más cercana, sin su borde de una celda</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
-ahora a %7 m; %6 m² en la superficie más cercana</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
+ahora a %7 m; %6 m² en la superficie más cercana, sin su borde de una celda</translation></message>
 <message><source>farther</source><translation>más lejos</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
@@ -377,6 +379,35 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>%1 s after the start of the scan</source><translation>%1 s después del inicio del escaneo</translation></message>
 <message><source>Turning view</source><translation>Vista giratoria</translation></message>
 <message><source>Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2.</source><translation>Arrastre para girar, rueda o dos dedos para acercarse, clic en un punto para ver sus números. Teclas: las flechas giran, + y - acercan, Mayús y flechas desplazan, Intro elige lo que está en el centro, Inicio vuelve. Mostrados, elegidos por igual: %1 y %2.</translation></message>
+<message><source>Turn</source><translation>Girar</translation></message>
+<message><source>Edges only</source><translation>Solo bordes</translation></message>
+<message><source>Nearer</source><translation>Más cerca</translation></message>
+<message><source>Farther</source><translation>Más lejos</translation></message>
+<message><source>Larger points</source><translation>Puntos más grandes</translation></message>
+<message><source>From the start</source><translation>Desde el inicio</translation></message>
+<message><source>No point there.</source><translation>Ahí no hay ningún punto.</translation></message>
+<message><source>Line %1, beam %2: range %3 mm, %4; %5 m.</source><translation>Línea %1, haz %2: distancia %3 mm, %4; %5 m.</translation></message>
+<message><source>Beam at %1 degrees, line at %2 degrees.</source><translation>Haz a %1 grados, línea a %2 grados.</translation></message>
+<message><source>Rock %1: visible %2 x %3 m, ± %4 m, at %5 m; candidate - geometry only, one viewpoint.</source><translation>Roca %1: visible %2 x %3 m, ± %4 m, a %5 m; candidata: solo geometría, un punto de vista.</translation></message>
+<message><source>This browser has no WebGL; the pictures below show the same.</source><translation>Este navegador no tiene WebGL; las imágenes de abajo muestran lo mismo.</translation></message>
+<message><source>no edge</source><translation>sin borde</translation></message>
+<message><source>edge</source><translation>borde</translation></message>
+<message><source>jump</source><translation>salto</translation></message>
+<message><source>convex fold</source><translation>pliegue convexo</translation></message>
+<message><source>concave fold</source><translation>pliegue cóncavo</translation></message>
+<message><source>data border</source><translation>límite de los datos</translation></message>
+<message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
+<message><source>void rim</source><translation>borde de un vacío</translation></message>
+<message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>Size curve of the visible rocks: share of the rocks over their visible width b</source><translation>Curva de tamaños de las rocas visibles: proporción de las rocas según su ancho visible b</translation></message>
+<message><source>Ranges as gray levels, line by line</source><translation>Distancias como niveles de gris, línea por línea</translation></message>
+<message><source>Edges on darkened gray levels</source><translation>Bordes sobre niveles de gris oscurecidos</translation></message>
+<message><source>The points in perspective, seen from behind the scanner</source><translation>Los puntos en perspectiva, vistos desde detrás del escáner</translation></message>
+<message><source>The rocks in perspective, seen from behind the scanner</source><translation>Las rocas en perspectiva, vistas desde detrás del escáner</translation></message>
+<message><source>Rocks as coloured faces on gray levels</source><translation>Rocas como caras de color sobre niveles de gris</translation></message>
+<message><source>Targets and measures on gray levels</source><translation>Objetivos y medidas sobre niveles de gris</translation></message>
+<message><source>What changed, on the grid of this scan</source><translation>Lo que cambió, en la cuadrícula de este escaneo</translation></message>
+<message><source>Points of the scan in three dimensions; arrow keys turn, plus and minus come nearer, Enter picks</source><translation>Puntos del escaneo en tres dimensiones; las flechas giran, más y menos acercan y alejan, Intro elige</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
 <message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
@@ -534,6 +565,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Todavía no hay nada seleccionado: primero trace un recuadro (B) o un lazo (L) sobre una vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
+<message><source>Export targets: %1</source><translation>Exportar objetivos: %1</translation></message>
 <message><source>Export</source><translation>Exportar</translation></message>
 <message><source>Save screenshot</source><translation>Guardar la captura de pantalla</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
@@ -663,7 +695,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Archivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
-<message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
+<message><source>The session is not saved: %1</source><translation>La sesión no se guarda: %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
 <message><source>There is nothing to save yet: open a scan first. To store a live sweep, record it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
 <message><source>Save session</source><translation>Guardar sesión</translation></message>
@@ -754,7 +786,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Sus objetivos no se guardaron: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
-<message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
+<message><source>Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Aún sin guardar. Los objetivos de un barrido en vivo se guardan cuando abre su grabación; los de una parte de una grabación, cuando se muestra su barrido entero.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
@@ -979,7 +1011,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir y archivar</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
-<message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Líneas de escaneo</translation></message>
 <message><source>Beams</source><translation>Haces</translation></message>
@@ -1061,9 +1092,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>picture image of the window</source><translation>imagen captura de la ventana</translation></message>
 <message><source>refresh read again</source><translation>actualizar leer de nuevo</translation></message>
 <message><source>compare before after change difference</source><translation>comparar antes después cambio diferencia</translation></message>
-<message><source>on</source><translation>activado</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
-<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Las letras fuera de un campo son teclas; estas cambiaron: %1.</translation></message>
+<message><source>on</source><translation>activado</translation></message>
 <message><source>Add a Scan as a Layer…</source><translation>Añadir un escaneo como capa…</translation></message>
 <message><source>Remove</source><translation>Quitar</translation></message>
 <message><source>Place by Targets</source><translation>Colocar por objetivos</translation></message>
@@ -1303,8 +1333,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>allí no se midió nada; medido en la celda más cercana</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>no se midió nada a menos de %1 celdas</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ también hay una superficie más cercana a menos de %1 celdas: amplíe si era esa</translation></message>
-<message><source>no edge</source><translation>sin borde</translation></message>
-<message><source>edge</source><translation>borde</translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
 <message><source>E %1  N %2
 RL %3 m</source><translation>E %1  N %2
@@ -1435,11 +1463,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Bordes encontrados en %1 ms</translation></message>
 <message><source>%1 cells · edges pending</source><translation>%1 celdas · bordes pendientes</translation></message>
 <message><source>edges pending</source><translation>bordes pendientes</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1: %2 en vez de %3</translation></message>
 <message><source>default settings</source><translation>ajustes predeterminados</translation></message>
 <message><source>settings: %1 changed</source><translation>ajustes: %1 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
 <message><source>Set of default settings: %1</source><translation>Conjunto de ajustes predeterminados: %1</translation></message>
-<message><source>%1: %2 instead of %3</source><translation>%1: %2 en vez de %3</translation></message>
 <message><source>Reset %1</source><translation>Restablecer %1</translation></message>
 <message><source>Reset all</source><translation>Restablecer todo</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos los ajustes son los del conjunto predeterminado.</translation></message>
@@ -1520,6 +1548,8 @@ Doble clic: volver al preajuste</translation></message>
 </source><translation>Advertencias de este escaneo:
 </translation></message>
 <message><source>&amp;Legends at the Side</source><translation>&amp;Leyendas al lado</translation></message>
+<message><source>view of the cloud</source><translation>vista de la nube</translation></message>
+<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Las letras fuera de un campo son teclas; estas cambiaron: %1.</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
@@ -1800,12 +1830,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Cómo las dos componentes del gradiente se convierten en una magnitud.</translation></message>
 <message><source>Laplacian mask</source><translation>Máscara del laplaciano</translation></message>
 <message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Qué máscara representa el laplaciano de gaussiana.</translation></message>
-<message><source>jump</source><translation>salto</translation></message>
-<message><source>convex fold</source><translation>pliegue convexo</translation></message>
-<message><source>concave fold</source><translation>pliegue cóncavo</translation></message>
-<message><source>data border</source><translation>límite de los datos</translation></message>
-<message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
-<message><source>void rim</source><translation>borde de un vacío</translation></message>
 <message><source>All edges</source><translation>Todos</translation></message>
 <message><source>Rock borders</source><translation>De rocas</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>
@@ -2499,7 +2523,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>a numpy array of shape %1 is larger than any scan</source><translation>una matriz numpy de forma %1 es mayor que cualquier escaneo</translation></message>
 <message><source>split it</source><translation>divídala</translation></message>
 <message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>una matriz numpy de forma %1 pueden ser puntos con los ejes cambiados, o tres líneas de distancias</translation></message>
-<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>guarde los puntos como (n, 3), que es points.T, o indique los ángulos: --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>guarde los puntos como (n, 3), que es points.T, o indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>una matriz numpy de forma %1 no es ni distancias (líneas, haces) ni puntos (n, 3) o (líneas, haces, 3)</translation></message>
 <message><source>save it in one of these shapes</source><translation>guárdela en una de estas formas</translation></message>
 <message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>El archivo contiene más de una matriz (numpy.save más de una vez); se leyó la primera.</translation></message>
@@ -2928,10 +2952,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>angles and ranges</source><translation>ángulos y distancias</translation></message>
 <message><source>two coordinates of a point and not the third</source><translation>dos coordenadas de un punto y no la tercera</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compárelo con docs/reference/formats.md, "Raw grid"</translation></message>
+<message><source>this is a drawing of rocks (GeoJSON) and not a scan</source><translation>esto es un dibujo de rocas (GeoJSON) y no un escaneo</translation></message>
+<message><source>open its scan</source><translation>abra su escaneo</translation></message>
 <message><source>this is a preset and not a scan</source><translation>esto es un preajuste y no un escaneo</translation></message>
 <message><source>choose it in the panel Edges, or give it with --preset</source><translation>elíjalo en el panel Bordes, o indíquelo con --preset</translation></message>
 <message><source>this is a report of detect and not a scan</source><translation>esto es un informe de detect y no un escaneo</translation></message>
-<message><source>open its scan</source><translation>abra su escaneo</translation></message>
 <message><source>this is a report of rocks and not a scan</source><translation>esto es un informe de rocks y no un escaneo</translation></message>
 <message><source>this is a pose and not a scan</source><translation>esto es una pose y no un escaneo</translation></message>
 <message><source>open its scan and give it with --pose</source><translation>abra su escaneo e indíquelo con --pose</translation></message>
@@ -3569,7 +3594,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>lines were lost between two sweeps</source><translation>líneas se perdieron entre dos barridos</translation></message>
 <message><source> (first at line </source><translation> (primero en la línea </translation></message>
 <message><source> (%1 by the counters)</source><translation> (%1 según los contadores)</translation></message>
-<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» de la grabación es «%2», que no se puede usar</translation></message>
 <message><source>the recording computer's clock, carried on by the scanner's</source><translation>el reloj del ordenador que grabó, continuado por el del escáner</translation></message>
 <message><source> from line %1 on</source><translation> desde la línea %1</translation></message>
 <message><source>window too dirty to measure through</source><translation>ventana demasiado sucia para medir a través</translation></message>

@@ -7,7 +7,7 @@
 <message><source>LIVE</source><translation>EN DIRECT</translation></message>
 <message><source>STALE</source><translation>PÉRIMÉ</translation></message>
 <message><source>STALE %1</source><translation>PÉRIMÉ %1</translation></message>
-<message><source>LOST</source><translation>PERDU</translation></message>
+<message><source>NOT CONNECTED</source><translation>NON CONNECTÉ</translation></message>
 <message><source>LOST %1</source><translation>PERDU %1</translation></message>
 <message><source>STOPPED</source><translation>ARRÊTÉ</translation></message>
 <message><source>STOPPED %1</source><translation>ARRÊTÉ %1</translation></message>
@@ -90,6 +90,8 @@
 <message><source>the filling of gaps in the Edges panel</source><translation>le comblement des trous dans le panneau des arêtes</translation></message>
 <message><source>the outlines in the picture</source><translation>les contours dans l'image</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>« %1 » dans Scan &gt; Comment le scan est lu</translation></message>
+<message><source>the angles of beams and lines and the axis in Scan &gt; How the Scan Is Read</source><translation>les angles des faisceaux et des lignes et l'axe dans Scan &gt; Comment le scan est lu</translation></message>
+<message><source>%1 to %2</source><translation>%1 à %2</translation></message>
 <message><source>valid</source><translation>valide</translation></message>
 <message><source>no return</source><translation>sans retour</translation></message>
 <message><source>device status</source><translation>état de l'appareil</translation></message>
@@ -223,11 +225,11 @@
 <message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>Les surfaces des deux scans ne concordent pas : aucune surface de changement n'est donnée.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
 <message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2, la plus grande en surface : %3 de %4 m ± %5 m,
-maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>région %1 sur %2, la plus grande en surface : %3 de %4 m ± %5 m,
+maintenant à %7 m ; %6 m² à la surface la plus proche, sans son bord d'une cellule</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
-maintenant à %7 m ; %6 m² à la surface la plus proche</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
+maintenant à %7 m ; %6 m² à la surface la plus proche, sans son bord d'une cellule</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
 <message><source>nearer</source><translation>plus près</translation></message>
 <message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
@@ -377,6 +379,35 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>%1 s after the start of the scan</source><translation>%1 s après le début du scan</translation></message>
 <message><source>Turning view</source><translation>Vue tournante</translation></message>
 <message><source>Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2.</source><translation>Glissez pour tourner, molette ou deux doigts pour approcher, cliquez sur un point pour ses nombres. Touches : les flèches tournent, + et - approchent, Maj et flèches déplacent, Entrée choisit ce qui est au milieu, Début revient. Montrés, choisis régulièrement : %1 et %2.</translation></message>
+<message><source>Turn</source><translation>Tourner</translation></message>
+<message><source>Edges only</source><translation>Arêtes seules</translation></message>
+<message><source>Nearer</source><translation>Plus près</translation></message>
+<message><source>Farther</source><translation>Plus loin</translation></message>
+<message><source>Larger points</source><translation>Points plus gros</translation></message>
+<message><source>From the start</source><translation>Vue de départ</translation></message>
+<message><source>No point there.</source><translation>Il n'y a pas de point à cet endroit.</translation></message>
+<message><source>Line %1, beam %2: range %3 mm, %4; %5 m.</source><translation>Ligne %1, faisceau %2 : distance %3 mm, %4 ; %5 m.</translation></message>
+<message><source>Beam at %1 degrees, line at %2 degrees.</source><translation>Faisceau à %1 degrés, ligne à %2 degrés.</translation></message>
+<message><source>Rock %1: visible %2 x %3 m, ± %4 m, at %5 m; candidate - geometry only, one viewpoint.</source><translation>Bloc %1 : visible %2 x %3 m, ± %4 m, à %5 m ; candidat : géométrie seule, un seul point de vue.</translation></message>
+<message><source>This browser has no WebGL; the pictures below show the same.</source><translation>Ce navigateur n'a pas WebGL ; les images ci-dessous montrent la même chose.</translation></message>
+<message><source>no edge</source><translation>pas d'arête</translation></message>
+<message><source>edge</source><translation>arête</translation></message>
+<message><source>jump</source><translation>saut</translation></message>
+<message><source>convex fold</source><translation>pli convexe</translation></message>
+<message><source>concave fold</source><translation>pli concave</translation></message>
+<message><source>data border</source><translation>bord des données</translation></message>
+<message><source>outline before a void</source><translation>contour devant un vide</translation></message>
+<message><source>void rim</source><translation>bord d'un vide</translation></message>
+<message><source>Logo</source><translation>Logo</translation></message>
+<message><source>Size curve of the visible rocks: share of the rocks over their visible width b</source><translation>Courbe des tailles des blocs visibles : part des blocs selon leur largeur visible b</translation></message>
+<message><source>Ranges as gray levels, line by line</source><translation>Distances en niveaux de gris, ligne par ligne</translation></message>
+<message><source>Edges on darkened gray levels</source><translation>Arêtes sur niveaux de gris assombris</translation></message>
+<message><source>The points in perspective, seen from behind the scanner</source><translation>Les points en perspective, vus de derrière le scanner</translation></message>
+<message><source>The rocks in perspective, seen from behind the scanner</source><translation>Les blocs en perspective, vues de derrière le scanner</translation></message>
+<message><source>Rocks as coloured faces on gray levels</source><translation>Blocs en faces colorées sur niveaux de gris</translation></message>
+<message><source>Targets and measures on gray levels</source><translation>Cibles et mesures sur niveaux de gris</translation></message>
+<message><source>What changed, on the grid of this scan</source><translation>Ce qui a changé, sur la grille de ce scan</translation></message>
+<message><source>Points of the scan in three dimensions; arrow keys turn, plus and minus come nearer, Enter picks</source><translation>Points du scan en trois dimensions ; les flèches tournent, plus et moins rapprochent et éloignent, Entrée choisit</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
 <message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
@@ -534,6 +565,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Rien n'est encore sélectionné : tracez d'abord une boîte (B) ou un lasso (L) sur une vue.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
+<message><source>Export targets: %1</source><translation>Exporter les cibles : %1</translation></message>
 <message><source>Export</source><translation>Exporter</translation></message>
 <message><source>Save screenshot</source><translation>Enregistrer la capture d'écran</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
@@ -663,7 +695,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Fichiers JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
-<message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
+<message><source>The session is not saved: %1</source><translation>La session n'est pas enregistrée : %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>enregistrée désormais à chaque changement</translation></message>
 <message><source>There is nothing to save yet: open a scan first. To store a live sweep, record it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
 <message><source>Save session</source><translation>Enregistrer la session</translation></message>
@@ -754,7 +786,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Vos cibles ne sont pas enregistrées : %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
-<message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
+<message><source>Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Pas encore enregistrées. Les cibles d'un balayage en direct sont enregistrées quand vous ouvrez son enregistrement, celles d'une partie d'un enregistrement quand son balayage entier est affiché.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
@@ -979,7 +1011,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF : des pages à imprimer et à classer</translation></message>
 <message><source>Author</source><translation>Auteur</translation></message>
 <message><source>Logo (PNG)</source><translation>Logo (PNG)</translation></message>
-<message><source>Logo</source><translation>Logo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Lignes de scan</translation></message>
 <message><source>Beams</source><translation>Faisceaux</translation></message>
@@ -1061,9 +1092,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>picture image of the window</source><translation>image capture de la fenêtre</translation></message>
 <message><source>refresh read again</source><translation>actualiser relire</translation></message>
 <message><source>compare before after change difference</source><translation>comparer avant après changement différence</translation></message>
-<message><source>on</source><translation>activé</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
-<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Les lettres hors d'un champ sont des touches ; celles-ci ont changé : %1.</translation></message>
+<message><source>on</source><translation>activé</translation></message>
 <message><source>Add a Scan as a Layer…</source><translation>Ajouter un scan comme couche…</translation></message>
 <message><source>Remove</source><translation>Supprimer</translation></message>
 <message><source>Place by Targets</source><translation>Placer par cibles</translation></message>
@@ -1303,8 +1333,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>rien n'y a été mesuré ; mesuré à la cellule la plus proche</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>rien n'a été mesuré à moins de %1 cellules</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ une surface plus proche est aussi à moins de %1 cellules : zoomez si c’est elle que vous visiez</translation></message>
-<message><source>no edge</source><translation>pas d'arête</translation></message>
-<message><source>edge</source><translation>arête</translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
 <message><source>E %1  N %2
 RL %3 m</source><translation>E %1  N %2
@@ -1435,11 +1463,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Arêtes trouvées en %1 ms</translation></message>
 <message><source>%1 cells · edges pending</source><translation>%1 cellules · arêtes en attente</translation></message>
 <message><source>edges pending</source><translation>arêtes en attente</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1 : %2 au lieu de %3</translation></message>
 <message><source>default settings</source><translation>réglages par défaut</translation></message>
 <message><source>settings: %1 changed</source><translation>réglages : %1 modifié(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modifié(s)</translation></message>
 <message><source>Set of default settings: %1</source><translation>Jeu de réglages par défaut : %1</translation></message>
-<message><source>%1: %2 instead of %3</source><translation>%1 : %2 au lieu de %3</translation></message>
 <message><source>Reset %1</source><translation>Rétablir %1</translation></message>
 <message><source>Reset all</source><translation>Tout rétablir</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Tous les réglages sont ceux du jeu par défaut.</translation></message>
@@ -1520,6 +1548,8 @@ Double-clic : retour au préréglage</translation></message>
 </source><translation>Avertissements de ce scan :
 </translation></message>
 <message><source>&amp;Legends at the Side</source><translation>&amp;Légendes sur le côté</translation></message>
+<message><source>view of the cloud</source><translation>vue du nuage</translation></message>
+<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Les lettres hors d'un champ sont des touches ; celles-ci ont changé : %1.</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
@@ -1800,12 +1830,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Comment les deux composantes du gradient deviennent une grandeur.</translation></message>
 <message><source>Laplacian mask</source><translation>Masque du laplacien</translation></message>
 <message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Quel masque représente le laplacien de gaussienne.</translation></message>
-<message><source>jump</source><translation>saut</translation></message>
-<message><source>convex fold</source><translation>pli convexe</translation></message>
-<message><source>concave fold</source><translation>pli concave</translation></message>
-<message><source>data border</source><translation>bord des données</translation></message>
-<message><source>outline before a void</source><translation>contour devant un vide</translation></message>
-<message><source>void rim</source><translation>bord d'un vide</translation></message>
 <message><source>All edges</source><translation>Toutes</translation></message>
 <message><source>Rock borders</source><translation>De roches</translation></message>
 <message><source>Even</source><translation>Régulière</translation></message>
@@ -2499,7 +2523,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>a numpy array of shape %1 is larger than any scan</source><translation>un tableau numpy de forme %1 est plus grand que tout scan</translation></message>
 <message><source>split it</source><translation>divisez-le</translation></message>
 <message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>un tableau numpy de forme %1 peut être des points aux axes échangés, ou trois lignes de distances</translation></message>
-<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>enregistrez les points en (n, 3), c'est-à-dire points.T, ou indiquez les angles : --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>enregistrez les points en (n, 3), c'est-à-dire points.T, ou indiquez --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>un tableau numpy de forme %1 n'est ni des distances (lignes, faisceaux) ni des points (n, 3) ou (lignes, faisceaux, 3)</translation></message>
 <message><source>save it in one of these shapes</source><translation>enregistrez-le dans une de ces formes</translation></message>
 <message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>Le fichier contient plus d'un tableau (numpy.save plus d'une fois) ; le premier a été lu.</translation></message>
@@ -2928,10 +2952,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>angles and ranges</source><translation>des angles et des distances</translation></message>
 <message><source>two coordinates of a point and not the third</source><translation>deux coordonnées d'un point et pas la troisième</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>comparez-le avec docs/reference/formats.md, "Raw grid"</translation></message>
+<message><source>this is a drawing of rocks (GeoJSON) and not a scan</source><translation>ceci est un dessin de rochers (GeoJSON) et non un scan</translation></message>
+<message><source>open its scan</source><translation>ouvrez son scan</translation></message>
 <message><source>this is a preset and not a scan</source><translation>ceci est un préréglage et non un scan</translation></message>
 <message><source>choose it in the panel Edges, or give it with --preset</source><translation>choisissez-le dans le panneau Arêtes, ou donnez-le avec --preset</translation></message>
 <message><source>this is a report of detect and not a scan</source><translation>ceci est un rapport de detect et non un scan</translation></message>
-<message><source>open its scan</source><translation>ouvrez son scan</translation></message>
 <message><source>this is a report of rocks and not a scan</source><translation>ceci est un rapport de rocks et non un scan</translation></message>
 <message><source>this is a pose and not a scan</source><translation>ceci est une pose et non un scan</translation></message>
 <message><source>open its scan and give it with --pose</source><translation>ouvrez son scan et donnez-le avec --pose</translation></message>
@@ -3569,7 +3594,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>lines were lost between two sweeps</source><translation>lignes ont été perdues entre deux balayages</translation></message>
 <message><source> (first at line </source><translation> (d'abord à la ligne </translation></message>
 <message><source> (%1 by the counters)</source><translation> (%1 d'après les compteurs)</translation></message>
-<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>« %1 » de l'enregistrement est « %2 », ce qui ne peut pas être utilisé</translation></message>
 <message><source>the recording computer's clock, carried on by the scanner's</source><translation>l'horloge de l'ordinateur qui a enregistré, prolongée par celle du scanner</translation></message>
 <message><source> from line %1 on</source><translation> à partir de la ligne %1</translation></message>
 <message><source>window too dirty to measure through</source><translation>fenêtre trop sale pour mesurer à travers</translation></message>

@@ -7,7 +7,7 @@
 <message><source>LIVE</source><translation>AO VIVO</translation></message>
 <message><source>STALE</source><translation>DESATUALIZADO</translation></message>
 <message><source>STALE %1</source><translation>DESATUALIZADO %1</translation></message>
-<message><source>LOST</source><translation>PERDIDO</translation></message>
+<message><source>NOT CONNECTED</source><translation>SEM CONEXÃO</translation></message>
 <message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
 <message><source>STOPPED</source><translation>PARADO</translation></message>
 <message><source>STOPPED %1</source><translation>PARADO %1</translation></message>
@@ -90,6 +90,8 @@
 <message><source>the filling of gaps in the Edges panel</source><translation>o preenchimento de falhas no painel de arestas</translation></message>
 <message><source>the outlines in the picture</source><translation>os contornos na imagem</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» em Varredura &gt; Como a varredura é lida</translation></message>
+<message><source>the angles of beams and lines and the axis in Scan &gt; How the Scan Is Read</source><translation>os ângulos de feixes e linhas e o eixo em Varredura &gt; Como a varredura é lida</translation></message>
+<message><source>%1 to %2</source><translation>%1 a %2</translation></message>
 <message><source>valid</source><translation>válida</translation></message>
 <message><source>no return</source><translation>sem retorno</translation></message>
 <message><source>device status</source><translation>estado do aparelho</translation></message>
@@ -223,11 +225,11 @@
 <message><source>The surfaces of the two scans do not fit, so no areas of change are given.</source><translation>As superfícies das duas varreduras não se ajustam, por isso não se dão áreas de mudança.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
 <message><source>region %1 of %2, the largest by area: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2, a maior em área: %3 por %4 m ± %5 m,
-agora a %7 m; %6 m² na superfície mais próxima</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>região %1 de %2, a maior em área: %3 por %4 m ± %5 m,
+agora a %7 m; %6 m² na superfície mais próxima, sem a sua borda de uma célula</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
-now at %7 m; %6 m² at the nearer surface</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
-agora a %7 m; %6 m² na superfície mais próxima</translation></message>
+now at %7 m; %6 m² at the nearer surface, without its border of one cell</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
+agora a %7 m; %6 m² na superfície mais próxima, sem a sua borda de uma célula</translation></message>
 <message><source>farther</source><translation>mais longe</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
@@ -377,6 +379,35 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>%1 s after the start of the scan</source><translation>%1 s depois do início da varredura</translation></message>
 <message><source>Turning view</source><translation>Vista giratória</translation></message>
 <message><source>Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2.</source><translation>Arraste para girar, roda ou dois dedos para aproximar, clique em um ponto para ver seus números. Teclas: as setas giram, + e - aproximam, Shift e setas deslocam, Enter escolhe o que está no meio, Home volta. Mostrados, escolhidos por igual: %1 e %2.</translation></message>
+<message><source>Turn</source><translation>Girar</translation></message>
+<message><source>Edges only</source><translation>Só bordas</translation></message>
+<message><source>Nearer</source><translation>Mais perto</translation></message>
+<message><source>Farther</source><translation>Mais longe</translation></message>
+<message><source>Larger points</source><translation>Pontos maiores</translation></message>
+<message><source>From the start</source><translation>Do início</translation></message>
+<message><source>No point there.</source><translation>Não há ponto ali.</translation></message>
+<message><source>Line %1, beam %2: range %3 mm, %4; %5 m.</source><translation>Linha %1, feixe %2: distância %3 mm, %4; %5 m.</translation></message>
+<message><source>Beam at %1 degrees, line at %2 degrees.</source><translation>Feixe a %1 graus, linha a %2 graus.</translation></message>
+<message><source>Rock %1: visible %2 x %3 m, ± %4 m, at %5 m; candidate - geometry only, one viewpoint.</source><translation>Rocha %1: visível %2 x %3 m, ± %4 m, a %5 m; candidata: só geometria, um ponto de vista.</translation></message>
+<message><source>This browser has no WebGL; the pictures below show the same.</source><translation>Este navegador não tem WebGL; as imagens abaixo mostram o mesmo.</translation></message>
+<message><source>no edge</source><translation>sem borda</translation></message>
+<message><source>edge</source><translation>borda</translation></message>
+<message><source>jump</source><translation>salto</translation></message>
+<message><source>convex fold</source><translation>dobra convexa</translation></message>
+<message><source>concave fold</source><translation>dobra côncava</translation></message>
+<message><source>data border</source><translation>limite dos dados</translation></message>
+<message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
+<message><source>void rim</source><translation>beira de um vazio</translation></message>
+<message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>Size curve of the visible rocks: share of the rocks over their visible width b</source><translation>Curva de tamanhos das rochas visíveis: proporção das rochas pela sua largura visível b</translation></message>
+<message><source>Ranges as gray levels, line by line</source><translation>Distâncias como níveis de cinza, linha por linha</translation></message>
+<message><source>Edges on darkened gray levels</source><translation>Bordas sobre níveis de cinza escurecidos</translation></message>
+<message><source>The points in perspective, seen from behind the scanner</source><translation>Os pontos em perspectiva, vistos de trás do scanner</translation></message>
+<message><source>The rocks in perspective, seen from behind the scanner</source><translation>As rochas em perspectiva, vistas de trás do scanner</translation></message>
+<message><source>Rocks as coloured faces on gray levels</source><translation>Rochas como faces coloridas sobre níveis de cinza</translation></message>
+<message><source>Targets and measures on gray levels</source><translation>Alvos e medidas sobre níveis de cinza</translation></message>
+<message><source>What changed, on the grid of this scan</source><translation>O que mudou, na grade desta varredura</translation></message>
+<message><source>Points of the scan in three dimensions; arrow keys turn, plus and minus come nearer, Enter picks</source><translation>Pontos da varredura em três dimensões; as setas giram, mais e menos aproximam e afastam, Enter escolhe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
 <message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
@@ -534,6 +565,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Ainda não há nada selecionado: primeiro trace uma caixa (B) ou um laço (L) sobre uma vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
+<message><source>Export targets: %1</source><translation>Exportar alvos: %1</translation></message>
 <message><source>Export</source><translation>Exportar</translation></message>
 <message><source>Save screenshot</source><translation>Salvar a captura de tela</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
@@ -663,7 +695,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Arquivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
-<message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
+<message><source>The session is not saved: %1</source><translation>A sessão não é salva: %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>a partir de agora salva a cada mudança</translation></message>
 <message><source>There is nothing to save yet: open a scan first. To store a live sweep, record it.</source><translation>Ainda não há nada a salvar: abra primeiro uma varredura. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
 <message><source>Save session</source><translation>Salvar sessão</translation></message>
@@ -754,7 +786,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Seus alvos não foram guardados: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
-<message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
+<message><source>Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Ainda não guardados. Os alvos de uma varredura ao vivo são guardados quando você abre a gravação; os de uma parte de uma gravação, quando a varredura inteira é mostrada.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
@@ -979,7 +1011,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir e arquivar</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
-<message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Linhas da varredura</translation></message>
 <message><source>Beams</source><translation>Feixes</translation></message>
@@ -1061,9 +1092,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>picture image of the window</source><translation>imagem captura da janela</translation></message>
 <message><source>refresh read again</source><translation>atualizar ler de novo</translation></message>
 <message><source>compare before after change difference</source><translation>comparar antes depois mudança diferença</translation></message>
-<message><source>on</source><translation>ligado</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
-<message><source>Letters outside a field are keys; these changed: %1.</source><translation>As letras fora de um campo são teclas; estas mudaram: %1.</translation></message>
+<message><source>on</source><translation>ligado</translation></message>
 <message><source>Add a Scan as a Layer…</source><translation>Adicionar varredura como camada…</translation></message>
 <message><source>Remove</source><translation>Remover</translation></message>
 <message><source>Place by Targets</source><translation>Posicionar por alvos</translation></message>
@@ -1303,8 +1333,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>nada foi medido aí; medido na célula mais próxima</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>nada foi medido a menos de %1 células</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ também há uma superfície mais próxima a menos de %1 células: amplie se era essa</translation></message>
-<message><source>no edge</source><translation>sem borda</translation></message>
-<message><source>edge</source><translation>borda</translation></message>
 <message><source>± not known</source><translation>± desconhecido</translation></message>
 <message><source>E %1  N %2
 RL %3 m</source><translation>E %1  N %2
@@ -1435,11 +1463,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Bordas encontradas em %1 ms</translation></message>
 <message><source>%1 cells · edges pending</source><translation>%1 células · arestas pendentes</translation></message>
 <message><source>edges pending</source><translation>arestas pendentes</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1: %2 em vez de %3</translation></message>
 <message><source>default settings</source><translation>ajustes padrão</translation></message>
 <message><source>settings: %1 changed</source><translation>ajustes: %1 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
 <message><source>Set of default settings: %1</source><translation>Conjunto de ajustes padrão: %1</translation></message>
-<message><source>%1: %2 instead of %3</source><translation>%1: %2 em vez de %3</translation></message>
 <message><source>Reset %1</source><translation>Restaurar %1</translation></message>
 <message><source>Reset all</source><translation>Restaurar tudo</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos os ajustes são os do conjunto padrão.</translation></message>
@@ -1520,6 +1548,8 @@ Clique duplo: voltar à predefinição</translation></message>
 </source><translation>Avisos desta varredura:
 </translation></message>
 <message><source>&amp;Legends at the Side</source><translation>&amp;Legendas ao lado</translation></message>
+<message><source>view of the cloud</source><translation>vista da nuvem</translation></message>
+<message><source>Letters outside a field are keys; these changed: %1.</source><translation>As letras fora de um campo são teclas; estas mudaram: %1.</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
@@ -1800,12 +1830,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Como as duas componentes do gradiente viram uma magnitude.</translation></message>
 <message><source>Laplacian mask</source><translation>Máscara do laplaciano</translation></message>
 <message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Qual máscara representa o laplaciano de gaussiana.</translation></message>
-<message><source>jump</source><translation>salto</translation></message>
-<message><source>convex fold</source><translation>dobra convexa</translation></message>
-<message><source>concave fold</source><translation>dobra côncava</translation></message>
-<message><source>data border</source><translation>limite dos dados</translation></message>
-<message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
-<message><source>void rim</source><translation>beira de um vazio</translation></message>
 <message><source>All edges</source><translation>Todas</translation></message>
 <message><source>Rock borders</source><translation>De rochas</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>
@@ -2499,7 +2523,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>a numpy array of shape %1 is larger than any scan</source><translation>uma matriz numpy de forma %1 é maior que qualquer varredura</translation></message>
 <message><source>split it</source><translation>divida-a</translation></message>
 <message><source>a numpy array of shape %1 may be points the wrong way round, or three lines of ranges</source><translation>uma matriz numpy de forma %1 podem ser pontos com os eixos trocados, ou três linhas de distâncias</translation></message>
-<message><source>save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start --line-step --axis</source><translation>salve os pontos como (n, 3), que é points.T, ou indique os ângulos: --beam-start --beam-step --line-start --line-step --axis</translation></message>
+<message><source>save points as (n, 3), which is points.T, or give --beam-start --beam-step --line-start --line-step --axis</source><translation>salve os pontos como (n, 3), que é points.T, ou indique --beam-start --beam-step --line-start --line-step --axis</translation></message>
 <message><source>a numpy array of shape %1 is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)</source><translation>uma matriz numpy de forma %1 não é nem distâncias (linhas, feixes) nem pontos (n, 3) ou (linhas, feixes, 3)</translation></message>
 <message><source>save it in one of these shapes</source><translation>salve-a numa destas formas</translation></message>
 <message><source>The file holds more than one array (numpy.save more than once); the first was read.</source><translation>O arquivo contém mais de uma matriz (numpy.save mais de uma vez); foi lida a primeira.</translation></message>
@@ -2928,10 +2952,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>angles and ranges</source><translation>ângulos e distâncias</translation></message>
 <message><source>two coordinates of a point and not the third</source><translation>duas coordenadas de um ponto e não a terceira</translation></message>
 <message><source>compare it with docs/reference/formats.md, "Raw grid"</source><translation>compare-o com docs/reference/formats.md, "Raw grid"</translation></message>
+<message><source>this is a drawing of rocks (GeoJSON) and not a scan</source><translation>isto é um desenho de rochas (GeoJSON) e não uma varredura</translation></message>
+<message><source>open its scan</source><translation>abra sua varredura</translation></message>
 <message><source>this is a preset and not a scan</source><translation>isto é uma predefinição e não uma varredura</translation></message>
 <message><source>choose it in the panel Edges, or give it with --preset</source><translation>escolha-o no painel Bordas, ou indique-o com --preset</translation></message>
 <message><source>this is a report of detect and not a scan</source><translation>isto é um relatório de detect e não uma varredura</translation></message>
-<message><source>open its scan</source><translation>abra sua varredura</translation></message>
 <message><source>this is a report of rocks and not a scan</source><translation>isto é um relatório de rocks e não uma varredura</translation></message>
 <message><source>this is a pose and not a scan</source><translation>isto é uma pose e não uma varredura</translation></message>
 <message><source>open its scan and give it with --pose</source><translation>abra sua varredura e indique-o com --pose</translation></message>
@@ -3569,7 +3594,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>lines were lost between two sweeps</source><translation>linhas perderam-se entre duas varreduras</translation></message>
 <message><source> (first at line </source><translation> (primeiro na linha </translation></message>
 <message><source> (%1 by the counters)</source><translation> (%1 segundo os contadores)</translation></message>
-<message><source>the recording's "%1" is "%2", which cannot be used</source><translation>«%1» da gravação é «%2», que não pode ser usado</translation></message>
 <message><source>the recording computer's clock, carried on by the scanner's</source><translation>o relógio do computador que gravou, continuado pelo do scanner</translation></message>
 <message><source> from line %1 on</source><translation> a partir da linha %1</translation></message>
 <message><source>window too dirty to measure through</source><translation>janela suja demais para medir através dela</translation></message>

@@ -98,6 +98,7 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
     const std::string largest = std::regex_replace(change.out.substr(0, change.out.find('\n')), std::regex("&"), "&amp;");
     for (const std::string& phrase :
          {std::string("&lt;b&gt;key &amp; stone"), std::string("line 25, beam 40"), std::string("distance: 5.1 m"),
+          std::string("data-name=\"Where, and its edge now\">Distance: "), // a card on a phone
           std::string("<h2>Where</h2>"), std::string("<dt>Position</dt><dd>not known: no pose"),
           std::string(" measured; gray levels from "), std::string("<dt>Jump</dt><dd>auto: "), std::string("Edge: no edge"),
           inspect::measureText(*measured), std::string("Before and after"), std::string("OUT OF SPEC"), largest})

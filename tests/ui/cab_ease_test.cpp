@@ -96,7 +96,7 @@ private slots:
         const auto& labels = on.window.findChild<NumbersSide*>()->findChildren<QLabel*>();
         QVERIFY(eventually([&] {
             return std::ranges::any_of(labels, [](const QLabel* each) {
-                return each->isVisible() && each->text().startsWith("Targets and measurements of the scan before: 1.");
+                return each->isVisible() && each->text().startsWith("Targets and measurements of the previous scan: 1.");
             });
         }));
         const auto* found = on.window.findChild<QLabel*>("stepper-found");

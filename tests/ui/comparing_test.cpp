@@ -397,6 +397,22 @@ private slots:
         QVERIFY(on.viewer.notice.isHidden() || on.viewer.notice.text() != refusal);
     }
 
+    // What the operator ended on one scan does not begin again by an undo on a later one, where only the steps of that scan are undone.
+    void anEndedComparisonDoesNotComeBackOnAnotherScan() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_));
+        QVERIFY(known(on));
+        on.viewer.comparing.end();
+        on.viewer.undo.undo(); // on the same scan it does
+        QVERIFY(known(on) && on.viewer.comparing.pictureA());
+        on.viewer.comparing.end();
+        QVERIFY(on.open(other_));
+        QTRY_VERIFY2(!on.viewer.undo.canUndo(), qPrintable(on.viewer.undo.undoText()));
+        QVERIFY(!on.viewer.comparing.pictureA());
+    }
+
     // Two scans of one scanner that did not move, as the demo before and after the blast: nothing is out of spec.
     void twoScansFromOnePlaceAreInSpec() {
         const auto before = earlierPicture(QString::fromStdString(before_), {}, {}),

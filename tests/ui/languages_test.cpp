@@ -23,6 +23,7 @@
 #include "ui/controllers/files/file_filters.h"
 #include "ui/controllers/report_words.h"
 #include "ui/panels/dialogs/export_dialog.h"
+#include "ui/panels/dialogs/opening_card.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/target_words.h"
@@ -167,12 +168,14 @@ private slots:
         words.remark = "Cells\nNumber";
         words.madeUtc = "2026-11-29T10:00:00Z";
         const std::string page = exports::scanPage(*detection, words, {&study, &notebook, &*change, "bell"});
-        static const QRegularExpression texts(">([^<>]+)<"), letters("[A-Za-z]{3}"),
+        static const QRegularExpression texts(">([^<>]+)<|(?:data-name|alt|aria-label)=\"([^\"]+)\""), letters("[A-Za-z]{3}"),
             code("<(script|style|pre|code)[ >].*?</\\1>", QRegularExpression::DotMatchesEverythingOption);
         const auto nodesOf = [&](const std::string& html) {
             QStringList nodes;
-            for (auto all = texts.globalMatch(QString::fromStdString(html).remove(code)); all.hasNext();)
-                nodes << all.next().captured(1).trimmed();
+            for (auto all = texts.globalMatch(QString::fromStdString(html).remove(code)); all.hasNext();) {
+                const auto text = all.next();
+                nodes << (text.captured(1) + text.captured(2)).trimmed();
+            }
             return nodes;
         };
         const QStringList english = nodesOf(page);
@@ -687,6 +690,9 @@ private slots:
             const QString shown = coreSentence(QString(note));
             QVERIFY2(!english.match(shown).hasMatch(), qPrintable(english.match(shown).captured() + ": " + shown));
         }
+        const files::Sentence angle{"from %1", {"the transform of the frame laser in base"}};
+        QVERIFY2(!shownSentence(angle).contains("transform of"), qPrintable(shownSentence(angle)));
+        QVERIFY(!coreSentence(QString("Telegrams were lost: lines 1 to 996, 998 to 1993 (1992 in all).")).contains(" to "));
         const QString twice = coreSentence(QString("the file is empty\nthe file is empty"));
         QVERIFY2(!twice.contains("empty"), qPrintable(twice));
         useLanguage("en");
@@ -717,6 +723,8 @@ private slots:
         QVERIFY2(left.isEmpty(), qPrintable(left.join('\n')));
         QCOMPARE(coreSentence(QString("combed: --straighten (Scan > Straighten Beams) puts them side by side.")),
                  QString("combed: Scan > Straighten Beams puts them side by side."));
+        QCOMPARE(coreSentence(QString("give --beam-start --beam-step --line-start --line-step --axis, or name the columns x, y and z")),
+                 QString("give the angles of beams and lines and the axis in Scan > How the Scan Is Read, or name the columns x, y and z"));
         QVERIFY(coreSentence(QString("give --unit m")).contains("How the Scan Is Read"));
         QCOMPARE(coreSentence(QString("--unit cm replaces mm, which the file gives.")),
                  QString("“unit: cm” in Scan > How the Scan Is Read replaces mm, which the file gives."));

@@ -58,11 +58,12 @@ class LiveMannersTest : public QObject {
         settings.axis = axis;
         return settings;
     }
-    [[nodiscard]] std::unique_ptr<scanner::EmulatedScanner> scanner(double linesPerSecond) const {
+    [[nodiscard]] std::unique_ptr<scanner::EmulatedScanner> scanner(double linesPerSecond, std::uint16_t port = 0) const {
         auto telegrams = scanner::telegramsOf(scan_);
         if (!telegrams) return nullptr;
         scanner::EmulatedScannerSettings settings;
         settings.linesPerSecond = linesPerSecond;
+        settings.port = port;
         auto made = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
         return made ? std::move(*made) : nullptr;
     }
@@ -387,9 +388,27 @@ private slots:
         press(window, "live-connect"); // Stop
         const auto& button = *window.viewer().live.panel().findChild<QPushButton*>("live-other");
         QTRY_COMPARE(button.text(), QString("Show another sweep…"));
-        QTRY_COMPARE(window.viewer().notice.text(), QString("sweep 1 was held with %1 lines when the connection ended.").arg(held));
+        QTRY_COMPARE(window.viewer().notice.text(), QString("Sweep 1 was held with %1 lines when the connection ended.").arg(held));
         QVERIFY2(chooseSweep(window, "Show sweep 1: 120/120 lines, complete"), qPrintable(offered(window).join(", ")));
         QTRY_COMPARE(lines(window), kLines);
+    }
+
+    // Of a scanner that was restarted in the middle of a sweep: the picture has room for all lines, and not all came.
+    void aHeldSweepThatIsNotWholeIsNotCalledWhole() {
+        auto emulated = scanner(60);
+        QVERIFY(emulated);
+        const std::uint16_t port = emulated->port();
+        WindowFixture on;
+        QVERIFY(showsFirstLines(on, *emulated));
+        emulated.reset();
+        const ScannerLink& link = on.viewer.live.scanner();
+        QTRY_COMPARE(link.health().liveness, files::Liveness::Lost);
+        emulated = scanner(60, port);
+        QVERIFY(emulated);
+        QTRY_VERIFY_WITH_TIMEOUT(link.health().sweep >= 2 || !link.following(), 30000);
+        if (link.following()) press(on.window, "live-hold");
+        QTRY_VERIFY(on.viewer.origin.text().contains("HELD"));
+        QVERIFY2(!on.viewer.origin.text().contains("whole sweep"), qPrintable(on.viewer.origin.text()));
     }
 
     // A picture is held for more than a sweep, and Stop comes in the middle of the third: each sweep that is held is offered by its name,

@@ -472,6 +472,16 @@ private slots:
         QVERIFY(on.viewer.engine.settings() == edges::Settings{});
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(on.viewer.engine.settings() == turned);
+        // While rocks are shown their settings count, too: they go on to the next scan.
+        QTest::keyClick(&on.window, Qt::Key_D, Qt::ControlModifier);
+        QTest::keyClick(&on.window, Qt::Key_Period);
+        QCOMPARE(on.viewer.statusLine.settingsShown(), usual);
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QCOMPARE(on.viewer.statusLine.settingsShown(), QString("settings: 1 changed ▾"));
+        QVERIFY2(label->toolTip().contains("Fine to coarse: 0.5 instead of 0.0"), qPrintable(label->toolTip()));
+        QTest::keyClick(&on.window, Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(on.viewer.statusLine.settingsShown(), usual);
+        QCOMPARE(on.viewer.rocks.settings().level, 0.0);
     }
 };
 

@@ -8,6 +8,7 @@
 #include "tests/support/simulated_bell.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
+#include "ui/controllers/files/source.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/timeline.h"
 #include "ui/panels/live/topic_menu.h"
@@ -87,6 +88,13 @@ private slots:
         QVERIFY2(actions <= 5, qPrintable(QString::number(actions)));
         // What was a guess is said, and one more click lists the topics.
         QVERIFY2(on.viewer.notice.text().contains("GUESS"), qPrintable(on.viewer.notice.text()));
+        const auto source = std::make_shared<Scan>(*on.picture().detection->scan); // what is wrong comes before what was guessed
+        source->warnings = {"GUESS: the topic.", "No cell has a range."};
+        Picture warned = on.picture();
+        auto detection = std::make_shared<edges::Detection>(*warned.detection);
+        detection->scan = source;
+        warned.detection = detection;
+        QCOMPARE(warningsOf(warned).front(), QString("No cell has a range."));
         QVERIFY(eventually([&] { return on.viewer.notice.findChild<QAbstractButton*>("notice-action")->isVisible(); }));
     }
 

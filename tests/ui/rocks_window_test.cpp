@@ -6,6 +6,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
+#include "ui/controllers/sessions/sessions.h"
 #include "ui/panels/rocks/rock_card.h"
 #include "ui/panels/rocks/rock_colours.h"
 #include "ui/panels/rocks/rock_table.h"
@@ -1645,6 +1646,45 @@ private slots:
             QVERIFY(settled(on));
         }
         QCOMPARE(test::fileText(sidecar), other);
+    }
+
+    // Edits are read and written again after another scan was on the screen, of which no rocks were shown. A scan that cannot be opened
+    // changes nothing of the picture that stays.
+    void editsAreThereAgainAfterAScanWithoutRocks() {
+        const std::string file = (folder_ / "first.json").string(), broken = (folder_ / "broken.pcd").string();
+        QVERIFY(files::saveScan(scan_, file));
+        QVERIFY(writeWholeFile(broken, "# .PCD v0.7\nVERSION 0.7\nFIELDS x\n"));
+        const auto ask = [](WindowFixture& on, const std::string& path) { // as Open… does
+            on.window.sessions().open({QString::fromStdString(path)});
+            return eventually([&] { return on.viewer.files.path() == QString::fromStdString(path); }) && on.settled();
+        };
+        const auto notARock = [](WindowFixture& on) {
+            click(on, picture(on).study.rocks.front().label);
+            QTest::keyClick(&on.window, Qt::Key_N);
+            return settled(on);
+        };
+        WindowFixture on;
+        on.window.resize(1600, 950);
+        QVERIFY(on.showWith(file) && on.activate());
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QVERIFY(settled(on) && notARock(on));
+        const auto stored = [&] {
+            const auto preset = rocks::readRockPreset(rocks::rockPresetPath(file), scan_);
+            return preset ? preset->edits.size() : std::size_t{0};
+        };
+        QTRY_COMPARE(stored(), std::size_t{1});
+        on.window.sessions().open({QString::fromStdString(broken)});
+        QTRY_COMPARE(on.viewer.notice.kind(), NoticeBar::Kind::Error);
+        QVERIFY(!on.viewer.engine.opening());
+        QVERIFY2(on.viewer.rocks.shown() && on.viewer.rocks.picture(), "a refused scan takes nothing from the picture");
+        QVERIFY(ask(on, bell_));
+        QVERIFY(!on.viewer.rocks.shown());
+        QVERIFY(ask(on, file));
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QVERIFY(settled(on));
+        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
+        QVERIFY(notARock(on));
+        QTRY_COMPARE(stored(), std::size_t{2});
     }
 
     void aRockIsCalledNoneAndOneAgain() {

@@ -13,6 +13,7 @@
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/export_dialog.h"
 #include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/keys/commands.h"
 #include "ui/panels/keys/shortcuts.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/section/section_card.h"
@@ -335,12 +336,36 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_R); // ends with the view
         QTest::keyClick(&on.window, Qt::Key_T);
         QTest::keyClick(&on.window, Qt::Key_E);
-        QTRY_COMPARE(
-            on.viewer.notice.text(),
-            QString("Letters outside a field are keys; these changed: Dim Cloud under Edges off, Turntable off, Edge Points off."));
+        QTRY_COMPARE(on.viewer.notice.text(),
+                     QString("Letters outside a field are keys; these changed: Edge Points off, Turntable off, Dim Cloud under Edges off, "
+                             "view of the cloud."));
         QTest::keyClick(&on.window, Qt::Key_E);
         QTRY_COMPARE(on.viewer.notice.text(),
-                     QString("Letters outside a field are keys; these changed: Dim Cloud under Edges off, Turntable off."));
+                     QString("Letters outside a field are keys; these changed: Turntable off, Dim Cloud under Edges off, "
+                             "view of the cloud."));
+    }
+
+    // All of a text: also signs between its letters, tools and the view; one button takes it back.
+    void whatATextChangedIsTakenBackByOneButton() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        on.viewer.cloud.setFocus();
+        QTest::keyClick(&on.window, Qt::Key_K);
+        QTRY_VERIFY(on.viewer.rocks.picture() && !on.viewer.rocks.behind());
+        auto* keys = on.window.findChild<KeysOfFocus*>();
+        QTRY_VERIFY(!keys->hears());
+        const CameraPose before = on.viewer.cloud.camera();
+        const int steps = on.viewer.undo.index();
+        for (const int key : {Qt::Key_Period, Qt::Key_C, Qt::Key_7, Qt::Key_S}) QTest::keyClick(&on.window, static_cast<Qt::Key>(key));
+        QTRY_VERIFY2(on.viewer.notice.text().contains("Coarser"), qPrintable(on.viewer.notice.text()));
+        QVERIFY2(on.viewer.notice.text().contains("Split a Rock on"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(on.viewer.rocks.settings().level > 0 && on.viewer.undo.index() > steps);
+        QTest::mouseClick(on.viewer.notice.findChild<QToolButton*>("notice-action"), Qt::LeftButton);
+        QCOMPARE(on.viewer.rocks.settings().level, 0.0);
+        QCOMPARE(on.viewer.rocks.tool(), RockTool::None);
+        QCOMPARE(on.viewer.undo.index(), steps);
+        QTRY_VERIFY(on.viewer.cloud.camera() == before);
+        QVERIFY(!on.viewer.notice.text().contains("keys"));
     }
 
     // What is removed is named as in the list, and the notice brings it back; the next step takes the notice away.
@@ -914,11 +939,11 @@ private slots:
                 const auto labels = on.viewer.targetsPanel.findChildren<QLabel*>();
                 return std::ranges::any_of(labels, [&](QLabel* each) { return each->isVisible() && each->text().contains(words); });
             };
-            QVERIFY(says("Targets and measurements of the scan before: 3."));
+            QVERIFY(says("Targets and measurements of the previous scan: 3."));
             QVERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("open it again"),
                      qPrintable(on.viewer.notice.text()));
             QVERIFY(on.open(boxes_));
-            QVERIFY(!says("of the scan before"));
+            QVERIFY(!says("of the previous scan"));
             QCOMPARE(static_cast<int>(targets(on).size()), 2);
             QVERIFY(known(on));
             before = on.viewer.targets.notebook();

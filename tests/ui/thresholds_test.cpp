@@ -108,6 +108,25 @@ private slots:
         QCOMPARE(window_->viewer().engine.settings().lower, 22.0);
     }
 
+    // The name of a preset goes back with its values; a step names choices as the boxes do.
+    void undoOfAPresetTakesItsNameBack() {
+        Viewer& viewer = window_->viewer();
+        const std::string usual = viewer.panel.preset().name;
+        viewer.tuning.setParameter("sensitivity", 1.55);
+        viewer.tuning.usePreset(*edges::findPreset("thesis"));
+        QCOMPARE(viewer.panel.preset().name, std::string("thesis"));
+        QVERIFY2(viewer.undo.undoText().contains("EdgeScan+ to Canny (thesis)"), qPrintable(viewer.undo.undoText()));
+        viewer.undo.undo();
+        QCOMPARE(viewer.panel.preset().name, usual);
+        QCOMPARE(viewer.engine.settings().sensitivity, 1.55);
+        viewer.undo.undo();
+        QVERIFY(!viewer.panel.modified());
+        viewer.undo.redo();
+        viewer.undo.redo();
+        QCOMPARE(viewer.panel.preset().name, std::string("thesis"));
+        QVERIFY(!viewer.panel.modified());
+    }
+
     // A field that has nothing to undo leaves the keys to the window; letters that are not entered are the field's own.
     void undoInAFieldUndoesWhatWasEntered() {
         use(edges::Settings{});

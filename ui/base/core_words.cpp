@@ -24,7 +24,7 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "LIVE"),
     QT_TRANSLATE_NOOP("QObject", "STALE"),
     QT_TRANSLATE_NOOP("QObject", "STALE %1"),
-    QT_TRANSLATE_NOOP("QObject", "LOST"),
+    QT_TRANSLATE_NOOP("QObject", "NOT CONNECTED"),
     QT_TRANSLATE_NOOP("QObject", "LOST %1"),
     QT_TRANSLATE_NOOP("QObject", "STOPPED"),
     QT_TRANSLATE_NOOP("QObject", "STOPPED %1"),
@@ -179,7 +179,11 @@ bool isValueOf(const QString& flag, const QString& word) {
     return isNumber || (option != nullptr && std::ranges::find(option->words, exactBytes(word)) != option->words.end());
 }
 
+/// The flags of all angles, which are fields of one dialog.
+constexpr const char* kAngleFlags = "--beam-start --beam-step --line-start --line-step --axis";
+
 QString withoutFlags(QString text) {
+    text.replace(kAngleFlags, QObject::tr("the angles of beams and lines and the axis in Scan > How the Scan Is Read"));
     // A flag, what its value is called, or a word that may be one, and the place in the window that some texts name themselves.
     static const QRegularExpression flag("(?<![\\w-])--([a-z][a-z-]*)(?: [A-Z][A-Z,.a-z]*(?:\\.json)?)?( \\([^)]* > [^)]*\\))?"
                                          "(?: (-?[0-9](?:[0-9.,-]*[0-9])?|[a-z]+))?");
@@ -209,6 +213,12 @@ QString withoutKeys(QString text) {
         }
     }
     return text;
+}
+
+/// "1 to 996, 998 to 1993" of a value.
+QString withRanges(QString value) {
+    static const QRegularExpression range("\\b(\\d+) to (\\d+)\\b");
+    return value.replace(range, QObject::tr("%1 to %2").arg("\\1", "\\2"));
 }
 
 } // namespace
@@ -249,7 +259,7 @@ QString CoreTexts::filled(const Text& text, const QRegularExpressionMatch& found
     for (auto all = place.globalMatch(words); all.hasNext();) {
         const auto each = all.next();
         const QString value = found.captured(1 + text.places.indexOf(each.captured()));
-        result += words.mid(at, each.capturedStart() - at) + (inner == nullptr ? value : inner(value));
+        result += words.mid(at, each.capturedStart() - at) + withRanges(inner == nullptr ? value : inner(value));
         at = each.capturedEnd();
     }
     return result + words.mid(at);

@@ -75,7 +75,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(close_, &QToolButton::clicked, this, &NoticeBar::closeShown);
     connect(action_, &QToolButton::clicked, this, [this] {
         used_ = true;
-        if (onAction_) onAction_();
+        if (const auto action = onAction_) action(); // which may show another note
     });
     unfold_->setObjectName("notice-unfold");
     unfold_->setCheckable(true);

@@ -147,20 +147,22 @@ void Comparing::keep() {
         notice_.showHint(tr("There is no picture to keep yet: open a scan first."));
         return;
     }
-    push(stepName("Keep as A"), engine_.picture(), fromShown());
+    // On another scan the step is undone while A is there.
+    push(stepName("Keep as A"), engine_.picture(), fromShown(), [this, here = engine_.hereNow()] { return pictureA_ || here(); });
 }
 
-void Comparing::forget() {
+void Comparing::forget(const std::function<bool()>& here) {
     if (!pictureA_) return;
     ViewPort& images = *views_.gray().viewPort();
     if (region_ && images.part() == regionPart_) images.fit(); // the operator did not move them since
-    push(stepName("Forget A"), nullptr, std::nullopt);
+    push(stepName("Forget A"), nullptr, std::nullopt, here);
 }
 
-/// Of two scans the other one can be opened: with a pair it may have been on the screen.
+/// Of two scans the other one can be opened: with a pair it may have been on the screen. What the operator ended does not begin again on
+/// a later scan.
 void Comparing::end() {
     const auto earlier = comparison_ && comparison_->isOfTwoScans() ? earlier_ : std::nullopt;
-    forget();
+    forget(engine_.hereNow());
     if (earlier) {
         note(NoticeBar::Kind::Done,
              tr("The comparison ended: B, %1, is on the screen.").arg(scanName(engine_.picture()->detection->scan->name)));
@@ -184,7 +186,8 @@ void Comparing::forgetDemo() {
     notice_.offerUndo(undo_);
 }
 
-void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from) {
+void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from,
+                     std::function<bool()> here) {
     // The picture may be freed when the step is undone: it is then made again.
     struct State {
         std::weak_ptr<const Picture> picture;
@@ -195,15 +198,16 @@ void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& 
         setDifferenceShown(true); // a comparison begins with it
         emit begun();
     }
+    const auto useState = [this](const State& state) {
+        const auto picture = state.picture.lock();
+        if (picture || !state.some)
+            use(picture, state.from);
+        else if (state.from)
+            read(*state.from, false);
+        return picture || !state.some || state.from; // else of a sweep that was not recorded to a file
+    };
     undo_.push(
-        new UndoStep<State>(what, {pictureA_, pictureA_ != nullptr, earlier_}, {after, after != nullptr, from}, [this](const State& state) {
-            const auto picture = state.picture.lock();
-            if (picture || !state.some)
-                use(picture, state.from);
-            else if (state.from)
-                read(*state.from, false);
-            return picture || !state.some || state.from; // else of a sweep that was not recorded to a file
-        }));
+        new UndoStep<State>(what, {pictureA_, pictureA_ != nullptr, earlier_}, {after, after != nullptr, from}, useState, std::move(here)));
 }
 
 std::optional<inspect::EarlierScan> Comparing::fromShown() const {
@@ -507,20 +511,22 @@ void Comparing::goToRegion(int by) {
     const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
     regionPart_ = QRectF(box.adjusted(-around, -around, around, around));
     // First the words: the cloud turns the region to where the legend with them leaves room, and the legend stays where it is.
-    legend_.showRegion((n == 0 ? tr("region %1 of %2, the largest by area: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface")
-                               : tr("region %1 of %2: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface"))
-                           .arg(n + 1)
-                           .arg(count)
-                           .arg(region.farther ? tr("farther") : tr("nearer"))
-                           .arg(region.byM, 0, 'f', 2)
-                           .arg(shownTolerance(region.toleranceM, 2), 0, 'f', 2)
-                           .arg(region.areaM2, 0, 'f', 2)
-                           .arg(region.rangeM, 0, 'f', 2),
-                       QString("%1/%2 <span style='color:%3'>■</span> %4%5 m")
-                           .arg(n + 1)
-                           .arg(count)
-                           .arg(changeColour(region.farther ? ChangeRow::Farther : ChangeRow::Nearer).name(), region.farther ? "+" : "−")
-                           .arg(region.byM, 0, 'f', 2));
+    legend_.showRegion(
+        (n == 0 ? tr("region %1 of %2, the largest by area: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface, without its "
+                     "border of one cell")
+                : tr("region %1 of %2: %3 by %4 m ± %5 m,\nnow at %7 m; %6 m² at the nearer surface, without its border of one cell"))
+            .arg(n + 1)
+            .arg(count)
+            .arg(region.farther ? tr("farther") : tr("nearer"))
+            .arg(region.byM, 0, 'f', 2)
+            .arg(shownTolerance(region.toleranceM, 2), 0, 'f', 2)
+            .arg(region.areaM2, 0, 'f', 2)
+            .arg(region.rangeM, 0, 'f', 2),
+        QString("%1/%2 <span style='color:%3'>■</span> %4%5 m")
+            .arg(n + 1)
+            .arg(count)
+            .arg(changeColour(region.farther ? ChangeRow::Farther : ChangeRow::Nearer).name(), region.farther ? "+" : "−")
+            .arg(region.byM, 0, 'f', 2));
     views_.gray().viewPort()->fitTo(regionPart_);
     const std::vector<std::uint32_t> cells = cellsOf(kinds, region);
     views_.cloud().lookAtCells(cells);

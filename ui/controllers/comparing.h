@@ -36,7 +36,7 @@ public:
     /// The picture on the screen becomes A, until another one is kept or A is removed. Each of these actions is one undo step. A step
     /// stores no picture: it makes the picture again.
     void keep();
-    void forget();
+    void forget(const std::function<bool()>& here = {});
     /// Forgets A, and offers to open it if it is another scan.
     void end();
     [[nodiscard]] const std::shared_ptr<const Picture>& pictureA() const { return pictureA_; }
@@ -111,7 +111,9 @@ private:
     void refuse(NoticeBar::Kind kind, const QString& sentence);
     void use(std::shared_ptr<const Picture> kept, std::optional<inspect::EarlierScan> from);
     void read(const inspect::EarlierScan& from, bool asStep);
-    void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from);
+    /// `here`: the step is undone on that scan only.
+    void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from,
+              std::function<bool()> here = {});
     [[nodiscard]] std::optional<inspect::EarlierScan> fromShown() const;
     void show();
     void showLegend();

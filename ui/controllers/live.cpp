@@ -309,7 +309,8 @@ void Live::reportSweepEnd() {
         const bool isInStrip = scanner_.connected() && assumedIn(warning) != Assumed::Nothing; // and in the cloud, where it is given now
         if (!isInStrip) warnings << coreSentence(warning);
     }
-    const QString name = scanName(scan.name);
+    QString name = scanName(scan.name); // begins a sentence
+    name.replace(0, 1, name.left(1).toUpper());
     // The note of a recording has the button that opens it.
     const auto show = [this](NoticeBar::Kind kind, const QString& text) { endNote_ = notice_.showBehind(kind, text); };
     if (scanner_.heldAtStop())

@@ -66,6 +66,35 @@ constexpr std::array kTexts{
     QT_TRANSLATE_NOOP(
         "QObject", "Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - come "
                    "nearer, Shift and arrows shift, Enter picks what is in the middle, Home goes back. Shown, evenly chosen: %1 and %2."),
+    QT_TRANSLATE_NOOP("QObject", "Turn"),
+    QT_TRANSLATE_NOOP("QObject", "Edges only"),
+    QT_TRANSLATE_NOOP("QObject", "Nearer"),
+    QT_TRANSLATE_NOOP("QObject", "Farther"),
+    QT_TRANSLATE_NOOP("QObject", "Larger points"),
+    QT_TRANSLATE_NOOP("QObject", "From the start"),
+    QT_TRANSLATE_NOOP("QObject", "No point there."),
+    QT_TRANSLATE_NOOP("QObject", "Line %1, beam %2: range %3 mm, %4; %5 m."),
+    QT_TRANSLATE_NOOP("QObject", "Beam at %1 degrees, line at %2 degrees."),
+    QT_TRANSLATE_NOOP("QObject", "Rock %1: visible %2 x %3 m, ± %4 m, at %5 m; candidate - geometry only, one viewpoint."),
+    QT_TRANSLATE_NOOP("QObject", "This browser has no WebGL; the pictures below show the same."),
+    QT_TRANSLATE_NOOP("QObject", "no edge"),
+    QT_TRANSLATE_NOOP("QObject", "edge"),
+    QT_TRANSLATE_NOOP("QObject", "jump"),
+    QT_TRANSLATE_NOOP("QObject", "convex fold"),
+    QT_TRANSLATE_NOOP("QObject", "concave fold"),
+    QT_TRANSLATE_NOOP("QObject", "data border"),
+    QT_TRANSLATE_NOOP("QObject", "outline before a void"),
+    QT_TRANSLATE_NOOP("QObject", "void rim"),
+    QT_TRANSLATE_NOOP("QObject", "Logo"),
+    QT_TRANSLATE_NOOP("QObject", "Size curve of the visible rocks: share of the rocks over their visible width b"),
+    QT_TRANSLATE_NOOP("QObject", "Ranges as gray levels, line by line"),
+    QT_TRANSLATE_NOOP("QObject", "Edges on darkened gray levels"),
+    QT_TRANSLATE_NOOP("QObject", "The points in perspective, seen from behind the scanner"),
+    QT_TRANSLATE_NOOP("QObject", "The rocks in perspective, seen from behind the scanner"),
+    QT_TRANSLATE_NOOP("QObject", "Rocks as coloured faces on gray levels"),
+    QT_TRANSLATE_NOOP("QObject", "Targets and measures on gray levels"),
+    QT_TRANSLATE_NOOP("QObject", "What changed, on the grid of this scan"),
+    QT_TRANSLATE_NOOP("QObject", "Points of the scan in three dimensions; arrow keys turn, plus and minus come nearer, Enter picks"),
     QT_TRANSLATE_NOOP("QObject", "%1 of %2 points"),
     QT_TRANSLATE_NOOP("QObject", "%1 points"),
     QT_TRANSLATE_NOOP("QObject", "%1 of %2 edge cells"),
@@ -245,6 +274,17 @@ std::string translated(std::string_view text) {
     return std::string(text.substr(0, first)) + exactBytes(after.toHtmlEscaped()) + std::string(text.substr(last + 1));
 }
 
+/// A tag with those of its attributes that are shown or read aloud.
+std::string tagTranslated(std::string tag) {
+    for (const char* attribute : {" data-name=\"", " alt=\"", " aria-label=\""}) {
+        const std::size_t at = tag.find(attribute), begin = at + std::string_view(attribute).size();
+        if (at == tag.npos) continue;
+        const std::size_t end = tag.find('"', begin);
+        tag.replace(begin, end - begin, translated(std::string_view(tag).substr(begin, end - begin)));
+    }
+    return tag;
+}
+
 std::string linesTranslated(std::string_view text) {
     std::string lines;
     for (std::size_t at = 0; at < text.size();) {
@@ -276,7 +316,7 @@ std::string reportInLanguage(const std::string& page, const std::string& languag
             const std::size_t close = page.find(tag.starts_with("<script") ? "</script>" : "</style>", end);
             end = std::min(close, page.size());
         }
-        result += tag == "<html lang=\"en\">" ? "<html lang=\"" + language + "\">" : page.substr(open, end - open);
+        result += tag == "<html lang=\"en\">" ? "<html lang=\"" + language + "\">" : tagTranslated(page.substr(open, end - open));
         at = end;
     }
     return result;

@@ -38,13 +38,12 @@ QString describeSet(const edges::Parameter& set, const edges::Settings& before, 
 // "Lower threshold 10 to 25": the first parameter that differs.
 QString describe(const edges::Settings& before, const edges::Settings& after) {
     for (const edges::Parameter& p : edges::parameters()) {
-        const std::string from = edges::formatValue(p, p.get(before));
-        const std::string to = edges::formatValue(p, p.get(after));
+        const std::string from = edges::choiceLabel(p, before), to = edges::choiceLabel(p, after);
         if (from == to) continue;
         if (p.several) return describeSet(p, before, after);
-        const QStringList values{shownText(from), shownText(to)};
-        return QString("%1 %2 to %3").arg(QString(p.label), values[0], values[1]) + '\n' +
-               QObject::tr("%1 %2 to %3").arg(QObject::tr(p.label), values[0], values[1]);
+        const auto shown = [](const std::string& value) { return QObject::tr(value.c_str()); }; // numbers stay
+        return QString("%1 %2 to %3").arg(QString(p.label), shownText(from), shownText(to)) + '\n' +
+               QObject::tr("%1 %2 to %3").arg(QObject::tr(p.label), shown(from), shown(to));
     }
     return stepName("settings");
 }
@@ -103,19 +102,29 @@ void Tuning::proposePreset(const edges::Detection& detection) {
     });
 }
 
-void Tuning::change(const edges::Settings& settings, bool dragging) {
-    if (settings == engine_.settings()) return;
-    const auto use = [this](const edges::Settings& value) {
-        engine_.setSettings(value);
+void Tuning::change(const edges::Settings& settings, bool dragging) { push({settings, panel_.preset()}, dragging); }
+
+/// The name of the preset goes back with its values.
+void Tuning::push(const Tuned& after, bool dragging) {
+    if (after.settings == engine_.settings()) return name(after.preset);
+    const auto use = [this](const Tuned& value) {
+        name(value.preset);
+        engine_.setSettings(value.settings);
         return true;
     };
-    undo_.push(new UndoStep<edges::Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use));
+    const auto words = [](const Tuned& from, const Tuned& to) { return describe(from.settings, to.settings); };
+    undo_.push(new UndoStep<Tuned>(dragging ? drag_ : nextDrag(), words, {engine_.settings(), panel_.preset()}, after, use));
+}
+
+void Tuning::name(const edges::Preset& preset) {
+    const edges::Preset& now = panel_.preset();
+    if (preset.name == now.name && preset.path == now.path && preset.settings == now.settings) return;
+    panel_.setPreset(preset);
+    if (!starting_) preferences_.keep("edges/preset", exactText(preset.path.empty() ? preset.name : preset.path));
 }
 
 void Tuning::usePreset(const edges::Preset& preset) {
-    panel_.setPreset(preset);
-    preferences_.keep("edges/preset", exactText(preset.path.empty() ? preset.name : preset.path));
-    change(preset.settings, false);
+    push({preset.settings, preset}, false);
     panel_.show(engine_.settings());
 }
 
@@ -142,8 +151,8 @@ void Tuning::setParameter(const char* key, double value) {
 
 void Tuning::reset(const QString& parameter) {
     if (parameter.isEmpty()) return usePreset(edges::builtInPresets().front());
-    const edges::Parameter& p = *edges::findParameter(parameter.toStdString());
-    change(edges::withParameterChanged(engine_.settings(), p, p.get(edges::Settings{}), engine_.settings()), false);
+    const edges::Parameter* p = edges::findParameter(parameter.toStdString()); // null: one of rocks
+    if (p != nullptr) change(edges::withParameterChanged(engine_.settings(), *p, p->get(edges::Settings{}), engine_.settings()), false);
 }
 
 void Tuning::startWith(const edges::Preset& preset, const edges::Settings& settings) {

@@ -43,7 +43,13 @@ public:
 
 private:
     void recall();
+    struct Tuned {
+        edges::Settings settings;
+        edges::Preset preset;
+    };
     void change(const edges::Settings& settings, bool dragging);
+    void push(const Tuned& after, bool dragging);
+    void name(const edges::Preset& preset);
     void noteChange();
     void proposePreset(const edges::Detection& detection);
 

@@ -266,7 +266,17 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
             &QAction::trigger);
     auto* keys = new KeysOfFocus(this);
     QApplication::instance()->installEventFilter(keys);
-    connect(keys, &KeysOfFocus::lettersChanged, &viewer_.notice, &NoticeBar::showHint);
+    connect(keys, &KeysOfFocus::textBegins, this, [this] { beforeText_ = {viewer_.undo.index(), viewer_.cloud.camera()}; });
+    connect(keys, &KeysOfFocus::lettersChanged, this, [this, keys](QStringList names) {
+        if (!(viewer_.cloud.camera() == beforeText_.second)) names << tr("view of the cloud");
+        viewer_.notice.showHint(tr("Letters outside a field are keys; these changed: %1.").arg(names.join(", ")));
+        viewer_.notice.offer(tr("Undo"), [this, keys, before = beforeText_] {
+            viewer_.undo.setIndex(before.first);
+            keys->putBack();
+            viewer_.cloud.setCamera(before.second);
+            viewer_.notice.endPassing();
+        });
+    });
     new CellCursor(viewer_.views, this);
     connectEngine();
     sessions_ = sessionsOf(*this, viewer_.preferences);
@@ -439,9 +449,12 @@ void MainWindow::connectEngine() {
         viewer_.statusLine.showCountsToCome(coarse ? std::optional(coarse->cells) : std::nullopt);
         showOrigin();
     });
-    connect(&viewer_.engine, &Engine::settingsChanged, this, [this] { viewer_.statusLine.showSettings(viewer_.engine.settings()); });
-    viewer_.statusLine.showSettings(viewer_.engine.settings());
+    connect(&viewer_.engine, &Engine::settingsChanged, this, &MainWindow::showSettings);
+    connect(&viewer_.rocks, &Rocks::changed, this, &MainWindow::showSettings);
+    connect(&viewer_.rocks, &Rocks::shownChanged, this, &MainWindow::showSettings);
+    showSettings();
     connect(&viewer_.statusLine, &StatusLine::resetRequested, &viewer_.tuning, &Tuning::reset);
+    connect(&viewer_.statusLine, &StatusLine::resetRequested, &viewer_.rocks, &Rocks::reset);
     connect(&viewer_.engine, &Engine::failed, this,
             [this](const QString& sentence) { viewer_.notice.showNotice(NoticeBar::Kind::Error, sentence); });
     connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, [this](std::optional<edges::Probe> probe) {
@@ -480,9 +493,16 @@ void MainWindow::showFacts() {
     viewer_.statusLine.showPlace(*detection.scan, picture.source.growth.growing);
     const ScannerLink& scanner = viewer_.live.scanner();
     viewer_.statusLine.showTimeOf(*detection.scan, scanner.connected() && picture.source.stream == scanner.stream());
-    viewer_.statusLine.showSettings(viewer_.views.flipped() ? detection.settings : viewer_.engine.settings(), !viewer_.views.flipped());
+    showSettings();
     viewer_.legend.showResult(detection);
     viewer_.legend.setVisible(viewer_.views.scene().insteadNow() == nullptr); // a comparison has a legend of its own
+}
+
+/// Of the picture in the views: A has no rocks.
+void MainWindow::showSettings() {
+    const bool own = !viewer_.views.flipped();
+    const rocks::RockSettings ofRocks = own && viewer_.rocks.shown() ? viewer_.rocks.settings() : rocks::RockSettings{};
+    viewer_.statusLine.showSettings(own ? viewer_.engine.settings() : viewer_.views.shown()->detection->settings, ofRocks, own);
 }
 
 // The title of the picture on the screen: sweeps of a scanner and of a recording have their own names.

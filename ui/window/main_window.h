@@ -87,6 +87,7 @@ private:
     void followPlaces();
     void showTitle();
     void showFacts();
+    void showSettings();
     void arrange();
     void showColumn(bool on);
     void setImagesWidth(int width);
@@ -119,8 +120,9 @@ private:
     bool roomForImages_ = true;  // next to the cloud
     bool columnWanted_ = true;   // the one at the side
     bool saidThatImagesFold_ = false;
-    QTimer rememberTimer_;               // one write for a whole drag of window or splitter
-    std::unique_ptr<Sessions> sessions_; // last: destroyed before the objects that it uses
+    std::pair<int, CameraPose> beforeText_; // undo steps and view, before letters that may be a text
+    QTimer rememberTimer_;                  // one write for a whole drag of window or splitter
+    std::unique_ptr<Sessions> sessions_;    // last: destroyed before the objects that it uses
 };
 
 } // namespace edgescan::ui

@@ -481,7 +481,7 @@ Command edgesMenu(Viewer& v) {
                    followWhy),
             confidenceCommand(v.confidence),
             command("&Reset to Preset", "", [&v] { v.tuning.usePreset(v.panel.preset()); }),
-            command("Restore the &Default Settings", "Ctrl+D", [&v] { v.tuning.usePreset(edges::builtInPresets().front()); }),
+            command("Restore the &Default Settings", "Ctrl+D", [&v] { emit v.statusLine.resetRequested({}); }),
         });
 }
 

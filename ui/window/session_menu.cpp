@@ -55,7 +55,7 @@ std::unique_ptr<Sessions> sessionsOf(MainWindow& w, Preferences& preferences) {
     w.viewer().exports.setCarried([made = sessions.get()](const QImage& image, const QString& path) {
         return withSession(image, made->textFor(QFileInfo(path).absolutePath()));
     });
-    QObject::connect(sessions.get(), &Sessions::scanAsked, &w, [&w] {
+    QObject::connect(sessions.get(), &Sessions::scanArrives, &w, [&w] {
         endSwitchesOfScan(w);
         w.viewer().rockTable.showAll();
     });

@@ -13,7 +13,9 @@
 #include "core/inspect/measure/click_remarks.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -63,6 +65,25 @@ std::string rowsHtml(const Rows& rows) {
     return html;
 }
 
+constexpr std::array kTargetColumns{"Target", "Name and note", "Cell", "Where, and its edge now", "Also on its card when it was pinned",
+                                    "Pinned"};
+constexpr std::array kMeasureColumns{"Measured", "Result, ± two standard deviations", "From", "Cells"};
+
+std::string headRow(const char* id, std::span<const char* const> columns) {
+    std::string html = std::string("<div class=\"wide cards\"><table id=\"") + id + "\">\n<thead><tr>";
+    for (const char* column : columns) html += std::string("<th>") + column + "</th>";
+    return html + "</tr></thead><tbody>\n";
+}
+
+/// Each cell with the name of its column, which a narrow screen shows. `own`: the cell with the operator's words, which are not translated.
+std::string rowOf(std::span<const char* const> columns, const std::vector<std::string>& cells, int own = -1) {
+    std::string html = "<tr>";
+    for (std::size_t n = 0; n < cells.size(); ++n)
+        html += std::string("<td") + (static_cast<int>(n) == own ? " translate=\"no\"" : "") + " data-name=\"" + columns[n] + "\">" +
+                cells[n] + "</td>";
+    return html + "</tr>\n";
+}
+
 std::string targetRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::PinnedTarget& target) {
     const Scan& scan = *detection.scan;
     const Rows now = target.cell < scan.cells() ? placeRows(inspect::targetAt(detection, noise, target.cell)) : Rows{};
@@ -73,9 +94,11 @@ std::string targetRow(const edges::Detection& detection, const RangeNoise& noise
         return row.first == inspect::kRockRow || std::ranges::find(now, row) != now.end() ||
                (scan.placement && std::string_view(row.second).starts_with("▲"));
     });
-    return "<tr><td>" + std::to_string(target.number) + "</td><td translate=\"no\">" + htmlText(target.name) +
-           (target.note.empty() ? "" : "<br>" + htmlText(target.note)) + "</td><td>" + cellText(scan, target.cell) + "</td><td>" +
-           rowsHtml(now) + "</td><td>" + rowsHtml(then) + "</td><td>" + htmlText(plainUtc(target.pinnedUtc)) + "</td></tr>\n";
+    const std::string name = htmlText(target.name) + (target.note.empty() ? "" : "<br>" + htmlText(target.note));
+    return rowOf(kTargetColumns,
+                 {std::to_string(target.number), name, cellText(scan, target.cell), rowsHtml(now), rowsHtml(then),
+                  htmlText(plainUtc(target.pinnedUtc))},
+                 1);
 }
 
 std::string measureRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::StoredMeasure& measure,
@@ -89,9 +112,9 @@ std::string measureRow(const edges::Detection& detection, const RangeNoise& nois
         for (const std::string& remark : inspect::clickRemarks(*detection.scan, *detection.mask, measure, translated))
             from += "; " + remark;
     }
-    return "<tr><td>" + inspect::measureName(measure) + " " + htmlText(translated(inspect::traitsOf(measure.kind).label)) + "</td><td>" +
-           (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" + htmlText(from) +
-           "</td><td>" + cells + "</td></tr>\n";
+    return rowOf(kMeasureColumns,
+                 {inspect::measureName(measure) + " " + htmlText(translated(inspect::traitsOf(measure.kind).label)),
+                  measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now", htmlText(from), cells});
 }
 
 /// Where they are, on the gray levels: targets by number and name, measurements as lines with their values.
@@ -176,15 +199,12 @@ std::string notebookSection(const edges::Detection& detection, const inspect::No
     std::string html = "<h2>Targets and measures</h2>\n";
     const RangeNoise noise = inspect::noiseOf(detection);
     if (!notebook.targets.empty()) {
-        html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name and note</th><th>Cell</th>"
-                "<th>Where, and its edge now</th>"
-                "<th>Also on its card when it was pinned</th><th>Pinned</th></tr></thead><tbody>\n";
+        html += headRow("targets", kTargetColumns);
         for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(detection, noise, target);
         html += "</tbody></table></div>\n";
     }
     if (!notebook.measures.empty()) {
-        html += "<div class=\"wide\"><table id=\"measures\">\n<thead><tr><th>Measured</th><th>Result, &plusmn; two standard deviations</th>"
-                "<th>From</th><th>Cells</th></tr></thead><tbody>\n";
+        html += headRow("measures", kMeasureColumns);
         for (const inspect::StoredMeasure& measure : notebook.measures) html += measureRow(detection, noise, measure, translated);
         html += "</tbody></table></div>\n";
     }

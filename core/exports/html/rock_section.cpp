@@ -143,7 +143,7 @@ std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook
     const Scan& scan = *study.segmentation->inputs.scan;
     const std::vector<const rocks::Rock*> largest = listedRocks(study);
     const rocks::RockRows rows(study, files::usualFrame(scan), notebook != nullptr ? namedCells(notebook->targets) : rocks::NamedCells());
-    std::string html = "<div class=\"wide\"><table id=\"rocks\">\n<thead><tr>", body;
+    std::string html = "<div class=\"wide cards\"><table id=\"rocks\">\n<thead><tr>", body;
     for (const rocks::RockColumn& column : rocks::rockColumns(rows.frame())) {
         if (column.title != nullptr) html += "<th class=\"number\">" + htmlText(column.title) + "</th>";
     }
@@ -270,10 +270,12 @@ Json rockFaceData(const rocks::Study& study) {
     for (const Rgb& colour : rocks::kRockFaceColours) colours.push_back({colour.red, colour.green, colour.blue});
     const std::vector<std::uint8_t> places = rocks::rockColours(study.map);
     for (const rocks::Rock& rock : study.rocks)
-        rocks[rock.label - 1] = {places[rock.label], rocks::isDoubtful(rock) ? 1 : 0,
-                                 "visible " + twoDecimals(rock.longestCaliperM) + " x " + twoDecimals(rock.shortestCaliperM) + " m, ± " +
-                                     twoDecimals(shownTolerance(rock.toleranceM, 2)) + " m, at " + twoDecimals(rock.distanceM) + " m; " +
-                                     rocks::kRockCaveat};
+        rocks[rock.label - 1] = {places[rock.label],
+                                 rocks::isDoubtful(rock) ? 1 : 0,
+                                 twoDecimals(rock.longestCaliperM),
+                                 twoDecimals(rock.shortestCaliperM),
+                                 twoDecimals(shownTolerance(rock.toleranceM, 2)),
+                                 twoDecimals(rock.distanceM)};
     return {{"colours", colours}, {"rocks", rocks}};
 }
 

@@ -19,7 +19,7 @@ inline constexpr std::size_t kUsualRockRows = 25, kMostRockRows = 100;
 [[nodiscard]] std::string rockSection(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces,
                                       const inspect::Notebook* notebook);
 
-/// Data for the script of the rotating view: the colours, and for each rock its colour, whether it is hatched, and a sentence.
+/// Data for the script of the rotating view: the colours, and for each rock its colour, whether it is hatched, and its sizes.
 [[nodiscard]] nlohmann::ordered_json rockFaceData(const rocks::Study& study);
 
 } // namespace edgescan::exports

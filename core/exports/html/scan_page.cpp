@@ -186,14 +186,15 @@ std::string cssColour(const Rgb& colour) {
     return "rgb(" + std::to_string(colour.red) + "," + std::to_string(colour.green) + "," + std::to_string(colour.blue) + ")";
 }
 
+constexpr std::array kClassNames{"edge", "jump", "convex fold", "concave fold", "data border", "outline before a void", "void rim"};
+
 std::string edgeLegend(const edges::Detection& detection) {
-    constexpr const char* kNames[]{"edge", "jump", "convex fold", "concave fold", "data border", "outline before a void", "void rim"};
     std::string html = "<div class=\"legend\">";
     const auto counts = edges::countClasses(detection);
-    for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? std::size(kNames) : std::size_t{1}); ++kind) {
+    for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? kClassNames.size() : std::size_t{1}); ++kind) {
         const std::size_t count = detection.classes ? counts[kind] : detection.edges->size();
         if (count == 0 && detection.classes) continue;
-        html += "<span><i style=\"background:" + cssColour(files::kEdgeColours[kind]) + "\"></i>" + kNames[kind] + " (" +
+        html += "<span><i style=\"background:" + cssColour(files::kEdgeColours[kind]) + "\"></i>" + kClassNames[kind] + " (" +
                 std::to_string(count) + ")</span>";
     }
     html += "</div>\n";
@@ -246,12 +247,27 @@ std::string picturesOf(const edges::Detection& detection) {
     return html;
 }
 
-std::string viewOf(const ViewPoints& view) {
+/// The words of the turning view's script, in its order; then those of the classes.
+constexpr std::array kViewWords{"No point there.",
+                                "Line %1, beam %2: range %3 mm, %4; %5 m.",
+                                "Beam at %1 degrees, line at %2 degrees.",
+                                "Rock %1: visible %2 x %3 m, ± %4 m, at %5 m; candidate - geometry only, one viewpoint.",
+                                "This browser has no WebGL; the pictures below show the same.",
+                                "no edge"};
+constexpr std::array kViewButtons{"Turn", "Edges only", "Nearer", "Farther", "Larger points", "From the start", "Rocks"};
+
+std::string viewOf(const ViewPoints& view, bool rocks) {
+    std::string buttons, words;
+    for (const char* each : std::span(kViewButtons).first(kViewButtons.size() - (rocks ? 0 : 1)))
+        buttons += std::string("<button>") + each + "</button>";
+    for (const auto& some : {std::span<const char* const>(kViewWords), std::span<const char* const>(kClassNames)})
+        for (const char* each : some) words += std::string("<span>") + each + "</span>";
     const auto part = [](std::size_t shown, std::size_t of, const char* what) {
         return std::to_string(shown) + (shown == of ? "" : " of " + std::to_string(of)) + " " + what;
     };
-    return "<section class=\"onscreen\">\n<h2>Turning view</h2>\n<div class=\"tools\" id=\"viewtools\"></div>\n"
-           "<div class=\"view\"><canvas id=\"view\" tabindex=\"0\" role=\"application\" aria-label=\"Points of the scan in three "
+    return "<section class=\"onscreen\">\n<h2>Turning view</h2>\n<div class=\"tools\" id=\"viewtools\">" + buttons +
+           "</div>\n<p id=\"viewwords\" hidden>" + words +
+           "</p>\n<div class=\"view\"><canvas id=\"view\" tabindex=\"0\" role=\"application\" aria-label=\"Points of the scan in three "
            "dimensions; arrow "
            "keys turn, plus and minus come nearer, Enter picks\"></canvas></div>\n<p class=\"pick\" id=\"pick\" role=\"status\"></p>\n<p "
            "class=\"note\">Drag to turn, wheel or two fingers to come nearer, click a point for its numbers. Keys: arrows turn, + and - "
@@ -373,7 +389,7 @@ std::string scanPage(const edges::Detection& detection, const PageWords& words, 
         "</h1>\n<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was "
         "not measured.</p>\n";
     body += warningsOf(record) + picturesOf(detection) + remarkOf(words) + factsOf(detection, record, words) +
-            completenessOf(scan, record) + viewOf(view) + (rocks == nullptr ? cloudOf(detection) : std::string()) +
+            completenessOf(scan, record) + viewOf(view, rocks != nullptr) + (rocks == nullptr ? cloudOf(detection) : std::string()) +
             (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook, kMostPagePixels, notes.translated)) +
             (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces, notes.notebook)) +
             (notes.change == nullptr ? std::string() : changeSection(detection, *notes.change, notes.earlier, kMostPagePixels)) +

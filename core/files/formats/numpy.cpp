@@ -152,7 +152,7 @@ Result<Reading> readingOfArray(const NumpyArray& array, const Source& source) {
     if (mayBePointsAcross(array, *source.options)) {
         return source.refused(
             withValues("a numpy array of shape %1 may be points the wrong way round, or three lines of ranges", {array.shapeText()}),
-            "save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start "
+            "save points as (n, 3), which is points.T, or give --beam-start --beam-step --line-start "
             "--line-step --axis");
     }
     const Holds what = whatIsIn(array, *source.options);

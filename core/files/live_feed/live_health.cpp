@@ -46,7 +46,7 @@ std::string badgeOf(Liveness liveness, std::optional<double> ageSeconds) {
     case Liveness::Stale:
         return "STALE" + age;
     case Liveness::Lost:
-        return "LOST" + age;
+        return ageSeconds ? "LOST" + age : "NOT CONNECTED"; // nothing came that could be lost
     case Liveness::Stopped:
         break;
     }

@@ -27,7 +27,7 @@ enum class Condition : std::uint8_t {
 
 struct LiveHealth {
     Liveness liveness = Liveness::Connecting;
-    std::string badge;    ///< "LIVE", "STALE 3 s", "LOST 12 s", "CONNECTING", "STOPPED"
+    std::string badge;    ///< "LIVE", "STALE 3 s", "LOST 12 s", "NOT CONNECTED", "CONNECTING", "STOPPED"
     std::string sentence; ///< of the session: what happened and what to do
     std::string scanner;  ///< what the device says it is; empty before it said so
 

@@ -42,7 +42,7 @@ public:
     }
     void refuse(const char* key) {
         warnings_.push_back(
-            withValues("the recording's \"%1\" is \"%2\", which cannot be used", {std::string(key), text(key)->substr(0, 40)}));
+            withValues("the recording's \"%1\" is \"%2\", which cannot be used.", {std::string(key), text(key)->substr(0, 40)}));
     }
 
 private:

@@ -110,7 +110,9 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly, const QStr
     dialog.offerFormats(formats, extension.isEmpty() ? preferences_.text("export/extension", ".pcd") : extension);
     if (dialog.exec() != QDialog::Accepted) return;
     SaveQuestion question;
-    question.title = exports::isCloud(dialog.content()) ? tr("Export %1 points").arg(countText(dialog.count())) : tr("Export");
+    question.title = exports::isCloud(dialog.content())                    ? tr("Export %1 points").arg(countText(dialog.count()))
+                     : dialog.content() == exports::ExportContent::Targets ? tr("Export targets: %1").arg(targets->size())
+                                                                           : tr("Export");
     question.extension = dialog.extension();
     exports::ExportOptions options = dialog.options();
     if (dialog.content() == exports::ExportContent::Targets) options.targets = targets;

@@ -236,6 +236,14 @@ void Rocks::change(const rocks::RockSettings& settings) {
         }));
 }
 
+void Rocks::reset(const QString& parameter) {
+    rocks::RockSettings settings = settings_;
+    for (const rocks::RockParameter& row : rocks::rockParameters()) {
+        if (on_ && (parameter.isEmpty() || parameter == row.key)) row.set(settings, row.get(rocks::RockSettings{}));
+    }
+    change(settings);
+}
+
 std::optional<rocks::Preset> Rocks::part() const {
     if (!on_ || !engine_.picture()) return std::nullopt;
     return rocks::Preset{settings_, edits_, engine_.picture()->detection->scan->sha256};

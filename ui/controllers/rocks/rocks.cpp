@@ -154,11 +154,12 @@ void Rocks::followPicture() {
         restored_.reset();
         settings_.region.clear();
         sidecar_.follow(nullptr);
+        sidecarAsked_ = false;
         finder_.forget();
         if (on_) forget();
     }
     if (!on_) return;
-    if (std::exchange(sidecarKey_, key) != key) {
+    if (!std::exchange(sidecarAsked_, true)) {
         const bool isFile = shown->source.growth.sweep < 0;
         sidecar_.follow(isFile ? shown->detection->scan : nullptr);
     }
@@ -193,6 +194,7 @@ void Rocks::applyPreset(const rocks::Preset& preset) {
     if (preset.settings) settings_ = *preset.settings;
     edits_ = preset.edits;
     panel_.showSettings(settings_);
+    emit changed();
 }
 
 void Rocks::adopt(const rocks::Preset& mine, const rocks::Preset& theirs) {

@@ -67,6 +67,8 @@ public:
     void followPicture();
     /// Off: rocks are not computed.
     void setShown(bool on);
+    /// To the default value, as an undo step; empty: all settings but the region. Only while rocks are shown.
+    void reset(const QString& parameter);
     [[nodiscard]] bool shown() const { return on_; }
     /// The rocks on the screen; null while rocks are off and before the first result.
     [[nodiscard]] const std::shared_ptr<const RockPicture>& picture() const { return picture_; }
@@ -200,7 +202,8 @@ private:
     std::vector<rocks::Edit> edits_;
     std::optional<rocks::Preset> restored_; // waits until the sidecar was read
     std::uint64_t stream_ = 0;              // of the picture
-    std::string key_, sidecarKey_;          // scanKey() of the edits, and of sidecar_
+    std::string key_;                       // scanKey() of the edits
+    bool sidecarAsked_ = false;             // it follows that scan
     std::shared_ptr<const RockPicture> picture_;
     std::shared_ptr<const edges::Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;

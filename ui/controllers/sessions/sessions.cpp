@@ -68,6 +68,11 @@ Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, 
     connect(&engine_, &Engine::pictureReady, this, [this] {
         if (found_ && wanted_ && engine_.picture()->detection->scan == found_) giveBack();
     });
+    // What belongs to a scan ends when another one is there: the picture stays if that one is refused or cancelled.
+    connect(&engine_, &Engine::opened, this, [this] {
+        if (std::exchange(scanAsked_, false)) emit scanArrives();
+    });
+    connect(&engine_, &Engine::workEnded, this, [this] { scanAsked_ = scanAsked_ && engine_.opening(); });
     connect(&files_, &Files::chosen, this, [this](const QStringList& paths) { open(paths); });
     connect(&engine_, &Engine::failed, this, [this](const QString& sentence) {
         if (wanted_ && !engine_.opening()) askForPlace(sentence);
@@ -171,7 +176,7 @@ QString Sessions::write(const Job& job) {
 }
 
 void Sessions::finishSaving(const QString& trouble) {
-    if (!trouble.isEmpty() && !failing_) notice_.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(trouble));
+    if (!trouble.isEmpty() && !failing_) notice_.showNotice(NoticeBar::Kind::Warning, tr("The session is not saved: %1").arg(trouble));
     failing_ = !trouble.isEmpty();
     if (written_.behind() || !std::exchange(toTell_, false)) return;
     if (!failing_ && !file_.isEmpty()) notice_.showSaved(file_, tr("from now on saved as it changes"));
@@ -254,12 +259,13 @@ void Sessions::read(const QStringList& paths, const ReadingOptions& options, boo
 }
 
 void Sessions::openScan(const QStringList& paths, const ReadingOptions& options) {
-    emit scanAsked();
+    scanAsked_ = true;
     files_.open(paths, options);
 }
 
 void Sessions::restore(inspect::ReadSession read, const QString& file) {
     wanted_ = std::move(read);
+    scanAsked_ = false;
     nextSweep_.reset();
     found_ = nullptr;
     // An autosaved session continues in the file that the operator had given it.

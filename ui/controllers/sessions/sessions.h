@@ -62,8 +62,8 @@ public:
 
 signals:
     void nameChanged();
-    /// A scan was asked for by itself, without a session.
-    void scanAsked();
+    /// A scan that was asked for by itself, without a session, is about to be shown.
+    void scanArrives();
     /// The wanted session cannot be restored, or not with its scan.
     void refused(const QString& sentence);
 
@@ -116,6 +116,7 @@ private:
     std::size_t place_ = 0;
     std::optional<std::size_t> nextSweep_; // to look at; empty: the sweeps are not looked through
     std::shared_ptr<const Scan> found_;    // the wanted sweep, on its way to the screen
+    bool scanAsked_ = false;               // by itself
     bool reading_ = false;
     std::uint64_t readings_ = 0; // number of the newest reading
     QTimer soon_;

@@ -1,6 +1,7 @@
 // The list of assumptions made on opening.
 #include "ui/panels/dialogs/opening_card.h"
 
+#include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/window_room.h"
 
@@ -50,7 +51,9 @@ QString assumedNames(const std::vector<files::OpeningPoint>& points) {
 } // namespace
 
 QString shownSentence(const files::Sentence& sentence) {
-    return shownText(files::filledIn(QObject::tr(sentence.pattern).toStdString(), sentence.values));
+    std::vector<std::string> values; // some are texts of the core
+    for (const std::string& value : sentence.values) values.push_back(exactBytes(coreSentence(value)));
+    return shownText(files::filledIn(exactBytes(QObject::tr(sentence.pattern)), values));
 }
 
 OpeningCard::OpeningCard(QWidget* parent)

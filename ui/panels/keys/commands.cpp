@@ -25,11 +25,11 @@ namespace {
 
 void makeSwitch(QAction& action, const Command& command, Preferences& preferences) {
     action.setCheckable(true);
+    action.setProperty(kChanges, true);
     if (command.remembered == nullptr) {
         QObject::connect(&action, &QAction::triggered, &action, command.set);
         return;
     }
-    action.setProperty(kChanges, true);
     if (command.keptIn != KeptIn::Settings) action.setProperty(kInSessions, command.remembered);
     const bool forNextStart = command.keptIn != KeptIn::Sessions;
     action.setProperty(kOfScan, !forNextStart);
@@ -154,7 +154,7 @@ bool leavesUndo(const QObject& field, const QKeyEvent& key) {
 
 } // namespace
 
-KeysOfFocus::KeysOfFocus(QObject* parent) : QObject(parent) {
+KeysOfFocus::KeysOfFocus(QWidget* window) : QObject(window) {
     constexpr int kTypedForMs = 1500; // since the last key
     typing_.setSingleShot(true);
     typing_.setInterval(kTypedForMs);
@@ -162,31 +162,43 @@ KeysOfFocus::KeysOfFocus(QObject* parent) : QObject(parent) {
     letters_.setInterval(kTypedForMs);
 }
 
-/// One letter alone is meant; a text has several.
-void KeysOfFocus::noteLetter(const QAction& action) {
-    const bool isText = letters_.isActive();
-    letters_.start();
-    if (!isText) changed_.clear();
-    if (action.property(kChanges).toBool()) {
-        const QString name = action.text().remove('&');
-        const QString state = !action.isCheckable() ? QString() : action.isChecked() ? tr("on") : tr("off");
-        // A switch that the text pressed twice is as it was.
-        const bool back = std::erase_if(changed_, [&](const auto& each) { return each.first == name; }) > 0 && action.isCheckable();
-        if (!back) changed_.emplace_back(name, state);
+/// How all switches and tools are before a key that may be the first one of a text.
+void KeysOfFocus::beginText() {
+    if (letters_.isActive()) return;
+    letters_.start(); // the next key may come before this one has worked
+    pressed_ = 0;
+    run_.clear();
+    before_.clear();
+    for (QAction* action : window()->actions()) {
+        if (action->isCheckable() && action->property(kChanges).toBool()) before_.emplace_back(action, action->isChecked());
     }
-    if (!isText || changed_.empty()) return;
-    QStringList all;
-    for (const auto& [name, state] : changed_) all << (name + " " + state).trimmed();
-    emit lettersChanged(tr("Letters outside a field are keys; these changed: %1.").arg(all.join(", ")));
+    emit textBegins();
+}
+
+/// One letter alone is meant; a text has several. Other signs may belong to it.
+void KeysOfFocus::noteKey(const QAction& action, bool letter) {
+    letters_.start();
+    pressed_ += letter ? 1 : 0;
+    const QString name = action.text().remove('&');
+    if (!action.isCheckable() && action.property(kChanges).toBool() && !run_.contains(name)) run_ << name;
+    QStringList all = run_;
+    for (const auto& [each, on] : before_) {
+        if (each->isChecked() != on) all << each->text().remove('&') + ' ' + (on ? tr("off") : tr("on"));
+    }
+    if (pressed_ > 1 && !all.isEmpty()) emit lettersChanged(all);
+}
+
+void KeysOfFocus::putBack() {
+    for (const auto& [each, on] : before_) {
+        if (each->isChecked() != on) each->trigger();
+    }
 }
 
 /// The key of a command that asks for something and cannot be used now.
 bool KeysOfFocus::asksInVain(const QKeyEvent& key) const {
     if ((key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0) return false;
-    const auto* window = qobject_cast<const QWidget*>(parent());
-    if (window == nullptr) return false;
     const QKeySequence pressed(key.key() | static_cast<int>(key.modifiers()));
-    return std::ranges::any_of(window->actions(), [&](const QAction* action) {
+    return std::ranges::any_of(window()->actions(), [&](const QAction* action) {
         return !action->isEnabled() && action->text().endsWith(QStringLiteral("…")) && action->shortcuts().contains(pressed);
     });
 }
@@ -204,9 +216,11 @@ bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
         auto* action = qobject_cast<QAction*>(watched);
         const QKeySequence keys = static_cast<QShortcutEvent*>(event)->key();
         const int key = keys.count() == 1 ? keys[0] & ~static_cast<int>(Qt::SHIFT) : 0;
-        const bool letter = key >= Qt::Key_A && key <= Qt::Key_Z;
-        if (action != nullptr && letter) // after it has worked
-            QTimer::singleShot(0, action, [this, action] { noteLetter(*action); });
+        if (action != nullptr && key > Qt::Key_Space && key <= Qt::Key_AsciiTilde) {
+            beginText();
+            const bool letter = key >= Qt::Key_A && key <= Qt::Key_Z;
+            QTimer::singleShot(0, action, [this, action, letter] { noteKey(*action, letter); }); // after it has worked
+        }
         if (action == nullptr || !action->text().endsWith(QStringLiteral("…"))) return false;
         // After the command: a dialog that it opened runs by then.
         QTimer::singleShot(0, this, [this] {

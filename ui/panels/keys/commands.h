@@ -101,25 +101,35 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
 /// focused slider, number or list. In other widgets these keys are shortcuts.
 /// After the key of a command that asks for something (its text ends in "…") and opened no dialog, keys without a modifier are not commands
 /// for a moment: they were typed for the dialog. A click or Esc ends that.
-/// Several letters in a row outside a field may be a text: what they changed is reported.
+/// Several letters in a row outside a field may be a text: all that they changed is reported.
 class KeysOfFocus : public QObject {
     Q_OBJECT
 public:
-    explicit KeysOfFocus(QObject* parent = nullptr);
+    explicit KeysOfFocus(QWidget* window);
+    /// All switches and tools are again as before the text.
+    void putBack();
+    /// The next key may belong to the same text.
+    [[nodiscard]] bool hears() const { return letters_.isActive(); }
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// One sentence.
-    void lettersChanged(const QString& words);
+    /// The next key may be the first one of a text.
+    void textBegins();
+    /// Commands that were run, and switches with their states.
+    void lettersChanged(const QStringList& names);
 
 private:
     [[nodiscard]] bool asksInVain(const QKeyEvent& key) const;
     [[nodiscard]] bool isTypedForADialog(const QKeyEvent& key);
-    void noteLetter(const QAction& action);
+    [[nodiscard]] QWidget* window() const { return static_cast<QWidget*>(parent()); }
+    void beginText();
+    void noteKey(const QAction& action, bool letter);
 
-    QTimer typing_;                                    // active = keys without a modifier are not commands
-    QTimer letters_;                                   // active = the next letter may belong to the same text
-    std::vector<std::pair<QString, QString>> changed_; // what these letters changed: names and states
+    QTimer typing_;                                 // active = keys without a modifier are not commands
+    QTimer letters_;                                // active = the next key may belong to the same text
+    std::vector<std::pair<QAction*, bool>> before_; // switches and tools before the text
+    QStringList run_;                               // commands that the text ran
+    int pressed_ = 0;                               // letters of it
 };
 
 } // namespace edgescan::ui

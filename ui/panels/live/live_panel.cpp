@@ -390,6 +390,7 @@ void LivePanel::showHealth(const files::LiveHealth& health, HealthStrip::Picture
     const bool present = health.liveness == files::Liveness::Live;
     recorded_->showState(present ? StateBadge::Sign::Good : StateBadge::Sign::Off, coreWords(health.recording));
     recorded_->setToolTip(recorded_->text());
+    recorded_->setFixedWidth(std::max(recorded_->minimumWidth(), recorded_->widthFor(recorded_->text()))); // "3 s ago" is whole
     recorded_->setVisible(recording && connected_ && !brief_);
     const QString scanner = shownText(health.scanner);
     if (scanner_->text() == scanner) return;

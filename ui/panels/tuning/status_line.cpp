@@ -1,6 +1,7 @@
 // The status bar.
 #include "ui/panels/tuning/status_line.h"
 
+#include "core/base/number_text.h"
 #include "core/base/tolerance_text.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/settings/parameters.h"
@@ -342,24 +343,30 @@ void StatusLine::showCountsToCome(std::optional<std::size_t> cells) {
 
 void StatusLine::showBox(const QString& words) { showFact(Fact::Box, {words}, false); }
 
-void StatusLine::showSettings(const edges::Settings& settings, bool own) {
-    const std::vector<std::string> keys = edges::changedFromDefault(settings);
+void StatusLine::showSettings(const edges::Settings& settings, const rocks::RockSettings& ofRocks, bool own) {
+    std::vector<std::pair<std::string, QString>> changes; // key, and "Crease angle: 37 instead of 30"
+    const auto add = [&](const auto& p, const std::string& now, const std::string& usual) {
+        if (now != usual)
+            changes.emplace_back(p.key, tr("%1: %2 instead of %3").arg(QObject::tr(p.label), shownText(now), shownText(usual)));
+    };
+    for (const std::string& key : edges::changedFromDefault(settings)) {
+        const edges::Parameter& p = *edges::findParameter(key);
+        add(p, edges::formatValue(p, p.get(settings)), edges::formatValue(p, p.get(edges::Settings{})));
+    }
+    for (const rocks::RockParameter& p : rocks::rockParameters())
+        add(p, fixedText(p.get(ofRocks), p.decimals), fixedText(p.get(rocks::RockSettings{}), p.decimals));
     const QString set = QString("%1 %2").arg(QString(edges::kDefaultSet.name)).arg(edges::kDefaultSet.version);
     QLabel& label = *factLabel(Fact::Settings).label;
-    const bool menu = own && !keys.empty();
+    const bool menu = own && !changes.empty();
     const QString more = menu ? QString(" ▾") : QString();
     showFact(Fact::Settings,
-             {keys.empty() ? tr("default settings") : tr("settings: %1 changed").arg(keys.size()) + more,
-              keys.empty() ? QString() : tr("%1 changed").arg(keys.size()) + more},
-             !keys.empty());
+             {changes.empty() ? tr("default settings") : tr("settings: %1 changed").arg(changes.size()) + more,
+              changes.empty() ? QString() : tr("%1 changed").arg(changes.size()) + more},
+             !changes.empty());
     label.setCursor(menu ? Qt::PointingHandCursor : Qt::ArrowCursor);
     changed_->clear();
     QStringList about{tr("Set of default settings: %1").arg(set)};
-    for (const std::string& key : keys) {
-        const edges::Parameter& p = *edges::findParameter(key);
-        const QString change = tr("%1: %2 instead of %3")
-                                   .arg(QObject::tr(p.label), shownText(edges::formatValue(p, p.get(settings))),
-                                        shownText(edges::formatValue(p, p.get(edges::Settings{}))));
+    for (const auto& [key, change] : changes) {
         about << change;
         if (menu) changed_->addAction(tr("Reset %1").arg(change), this, [this, key = shownText(key)] { emit resetRequested(key); });
     }
@@ -367,7 +374,7 @@ void StatusLine::showSettings(const edges::Settings& settings, bool own) {
         changed_->addSeparator();
         changed_->addAction(tr("Reset all") + "\tCtrl+D", this, [this] { emit resetRequested({}); });
     }
-    about << (keys.empty() ? tr("All settings are those of the default set.") : tr("Ctrl+D restores the default settings."));
+    about << (changes.empty() ? tr("All settings are those of the default set.") : tr("Ctrl+D restores the default settings."));
     label.setToolTip(about.join("\n"));
 }
 

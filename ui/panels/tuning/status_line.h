@@ -3,6 +3,7 @@
 
 #include "core/edges/explain/cell_values.h"
 #include "core/edges/settings/settings.h"
+#include "core/rocks/selection/rock_settings.h"
 
 #include <QStatusBar>
 #include <QTimer>
@@ -47,9 +48,9 @@ public:
     void showPlace(const Scan& scan, bool growing = false);
     /// Marks a picture from a file, with its time of measurement. A followed scanner is shown in the live panel instead.
     void showTimeOf(const Scan& scan, bool live);
-    /// The number and names of the settings that differ from the defaults.
+    /// The number and names of the settings that differ from the defaults; those of rocks while they are shown.
     /// With a menu that resets them one by one, or all; `own`: they are not those of A.
-    void showSettings(const edges::Settings& settings, bool own = true);
+    void showSettings(const edges::Settings& settings, const rocks::RockSettings& ofRocks = {}, bool own = true);
     /// Work that ends quickly is not shown.
     void showWork(const QString& title, const QString& stage, double fraction);
     void endWork();

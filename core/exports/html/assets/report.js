@@ -3,7 +3,9 @@
   'use strict';
   var data = JSON.parse(document.getElementById('data').textContent);
   var canvas = document.getElementById('view'), told = document.getElementById('pick');
-  var names = ['no edge', 'edge', 'jump', 'convex crease', 'concave crease', 'border of the data', 'outline before a void', 'void rim'];
+  // The words of the view are texts of the page, so that a translated page has translated ones.
+  var words = [].map.call(document.querySelectorAll('#viewwords span'), function (s) { return s.textContent; }), names = words.slice(5);
+  function filled(text, values) { return text.replace(/%([1-9])/g, function (all, n) { return values[n - 1]; }); }
 
   function bytesOf(text) {
     var raw = atob(text), bytes = new Uint8Array(raw.length);
@@ -145,14 +147,13 @@
     draw();
   }
   function tell() {
-    if (picked < 0) { told.textContent = 'No point there.'; return; }
+    if (picked < 0) { told.textContent = words[0]; return; }
     var k = picked, line = Math.floor(cells[k] / data.beams), beam = cells[k] % data.beams;
     var place = [0, 1, 2].map(function (a) { return data.origin[a] + positions[3 * k + a]; });
-    var text = 'Line ' + line + ', beam ' + beam + ': range ' + Math.round(ranges[k]) + ' mm, ' + names[classes[k]] + '; ';
-    text += (data.placed ? ['E ', 'N ', 'RL '] : ['x ', 'y ', 'z ']).map(function (n, a) { return n + place[a].toFixed(3); }).join(', ') + ' m';
-    if (data.beam_deg) text += '; beam at ' + data.beam_deg[beam].toFixed(3) + ' degrees, line at ' + data.line_deg[line].toFixed(3) + ' degrees';
-    text += '.';
-    if (rocks && rocks[k]) text += ' Rock ' + rocks[k] + ': ' + data.faces.rocks[rocks[k] - 1][2] + '.';
+    var shown = (data.placed ? ['E ', 'N ', 'RL '] : ['x ', 'y ', 'z ']).map(function (n, a) { return n + place[a].toFixed(3); }).join(', ');
+    var text = filled(words[1], [line, beam, Math.round(ranges[k]), names[classes[k]], shown]);
+    if (data.beam_deg) text += ' ' + filled(words[2], [data.beam_deg[beam].toFixed(3), data.line_deg[line].toFixed(3)]);
+    if (rocks && rocks[k]) text += ' ' + filled(words[3], [rocks[k]].concat(data.faces.rocks[rocks[k] - 1].slice(2)));
     told.textContent = text;
   }
 
@@ -212,11 +213,10 @@
     else return;
     e.preventDefault();
   });
-  function button(text, press) {
-    var b = document.createElement('button');
-    b.textContent = text;
+  var buttons = document.querySelectorAll('#viewtools button');
+  function button(at, press) {
+    var b = buttons[at];
     b.onclick = function () { press(b); };
-    document.getElementById('viewtools').appendChild(b);
   }
   function step() {
     if (!turning) return;
@@ -224,17 +224,18 @@
     window.requestAnimationFrame(step);
   }
   if (!gl) {
-    told.textContent = 'This browser has no WebGL; the pictures below show the same.';
+    told.textContent = words[4];
     canvas.style.display = 'none';
+    document.getElementById('viewtools').style.display = 'none';
     return;
   }
-  button('Turn', function (b) { turning = !turning; b.setAttribute('aria-pressed', turning); step(); });
-  button('Edges only', function (b) { edgesOnly = !edgesOnly; b.setAttribute('aria-pressed', edgesOnly); draw(); });
-  button('Nearer', function () { nearer(0.8); });
-  button('Farther', function () { nearer(1.25); });
-  button('Larger points', function () { pointSize = pointSize % 5 + 1; draw(); });
-  button('From the start', function () { now = copy(start); draw(); });
-  if (rocks) button('Rocks', function (b) {
+  button(0, function (b) { turning = !turning; b.setAttribute('aria-pressed', turning); step(); });
+  button(1, function (b) { edgesOnly = !edgesOnly; b.setAttribute('aria-pressed', edgesOnly); draw(); });
+  button(2, function () { nearer(0.8); });
+  button(3, function () { nearer(1.25); });
+  button(4, function () { pointSize = pointSize % 5 + 1; draw(); });
+  button(5, function () { now = copy(start); draw(); });
+  if (rocks) button(6, function (b) {
     rocksOn = !rocksOn;
     b.setAttribute('aria-pressed', rocksOn);
     gl.bindBuffer(gl.ARRAY_BUFFER, colourBuffer);

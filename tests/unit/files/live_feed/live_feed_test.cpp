@@ -15,7 +15,7 @@ TEST(LiveHealth, TellsWhatTheStateIs) {
     EXPECT_EQ(healthOf(status).badge, "CONNECTING");
     EXPECT_FALSE(healthOf(status).stale());
     status.connection.phase = scanner::ConnectionPhase::Lost;
-    EXPECT_EQ(healthOf(status).badge, "LOST");
+    EXPECT_EQ(healthOf(status).badge, "NOT CONNECTED");
     status.connection.phase = scanner::ConnectionPhase::Live;
     status.secondsSinceLine = 0.04;
     status.lines = 12;
