@@ -141,8 +141,8 @@ std::optional<Error> unknownCommand(const CLI::App& app, const std::vector<std::
     if (std::ranges::find(names, words[1]) != names.end()) return std::nullopt;
     if (std::ranges::find(names, "detect") != names.end() && isThere(words[1]))
         return Error{"this is a file, not a command", words[1], "type " + programName() + " detect " + words[1]};
-    if (app.get_option_no_throw("--" + words[1]) != nullptr) return Error{"there is no such command", words[1], "use --" + words[1]};
     std::vector<Meaning> meanings = meaningsOf("", names);
+    if (app.get_option_no_throw("--" + words[1]) != nullptr) meanings.push_back({words[1], "use --" + words[1]});
     for (const Program& other : kPrograms) {
         if (other.commands.find(" " + words[1] + " ") != std::string_view::npos)
             meanings.push_back({words[1], "use " + std::string(other.name) + " " + words[1]});
