@@ -2,9 +2,12 @@
 #pragma once
 
 #include "app/lab/sim/simulate.h"
+#include "core/files/open_save/save_scan.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace edgescan::test {
@@ -18,6 +21,12 @@ inline std::optional<Scan> simulatedBell(int lines, int beams, std::uint64_t see
     auto simulation = sim::simulate(settings);
     if (!simulation) return std::nullopt;
     return std::move(simulation->scan);
+}
+
+/// Saves a bell with rocks, and returns the path: boxesScan() has no rock that is sure. Empty: it could not be saved.
+inline std::string savedBell(const std::filesystem::path& file) {
+    const auto bell = simulatedBell(250, 286, 4711);
+    return bell && files::saveScan(*bell, file) ? file.string() : std::string();
 }
 
 } // namespace edgescan::test

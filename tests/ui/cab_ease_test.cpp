@@ -1,6 +1,7 @@
 // Cab mode says what it does and what is on the screen: Redo, Why, rocks and targets, what runs, what is shortened.
 #include "core/edges/explain/cell_values.h"
 #include "tests/support/folders.h"
+#include "tests/support/simulated_bell.h"
 #include "tests/ui/sized_window.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/language/languages.h"
@@ -144,7 +145,7 @@ private slots:
     // The table of rocks covers the views, with rows for gloves, and widens nothing. At the desk it is a dock again.
     void theRockTableCoversTheViews() {
         WindowFixture on;
-        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.showWith(test::savedBell(folder_ / "bell.json")));
         auto* dock = on.window.findChild<QDockWidget*>("dock-rock-table");
         QTableView* table = on.viewer.rockTable.table();
         for (const QSize size : {QSize(853, 480), QSize(1280, 800)}) {
@@ -210,7 +211,7 @@ private slots:
     // While rocks are shown a tap chooses a rock. Only Pin sets a target.
     void aTapOnARockPinsNothing() {
         WindowFixture on;
-        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.showWith(test::savedBell(folder_ / "bell.json")));
         on.window.cab().set(true);
         resizeTo(on.window, {1280, 800});
         press(on.window, "cab-rocks");

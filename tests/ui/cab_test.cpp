@@ -625,11 +625,8 @@ private slots:
     }
 
     void theOutlineGoesToTheNextTarget() {
-        const auto bell = test::simulatedBell(250, 286, 4711); // the boxes are hardly rocks
-        const std::string file = (folder_ / "bell.json").string();
-        QVERIFY(bell && files::saveScan(*bell, file));
         WindowFixture on;
-        QVERIFY(on.showWith(file));
+        QVERIFY(on.showWith(test::savedBell(folder_ / "bell.json")));
         on.viewer.rocks.setShown(true);
         QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
         const auto& rocks = on.viewer.rocks.picture()->study.rocks;
@@ -740,7 +737,7 @@ private slots:
 
     void theLargestRockIsThreeTouchesAway() {
         WindowFixture on;
-        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.showWith(test::savedBell(folder_ / "bell.json")));
         resizeTo(on.window, {1280, 800});
         on.window.cab().set(true);
         QVERIFY(tool(on.window, "cab-rocks")->findChild<QLabel*>("menu-sign") == nullptr); // a switch

@@ -1,6 +1,7 @@
 // What a finger does over the views in cab mode: it zooms, folds legends, scrolls, and takes steps back whose names it reads.
 #include "core/edges/settings/parameters.h"
 #include "tests/support/folders.h"
+#include "tests/support/simulated_bell.h"
 #include "tests/ui/sized_window.h"
 #include "tests/ui/whole_widgets.h"
 #include "ui/base/count_text.h"
@@ -626,7 +627,7 @@ private slots:
         for (const Language& language : kLanguages) {
             QVERIFY(useTexts(language.code));
             WindowFixture on;
-            QVERIFY(on.showWith(scan_));
+            QVERIFY(on.showWith(test::savedBell(folder_ / "bell.json")));
             on.window.cab().set(true);
             resizeTo(on.window, {853, 480});
             on.viewer.rocks.setShown(true);

@@ -70,7 +70,6 @@ ReportForm::ReportForm(const ReportWords& words, QWidget* parent)
     column->addWidget(area, 1);
     column->addWidget(buttons);
     setMinimumWidth(kWide);
-    site_->setFocus(); // what is typed at once is not lost
 }
 
 QWidget* ReportForm::logoRow() {
