@@ -818,7 +818,7 @@ private slots:
     // Until a target, a rock or another measurement is chosen; an arrow goes back.
     void aMeasurementIsShownLarge() {
         WindowFixture on;
-        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.showWith(test::savedBell(folder_ / "bell.json")));
         on.window.cab().set(true);
         NumbersSide& side = on.window.cab().frame().side();
         const auto* title = side.findChild<QLabel*>("cab-target");
@@ -829,7 +829,7 @@ private slots:
             made.cells = {from, to};
             on.viewer.targets.keepMeasure(made);
         };
-        const std::uint32_t a = 60 * 240 + 60, b = 100 * 240 + 120, c = 120 * 240 + 90;
+        const std::uint32_t a = 60 * 286 + 60, b = 100 * 286 + 120, c = 120 * 286 + 90;
         on.viewer.measures.start(inspect::MeasureKind::Distance);
         QTRY_VERIFY(side.findChild<QLabel*>("cab-hint")->text().startsWith("Tap the ends"));
         measure(a, b); // without a target or a rock
