@@ -144,7 +144,7 @@ TEST(CliOutputs, WhatHoldsNoPlaceIsInMineCoordinates) {
     // The matrix of PTX stores the place: the same coordinates again, cell by cell.
     const auto info = json::parse(runCli("info " + (folder / "c.ptx").string()).out);
     EXPECT_TRUE(info["pose"].is_object()) << info.dump();
-    EXPECT_EQ(runCli("convert " + (folder / "s.json").string() + " " + (folder / "f.json").string() + " --frame mine").code, 1);
+    EXPECT_EQ(runCli("convert " + (folder / "s.json").string() + " " + (folder / "f.json").string() + " --frame mine").code, 2);
 }
 
 } // namespace

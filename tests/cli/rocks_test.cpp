@@ -248,10 +248,10 @@ TEST_F(CliRocks, WhatIsWrongIsSaidInOneSentence) {
     refused(path("bell.json") + " --cloud h.txt --labels h.txt", 2, "h.txt");
     refused(path("bell.json") + " --why 1,2 999,0", 1, "--why");
     refused(path("bell.json") + " --split 1", 2, "--split");
-    refused(path("bell.json") + " --json " + path("bell.json"), 1, "bell.json");
+    refused(path("bell.json") + " --json " + path("bell.json"), 2, "bell.json");
     std::ofstream(*folder / "bad.json") << R"({"format": "edgescan-rock-edits/1", "lines": 3, "beams": 3, "edits": []})";
     refused(path("bell.json") + " --edits " + path("bad.json"), 1, "bad.json");
-    refused(path("bell.json") + " --edits " + path("bad.json") + " --json " + path("bad.json"), 1, "bad.json");
+    refused(path("bell.json") + " --edits " + path("bad.json") + " --json " + path("bad.json"), 2, "bad.json");
     EXPECT_EQ(runCli("rocks " + path("bell.json") + " --json - --edits " + path("bad.json")).out.find("{"), 0U);
 }
 

@@ -99,7 +99,7 @@ class Types(unittest.TestCase):
         path = bell_file()
         for value in (25.4, 304.8, 10):
             self.assertEqual(edgescan.open(path, unit=value).warnings, edgescan.open(path, unit=repr(value)).warnings)
-        with self.assertRaisesRegex(edgescan.Error, "^unit: .*use mm, "):
+        with self.assertRaisesRegex(edgescan.Error, "^unit: 0 is out of reason .*give a number from "):
             edgescan.open(path, unit=0)
         with self.assertRaisesRegex(edgescan.Error, "^sensor: \"1,2\" is not three numbers; give three numbers"):
             edgescan.open(path, sensor=(1, 2))
