@@ -27,6 +27,8 @@ fs::path whole(const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(target ? *target : path, ignored), ignored);
 }
 
+std::string replacedMark(const std::string& path) { return popReplaced(path) ? " (replaced)" : ""; }
+
 std::string placeText(const std::string& path) { return isStreamOrDevice(path) ? "standard output" : printable(path); }
 
 std::string namesOf(const std::vector<std::string>& paths) {
@@ -112,7 +114,7 @@ Result<Done> checkOutputs(std::span<const std::string> outputs) {
 std::string placesText(const std::vector<std::string>& paths) {
     std::string places;
     for (const std::string& path : paths) {
-        if (!path.empty()) places += (places.empty() ? "" : ", ") + placeText(path) + (popReplaced(path) ? " (replaced)" : "");
+        if (!path.empty()) places += (places.empty() ? "" : ", ") + placeText(path) + replacedMark(path);
     }
     return places;
 }
@@ -122,8 +124,7 @@ std::string namesText(const std::vector<std::string>& paths, const std::string& 
     for (const std::string& path : paths) {
         if (path.empty()) continue;
         const bool isInside = fs::path(path).parent_path() == fs::path(folder + "/").parent_path();
-        names += (names.empty() ? "" : ", ") + printable(isInside ? fs::path(path).filename().string() : path) +
-                 (popReplaced(path) ? " (replaced)" : "");
+        names += (names.empty() ? "" : ", ") + printable(isInside ? fs::path(path).filename().string() : path) + replacedMark(path);
     }
     return names;
 }

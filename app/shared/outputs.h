@@ -75,8 +75,8 @@ public:
     [[nodiscard]] bool allWritten() const { return !first_; }
     /// Error: the first one, with the names of what was written and of what else was not.
     [[nodiscard]] Result<Done> outcome() const;
-    /// The frame and the extent of all of them, by frame, behind the folder or else the files that have them: the last line of a command.
-    /// Empty where there are no coordinates.
+    /// The frame and the extent of all of them, by frame, after the folder or else the files that have them: the last line of a command.
+    /// Empty without coordinates.
     [[nodiscard]] std::string coordinates(const std::string& folder) const;
 
 private:

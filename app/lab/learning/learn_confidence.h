@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/lab/learning/learn_rocks.h"
-#include "core/rocks/selection/confidence.h"
 
 namespace edgescan::lab {
 

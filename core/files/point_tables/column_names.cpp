@@ -161,7 +161,8 @@ std::optional<std::string> axisAmongWords(std::vector<std::string> words) {
     return std::nullopt;
 }
 
-/// "Echo Nr", "pulse return id", "scalar_Return_Number": which return of its pulse a point is. "Number of returns" is not one.
+/// Place in the table of a name for which return of its pulse a point is: "Echo Nr", "pulse return id", "scalar_Return_Number". "Number of
+/// returns" is not one.
 std::size_t rankOfReturn(std::string_view given) {
     static constexpr std::string_view kBefore[]{"scalar", "field", "pulse", "laser", "las"},
         kBehind[]{"", "number", "no", "nr", "num", "index", "idx", "id", "n"};

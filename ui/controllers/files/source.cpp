@@ -42,12 +42,14 @@ QString placedWords(const Scan& scan) {
 /// "HELD", and how far the picture is behind the scanner.
 QString heldWords(const Picture& picture, const files::LiveHealth& now) {
     const int sweep = picture.source.growth.sweep + 1, behind = now.row - picture.detection->scan->lines();
-    const Scan& scan = *picture.detection->scan;
-    const int whole = picture.source.growth.expectedLines; // lines that never came have their places in the scan
-    const auto lost = countCells(scan)[static_cast<std::size_t>(CellState::Lost)] / static_cast<std::size_t>(std::max(1, scan.beams()));
-    const int lines = scan.lines() - static_cast<int>(lost);
-    if (sweep != now.sweep && lines < whole) return QObject::tr("HELD, %1 of %2 lines").arg(lines).arg(whole);
-    if (sweep != now.sweep) return whole > 0 ? QObject::tr("HELD, whole sweep") : QObject::tr("HELD, sweep %1 grows").arg(now.sweep);
+    if (sweep != now.sweep) {
+        const Scan& scan = *picture.detection->scan;
+        const int whole = picture.source.growth.expectedLines; // lines that never came have their places in the scan
+        const auto lost = countCells(scan)[static_cast<std::size_t>(CellState::Lost)] / static_cast<std::size_t>(std::max(1, scan.beams()));
+        const int lines = scan.lines() - static_cast<int>(lost);
+        if (lines < whole) return QObject::tr("HELD, %1 of %2 lines").arg(lines).arg(whole);
+        return whole > 0 ? QObject::tr("HELD, whole sweep") : QObject::tr("HELD, sweep %1 grows").arg(now.sweep);
+    }
     if (behind <= 0) return QObject::tr("HELD");
     return behind == 1 ? QObject::tr("HELD, 1 line behind") : QObject::tr("HELD, %1 lines behind").arg(behind);
 }

@@ -1,5 +1,6 @@
 // The samples of the confidence of rocks.
 #include "app/lab/learning/learn_confidence.h"
+#include "core/rocks/selection/confidence.h"
 
 #include <gtest/gtest.h>
 
