@@ -2,6 +2,7 @@
 #include "core/edges/edgescan_plus/crease.h"
 
 #include "core/base/simd.h"
+#include "core/scan/grid/beam_width.h"
 
 #include <algorithm>
 #include <array>
@@ -13,12 +14,14 @@ namespace edgescan::edges {
 namespace {
 
 constexpr float kFewest = 3;
-constexpr float kMost = kFoldReach - 1; // the link of the last cell to the next is also read
-constexpr float kWanted = 2;            // cells on both sides, in addition to the cell itself
-constexpr float kNoiseFloor = 4.5F;     // standard deviations
+constexpr int kMost = kFoldReach - 1; // the link of the last cell to the next is also read
+constexpr float kWanted = 2;          // cells on both sides, in addition to the cell itself
+constexpr float kNoiseFloor = 4.5F;   // standard deviations
 constexpr float kTangentNoise = kFoldOfWhite * 0.001F;
 constexpr float kLeastCube = 6.0F; // of two cells
 constexpr float kDegPerRad = 57.2957795F;
+constexpr auto kHalfSpotM = static_cast<float>(0.5 * BeamWidth{}.atExitM);
+constexpr auto kHalfSpotRad = static_cast<float>(0.5 * BeamWidth{}.growthRad);
 
 // The values for the cells of a block. The block is small enough to stay in the nearest cache.
 constexpr int kBlock = 128;
@@ -45,34 +48,26 @@ struct Cells {
     std::ptrdiff_t step;
 };
 
-// Number of cells on each side of a cell without regard to the window, 15 at most. A side ends at a break. The cell before a break is left
-// out unless it is the first: the spot of the beam may partly be on the surface behind.
+// Number of cells on one side of each cell without regard to the window, up to the first break: 16 at most. `links`: of the first cell to
+// the next one that way.
 using Counts = std::array<std::uint8_t, kBlock>;
 template <class Count>
-EDGESCAN_INLINE void countSides(const Cells& at, Count count, Counts& before, Counts& after) {
-    constexpr auto kSteps = static_cast<int>(kMost);
+EDGESCAN_INLINE void countSide(const std::uint8_t* links, std::ptrdiff_t step, Count count, Counts& side) {
     for (int j = 0; j < count; ++j) {
-        const std::uint8_t* link = at.links + j;
-        std::uint8_t goesOn = link[0];
-        std::uint8_t cells = goesOn;
-        goesOn &= link[at.step];
-        for (int n = 2; n <= kSteps; ++n) {
-            goesOn &= link[n * at.step];
+        std::uint8_t goesOn = 1, cells = 0;
+        for (int n = 0; n <= kMost; ++n) {
+            goesOn &= links[j + n * step];
             cells = static_cast<std::uint8_t>(cells + goesOn);
         }
-        after[j] = cells;
+        side[j] = cells;
     }
-    for (int j = 0; j < count; ++j) {
-        const std::uint8_t* link = at.links + j - at.step;
-        std::uint8_t goesOn = link[0];
-        std::uint8_t cells = goesOn;
-        goesOn &= link[-at.step];
-        for (int n = 2; n <= kSteps; ++n) {
-            goesOn &= link[-n * at.step];
-            cells = static_cast<std::uint8_t>(cells + goesOn);
-        }
-        before[j] = cells;
-    }
+}
+
+// Of `reach` cells on a side, those that are left. `blurred` cells before a break are left out, except the first of the side: the spot of
+// the beam may partly be on the surface behind.
+EDGESCAN_INLINE float cellsOfSide(int reach, int untilBreak, int blurred) {
+    const int clear = untilBreak > kMost ? kMost : std::max(std::min(untilBreak, 1), untilBreak - blurred);
+    return static_cast<float>(std::min(reach, clear));
 }
 
 // The sums of both sides of some cells, from the farthest to the nearest cell: adding up the partial sums gives the weighted sum.
@@ -180,17 +175,21 @@ EDGESCAN_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& l
     Values scales;
     SideSums left, right;
     Counts before, after;
-    countSides(at, count, before, after);
+    countSide(at.links - at.step, -at.step, count, before);
+    countSide(at.links, at.step, count, after);
     const float* u = at.u;
     const float* angle = at.angle;
     const float windowM = limits.windowMm * 0.001F;
+    const float spotM = limits.spotGrows ? kHalfSpotM : 0, spotRad = limits.spotGrows ? kHalfSpotRad : 0;
     for (int j = 0; j < count; ++j) {
         const float scale = 1.0F / (u[j] * angle[j]);
         const float wanted = windowM * (u[j] * u[j]) * scale + 0.5F;
-        const int reach = static_cast<int>(std::max(std::min(wanted, kMost), kFewest));
+        const int reach = static_cast<int>(std::max(std::min(wanted, static_cast<float>(kMost)), kFewest));
+        const float halfSpot = (spotM * u[j] + spotRad) * (u[j] * scale) + 0.5F; // cells
+        const int blurred = static_cast<int>(std::max(std::min(halfSpot, static_cast<float>(kMost)), 1.0F));
         scales[j] = scale;
-        left.cells[j] = static_cast<float>(std::min<int>(reach, before[j]));
-        right.cells[j] = static_cast<float>(std::min<int>(reach, after[j]));
+        left.cells[j] = cellsOfSide(reach, before[j], blurred);
+        right.cells[j] = cellsOfSide(reach, after[j], blurred);
     }
     for (int j = count; j < kBlock; ++j) left.cells[j] = right.cells[j] = 0; // behind the last cell
     addUp<Lanes>(at, count, left, right);

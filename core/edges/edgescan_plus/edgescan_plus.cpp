@@ -229,7 +229,7 @@ DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     limits.windowMm = static_cast<float>(kWindowMm * portable::pow(q, 0.7));
     if (remembered) limits.windowMm = std::max(limits.windowMm, static_cast<float>(surface.memory.windowMm));
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
-    limits.mixedRun = before5 || surface.memory.windowMm > 0 ? 2 : kLongestRun; // a camera has no spot that grows
+    limits.spotGrows = !before5 && surface.memory.windowMm <= 0; // a camera has no such spot
     limits.rimSlant = before5 ? kRimSlantOf4 : kRimSlant;
     limits.turns = settings.turns;
     if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);

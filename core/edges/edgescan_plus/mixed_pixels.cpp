@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <type_traits>
 
@@ -20,7 +21,8 @@ namespace {
 using RunValues = std::array<float, kLongestRun>;
 constexpr auto kSpotM = static_cast<float>(BeamWidth{}.atExitM);
 constexpr auto kSpotRad = static_cast<float>(BeamWidth{}.growthRad);
-constexpr float kSurfacesApart = 2.0F; // jump thresholds
+constexpr float kSurfacesApart = 1.6F; // jump thresholds, ...
+constexpr float kFartherApart = 2.0F;  // ... and where the spot does not grow
 constexpr float kBend = 0.25F;         // share of the least distance between the surfaces
 constexpr float kLeastOfSpot = 0.5F;   // least width of a run of more than two cells
 constexpr float kOffSurface = 0.5F;    // jump thresholds, for at least one cell of a run
@@ -61,10 +63,16 @@ bool snapOne(const Place& at, const DepthLimits& limits, float& result) {
     return true;
 }
 
-// Slope of u per step away from the run, over two steps if there are two.
-float slopeAway(const Place& at, int end, int sign) {
-    const auto u = [&](int n) { return at.u[(end + sign * n) * at.step]; };
-    return at.solid[(end + 2 * sign) * at.step] != 0 ? 0.5F * (u(2) - u(0)) : u(1) - u(0);
+// Longer runs have longer lines on both sides: those of three cells are too noisy to be continued so far.
+constexpr int cellsOfLine(int run) { return run > 3 ? kMixedLine : 3; }
+EDGESCAN_INLINE float slopeOfFive(float u0, float u1, float u3, float u4) { return 0.1F * (2 * (u4 - u0) + u3 - u1); }
+
+// Slope of u per step away from a run, over as many cells as are solid: five, three or two. `s`: the step away from it.
+template <int kCells>
+EDGESCAN_INLINE float slopeAway(const float* u, const float* solid, std::ptrdiff_t s) {
+    const float slope = solid[2 * s] != 0 ? 0.5F * (u[2 * s] - u[0]) : u[s] - u[0];
+    if constexpr (kCells <= 3) return slope;
+    return solid[2 * s] * solid[3 * s] * solid[4 * s] != 0 ? slopeOfFive(u[0], u[s], u[3 * s], u[4 * s]) : slope;
 }
 
 // The continuations of both sides at the cells of a run.
@@ -78,14 +86,15 @@ struct TwoSurfaces {
     float farther, nearer; // u
     float allowed;         // jump threshold, as a difference of u divided by the u of the farther surface
     float rounding;
+    float apart; // jump thresholds
 };
+EDGESCAN_INLINE float apartOf(const DepthLimits& limits) { return limits.spotGrows ? kSurfacesApart : kFartherApart; }
 EDGESCAN_INLINE TwoSurfaces surfacesAt(float before, float after, const DepthLimits& limits) {
     const float nearer = std::max(before, after);
-    return {std::min(before, after), nearer, kLenient * (0.001F * limits.jumpMm * nearer + limits.growth), kRounding * nearer};
+    return {std::min(before, after), nearer, kLenient * (0.001F * limits.jumpMm * nearer + limits.growth), kRounding * nearer,
+            apartOf(limits)};
 }
-EDGESCAN_INLINE bool areApart(const TwoSurfaces& at) {
-    return at.nearer - at.farther + at.rounding >= kSurfacesApart * at.farther * at.allowed;
-}
+EDGESCAN_INLINE bool areApart(const TwoSurfaces& at) { return at.nearer - at.farther + at.rounding >= at.apart * at.farther * at.allowed; }
 EDGESCAN_INLINE bool canBeBetween(float u, const TwoSurfaces& at) {
     return (at.farther > 0) & (u > at.farther) & (u < at.nearer) & areApart(at);
 }
@@ -111,8 +120,11 @@ bool snapRun(const Place& at, int run, const DepthLimits& limits, RunValues& res
     if (!solidAll(at.solid, at.step, -2, run + 1)) return false;
     const float first = at.u[-at.step];
     const float last = at.u[run * at.step];
-    const float slopeBefore = slopeAway(at, -1, -1);
-    const float slopeAfter = slopeAway(at, run, 1);
+    const auto slopeFrom = [&](int end, std::ptrdiff_t step) {
+        const float *u = at.u + end * at.step, *solid = at.solid + end * at.step;
+        return cellsOfLine(run) > 3 ? slopeAway<kMixedLine>(u, solid, step) : slopeAway<3>(u, solid, step);
+    };
+    const float slopeBefore = slopeFrom(-1, -at.step), slopeAfter = slopeFrom(run, at.step);
     RunLines lines{};
     for (int n = 0; n < run; ++n) {
         lines.before[static_cast<std::size_t>(n)] = first - static_cast<float>(n + 1) * slopeBefore;
@@ -125,7 +137,7 @@ bool snapRun(const Place& at, int run, const DepthLimits& limits, RunValues& res
         const float before = lines.before[static_cast<std::size_t>(n)];
         const float after = lines.after[static_cast<std::size_t>(n)];
         const float allowed = limits.jumpAt(1000.0F / std::max(before, after));
-        if (std::min(gapMm(before, after), gapMm(first, last)) < kSurfacesApart * allowed) return false;
+        if (std::min(gapMm(before, after), gapMm(first, last)) < apartOf(limits) * allowed) return false;
         const float toBefore = gapMm(before, u);
         const float toAfter = gapMm(after, u);
         farthest = std::max(farthest, std::min(toBefore, toAfter) / allowed);
@@ -137,7 +149,7 @@ bool snapRun(const Place& at, int run, const DepthLimits& limits, RunValues& res
 // Whether the surfaces on both sides of a cell can be two thresholds apart. On a smooth surface they cannot.
 bool isWorthwhile(const Place& at, const DepthLimits& limits) {
     const auto u = [&](int n) { return at.u[n * at.step]; };
-    const float apart = 0.001F * kSurfacesApart * limits.jumpMm;
+    const float apart = 0.001F * apartOf(limits) * limits.jumpMm;
     const float before = 2 * u(-1) - u(-2);
     const float after = 2 * u(1) - u(2);
     if (std::abs(before - after) > apart * before * after) return true;
@@ -153,10 +165,9 @@ struct RunLook {
 template <int kRun>
 EDGESCAN_INLINE RunLook lookAtRun(const float* u, const float* solid, std::ptrdiff_t s, const DepthLimits& limits) {
     constexpr auto kCells = static_cast<float>(kRun);
-    const float b3 = u[-3 * s], b2 = u[-2 * s], b1 = u[-s];
-    const float a1 = u[kRun * s], a2 = u[(kRun + 1) * s], a3 = u[(kRun + 2) * s];
-    const float slopeBefore = solid[-3 * s] != 0 ? 0.5F * (b3 - b1) : b2 - b1;
-    const float slopeAfter = solid[(kRun + 2) * s] != 0 ? 0.5F * (a3 - a1) : a2 - a1;
+    const float b1 = u[-s], a1 = u[kRun * s];
+    const float slopeBefore = slopeAway<cellsOfLine(kRun)>(u - s, solid - s, -s);
+    const float slopeAfter = slopeAway<cellsOfLine(kRun)>(u + kRun * s, solid + kRun * s, s);
     return {surfacesAt(b1 - slopeBefore, a1 - kCells * slopeAfter, limits), surfacesAt(b1 - kCells * slopeBefore, a1 - slopeAfter, limits)};
 }
 
@@ -177,23 +188,15 @@ EDGESCAN_INLINE FirstLook lookAt(const float* u, const float* solid, std::ptrdif
 
 constexpr int kLookBlock = 32;
 
-// Whether the surfaces next to any cell are far enough apart. In most blocks this is false for all cells, and the rest of the check is
-// skipped.
-template <class Count>
-EDGESCAN_INLINE bool anyApart(const float* u, const float* solid, std::ptrdiff_t s, Count cells, const DepthLimits& limits) {
-    std::int32_t any = 0;
-    for (int j = 0; j < cells; ++j) {
-        const FirstLook look = lookAt(u + j, solid + j, s, limits);
-        any |= areApart(look.alone) | areApart(look.two.first) ? -1 : 0;
-    }
-    return any != 0;
-}
-
 // How far the lines of both sides are apart at the first cell of a run, if all cells of them are solid.
 template <int kRun>
 EDGESCAN_INLINE float gapOfLines(const float* at, std::ptrdiff_t s) {
-    const float b3 = at[-3 * s], b1 = at[-s], a1 = at[kRun * s], a3 = at[(kRun + 2) * s];
-    return std::abs((b1 - 0.5F * (b3 - b1)) - (a1 - 0.5F * kRun * (a3 - a1)));
+    const float *before = at - s, *after = at + kRun * s;
+    if constexpr (cellsOfLine(kRun) > 3) {
+        const float slopeBefore = slopeOfFive(before[0], before[-s], before[-3 * s], before[-4 * s]);
+        return std::abs(before[0] - slopeBefore - (after[0] - kRun * slopeOfFive(after[0], after[s], after[3 * s], after[4 * s])));
+    }
+    return std::abs((before[0] - 0.5F * (before[-2 * s] - before[0])) - (after[0] - 0.5F * kRun * (after[2 * s] - after[0])));
 }
 
 // A cheaper look at cells of which none can begin a run, or be mixed alone: a cell between two surfaces is at most as far from each as they
@@ -202,8 +205,8 @@ EDGESCAN_INLINE float gapOfLines(const float* at, std::ptrdiff_t s) {
 template <int kRun, class Count>
 EDGESCAN_INLINE bool noneCanBeMixed(const float* u, const float* solid, std::ptrdiff_t s, Count cells, const DepthLimits& limits) {
     constexpr float kMore = 1.00001F, kLess = 0.99999F;
-    const float perMetre = kSurfacesApart * kLenient * 0.001F * limits.jumpMm;
-    const float growth = kSurfacesApart * kLenient * limits.growth;
+    const float perMetre = apartOf(limits) * kLenient * 0.001F * limits.jumpMm;
+    const float growth = apartOf(limits) * kLenient * limits.growth;
     std::int32_t any = 0, all = -1;
     for (int j = 0; j < cells; ++j) {
         const float* at = u + j;
@@ -213,8 +216,10 @@ EDGESCAN_INLINE bool noneCanBeMixed(const float* u, const float* solid, std::ptr
         any |= apart * (kMore + allowed) >= at[0] * (kLess * allowed - 2 * kRounding) ? -1 : 0;
     }
     if (any != 0) return false;
-    for (int j = 0; j < cells; ++j)
-        all &= std::bit_cast<std::int32_t>(solid[j - 3 * s]) & std::bit_cast<std::int32_t>(solid[j + (kRun + 2) * s]);
+    for (int n = 3; n <= cellsOfLine(kRun); ++n) {
+        for (int j = 0; j < cells; ++j)
+            all &= std::bit_cast<std::int32_t>(solid[j - n * s]) & std::bit_cast<std::int32_t>(solid[j + (kRun + n - 1) * s]);
+    }
     return all == std::bit_cast<std::int32_t>(1.0F);
 }
 
@@ -233,39 +238,38 @@ EDGESCAN_INLINE void lookAtBlock(const float* u, const float* solid, const float
     for (int j = 0; j < cells; ++j) marked[j] = worth[j] != 0 ? 1 : 0;
 }
 
-// Spots and index steps of some cells, radians. As integers, positive floats have the same order, and loops of them are vectorised.
-struct Widths {
-    float leastSpot, mostSpot, leastStep, mostStep;
-    [[nodiscard]] EDGESCAN_INLINE bool allow(float cells) const {
-        return (cells * leastStep <= mostSpot) & (kLeastOfSpot * leastSpot <= kWiderSpot * cells * mostStep);
-    }
-};
-template <class Count>
-EDGESCAN_INLINE Widths widthsOf(const float* u, const float* angle, Count cells) {
-    std::int32_t nearest = std::bit_cast<std::int32_t>(u[0]), step = std::bit_cast<std::int32_t>(angle[0]);
-    std::int32_t farthest = nearest, widest = step;
-    for (int j = 0; j < cells; ++j) nearest = std::max(nearest, std::bit_cast<std::int32_t>(u[j]));
-    for (int j = 0; j < cells; ++j) farthest = std::min(farthest, std::bit_cast<std::int32_t>(u[j]));
-    for (int j = 0; j < cells; ++j) step = std::min(step, std::bit_cast<std::int32_t>(angle[j]));
-    for (int j = 0; j < cells; ++j) widest = std::max(widest, std::bit_cast<std::int32_t>(angle[j]));
-    return {spotAt(std::bit_cast<float>(farthest)), spotAt(std::bit_cast<float>(nearest)), std::bit_cast<float>(step),
-            std::bit_cast<float>(widest)};
+// Whether a run of this many cells is between half and the whole of the spot; `inSpot`: the cells that fill the spot, slightly more.
+EDGESCAN_INLINE bool canFill(float mostInSpot, float leastInSpot, float cells) {
+    return (cells <= mostInSpot) & (kLeastOfSpot * leastInSpot <= kWiderSpot * kWiderSpot * cells);
 }
 
 // Marks the cells at which a run of kRun cells or more may begin: bit n - 2 is for a run of n cells.
 template <int kRun, class Count>
-EDGESCAN_INLINE void markRuns(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, Count cells,
-                              const DepthLimits& limits, const Widths& widths, std::uint8_t* __restrict marked) {
+EDGESCAN_INLINE void markRuns(const float* u, const float* solid, std::ptrdiff_t s, Count cells, const DepthLimits& limits,
+                              const float* inSpot, float most, float least, std::uint8_t* __restrict marked) {
     if constexpr (kRun <= kLongestRun) {
-        const bool none = !widths.allow(kRun) || noneCanBeMixed<kRun>(u, solid, s, cells, limits);
+        if (most < kRun) return;
+        const bool none = !canFill(most, least, kRun) || noneCanBeMixed<kRun>(u, solid, s, cells, limits);
         for (int j = 0; !none && j < cells; ++j) {
             const RunLook look = lookAtRun<kRun>(u + j, solid + j, s, limits);
             const bool run = canBeBetween(u[j], look.first) & canBeBetween(u[j + (kRun - 1) * s], look.last) &
-                             widthsOf(u + j, angle + j, std::integral_constant<int, 1>()).allow(kRun) & (solid[j] != 0);
+                             canFill(inSpot[j], inSpot[j], kRun) & (solid[j] != 0);
             marked[j] |= run ? 1U << (kRun - 2) : 0U;
         }
-        markRuns<kRun + 1>(u, solid, angle, s, cells, limits, widths, marked);
+        markRuns<kRun + 1>(u, solid, s, cells, limits, inSpot, most, least, marked);
     }
+}
+
+// The same for runs of more than two cells. As integers, positive floats have the same order, and loops of them are vectorised.
+template <class Count>
+EDGESCAN_INLINE void markRunsOfBlock(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, Count cells,
+                                     const DepthLimits& limits, std::uint8_t* __restrict marked) {
+    std::array<float, kLookBlock> inSpot;
+    std::int32_t most = 0, least = std::numeric_limits<std::int32_t>::max();
+    for (int j = 0; j < cells; ++j) inSpot[j] = spotAt(u[j]) / angle[j];
+    for (int j = 0; j < cells; ++j) most = std::max(most, std::bit_cast<std::int32_t>(inSpot[j]));
+    for (int j = 0; j < cells; ++j) least = std::min(least, std::bit_cast<std::int32_t>(inSpot[j]));
+    markRuns<3>(u, solid, s, cells, limits, inSpot.data(), std::bit_cast<float>(most), std::bit_cast<float>(least), marked);
 }
 
 // First pass over some cells: 1 at every cell that the full check could move, and at a few more.
@@ -275,20 +279,19 @@ EDGESCAN_INLINE void markCandidates(const float* u, const float* solid, const fl
     std::memset(marked, 0, static_cast<std::size_t>(cells));
     int j = 0;
     for (; j + kLookBlock <= cells; j += kLookBlock) {
-        if (noneCanBeMixed<2>(u + j, solid + j, s, kCount, limits)) continue;
-        if (anyApart(u + j, solid + j, s, kCount, limits)) lookAtBlock(u + j, solid + j, angle + j, s, kCount, limits, marked + j);
+        if (!noneCanBeMixed<2>(u + j, solid + j, s, kCount, limits))
+            lookAtBlock(u + j, solid + j, angle + j, s, kCount, limits, marked + j);
     }
     lookAtBlock(u + j, solid + j, angle + j, s, cells - j, limits, marked + j);
 }
 
-// The same for runs of more than two cells. The last block overlaps the one before.
+// Runs of more than two cells that may begin in a line. The last block overlaps the one before.
 EDGESCAN_INLINE void markLongRuns(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
                                   const DepthLimits& limits, std::uint8_t* __restrict marked) {
-    constexpr auto kCount = std::integral_constant<int, kLookBlock>();
-    if (cells < kLookBlock) return markRuns<3>(u, solid, angle, s, cells, limits, widthsOf(u, angle, cells), marked);
+    if (cells < kLookBlock) return markRunsOfBlock(u, solid, angle, s, cells, limits, marked);
     for (int from = 0; from < cells; from += kLookBlock) {
         const int j = std::min(from, cells - kLookBlock);
-        markRuns<3>(u + j, solid + j, angle + j, s, kCount, limits, widthsOf(u + j, angle + j, kCount), marked + j);
+        markRunsOfBlock(u + j, solid + j, angle + j, s, std::integral_constant<int, kLookBlock>(), limits, marked + j);
     }
 }
 
@@ -299,8 +302,9 @@ void snapAt(const Place& at, unsigned marks, float angle, const DepthLimits& lim
     const float rangeM = 1.0F / at.u[0];
     const float cell = rangeM * angle;
     const float spot = kSpotM + kSpotRad * rangeM;
+    const int longest = limits.spotGrows ? kLongestRun : 2;
     RunValues values{};
-    for (int run = worthwhile ? 2 : 3; run <= limits.mixedRun && static_cast<float>(run) * cell <= spot; ++run) {
+    for (int run = worthwhile ? 2 : 3; run <= longest && static_cast<float>(run) * cell <= spot; ++run) {
         const bool narrow = run > 2 && static_cast<float>(run) * cell < kLeastOfSpot * spot;
         if (narrow || (marks >> (run - 2) & 1U) == 0 || !snapRun(at, run, limits, values)) continue;
         for (int n = 0; n < run; ++n) out[n * at.step] = values[static_cast<std::size_t>(n)];
@@ -320,7 +324,7 @@ void snapMixedPixels(const DepthField& field, Along along, int line, const float
     for (int from = 0; from < field.u.beams; from += kTogether) {
         const int cells = std::min(kTogether, field.u.beams - from);
         vectorised<markCandidates>(u + from, solid + from, angle + from, step, cells, limits, marked.data());
-        if (limits.mixedRun > 2) vectorised<markLongRuns>(u + from, solid + from, angle + from, step, cells, limits, marked.data());
+        if (limits.spotGrows) vectorised<markLongRuns>(u + from, solid + from, angle + from, step, cells, limits, marked.data());
         forEachNotZero(std::span<const std::uint8_t>(marked.data(), static_cast<std::size_t>(cells)), [&](std::size_t place) {
             const std::size_t j = static_cast<std::size_t>(from) + place;
             snapAt({u + j, solid + j, step}, marked[place], angle[j], limits, out + j);

@@ -37,9 +37,10 @@ struct DepthLimits {
     float reliefMm = 5;   ///< roughness of a surface, mm, measured across it; along a slanted beam it is longer; depthLimits(): 5 q
     float noisy = 0;      ///< share of a second smoothing pass, and of straight lines of three cells instead of two at jumps
     int passes = 1;       ///< number of smoothing passes: 2 if `noisy` is above 0
-    int mixedRun = 2;     ///< longest run of mixed pixels, cells
-    float rimSlant = 0;   ///< tangent of the largest slant of a surface that has a rim at a void
-    bool turns = true;    ///< lines are not linked at steps at which the stepper turned
+    /// The spot of the beam covers several cells of a dense grid: runs of more than two mixed pixels, and folds that leave out half of it.
+    bool spotGrows = false;
+    float rimSlant = 0; ///< tangent of the largest slant of a surface that has a rim at a void
+    bool turns = true;  ///< lines are not linked at steps at which the stepper turned
     RangeNoise noise;
     RangeNoise foldNoise; ///< the white noise that causes as large folds within the window as the scan's noise does
 

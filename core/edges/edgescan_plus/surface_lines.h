@@ -16,7 +16,7 @@ namespace edgescan::edges {
 class SurfaceLines {
 public:
     /// The results of a line depend on at most this many lines before it.
-    static constexpr int kLinesBefore = 32;
+    static constexpr int kLinesBefore = 34;
 
     /// Stores the references. Begins at line `from` as if it were the first line. `parts`: also those of the folds are stored.
     SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits, int from = 0,

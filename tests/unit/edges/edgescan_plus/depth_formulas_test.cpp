@@ -46,12 +46,14 @@ struct PlainSide {
     int cells = 0;
     double slope = 0, height = 0; // slope of u per step outwards, and height over the cell
 };
-PlainSide plainSide(const float* at, const std::uint8_t* link, std::ptrdiff_t s, int sign, int most) {
+PlainSide plainSide(const float* at, const std::uint8_t* link, std::ptrdiff_t s, int sign, int most, int blurred) {
     const auto linked = [&](int n) { return link[sign > 0 ? n * s : -(n + 1) * s] != 0; }; // from the nth cell to the next
+    int untilBreak = 0;
+    while (untilBreak < 16 && linked(untilBreak)) ++untilBreak;
+    const int clear = untilBreak == 16 ? 15 : std::max(std::min(untilBreak, 1), untilBreak - blurred);
     PlainSide side;
     double sum = 0, weighted = 0;
-    for (int n = 1; n <= most && linked(n - 1); ++n) {
-        if (n > 1 && !linked(n)) break;
+    for (int n = 1; n <= std::min(most, clear); ++n) {
         const double off = static_cast<double>(at[sign * n * s]) - static_cast<double>(at[0]);
         ++side.cells;
         sum += off;
@@ -72,9 +74,11 @@ PlainFit plainFit(const float* at, const std::uint8_t* link, std::ptrdiff_t s, d
     const double u = static_cast<double>(at[0]);
     const double wanted = std::clamp(static_cast<double>(limits.windowMm) * 0.001 * u / angle + 0.5, 3.0, 15.0);
     PlainFit fit;
-    fit.onTheEdge = wanted > 3 && wanted < 15 && std::abs(wanted - std::round(wanted)) < 1e-3;
-    const PlainSide left = plainSide(at, link, s, -1, static_cast<int>(wanted)),
-                    right = plainSide(at, link, s, 1, static_cast<int>(wanted));
+    const double halfSpot = limits.spotGrows ? 0.5 * (0.013 * u + 0.0046) / angle + 0.5 : 1;
+    const auto isOnTheEdge = [](double cells) { return std::abs(cells - std::round(cells)) < 1e-3; };
+    fit.onTheEdge = (wanted > 3 && wanted < 15 && isOnTheEdge(wanted)) || (halfSpot > 1 && isOnTheEdge(halfSpot));
+    const int most = static_cast<int>(wanted), blurred = std::max(1, static_cast<int>(halfSpot));
+    const PlainSide left = plainSide(at, link, s, -1, most, blurred), right = plainSide(at, link, s, 1, most, blurred);
     fit.before = left.cells > 0 ? left.slope / (u * angle) : -right.slope / (u * angle);
     fit.after = right.cells > 0 ? -right.slope / (u * angle) : left.slope / (u * angle);
     const int fewer = std::min(left.cells, right.cells);
@@ -100,7 +104,7 @@ double plainFold(const PlainFit& along, const PlainFit& across, const DepthLimit
 TEST(DepthFormulas, JumpsAndFoldsAreThoseOfTheMethod) {
     std::mt19937 random(41);
     int cracks = 0, folds = 0;
-    for (int round = 0; round < 40; ++round) {
+    for (int round = 0; round < 50; ++round) {
         const int lines = 20 + static_cast<int>(random() % 60), beams = 20 + static_cast<int>(random() % 200);
         const Scan boxes = test::boxesScan(lines, beams, static_cast<std::uint32_t>(random()), std::array{0.0, 0.02, 0.3}[random() % 3]);
         const double scale = std::array{1.0, 0.3, 0.1}[random() % 3], slant = static_cast<double>(random() % 400) * 0.01;
@@ -112,6 +116,7 @@ TEST(DepthFormulas, JumpsAndFoldsAreThoseOfTheMethod) {
         limits.jumpMm = random() % 2 == 0 ? 5.0F : 40.0F;
         limits.noisy = static_cast<float>(random() % 3) / 2;
         limits.windowMm = static_cast<float>(20 + random() % 200);
+        limits.spotGrows = random() % 2 == 0;
         limits.noise = {4.0, 0.2};
         limits.foldNoise = round % 2 == 0 ? limits.noise : RangeNoise{3.0, 0.1, 0.05};
         const InverseRange inverse = inverseRange(scan);

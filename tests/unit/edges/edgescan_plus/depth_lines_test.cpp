@@ -89,7 +89,7 @@ struct PlainVeil {
     static bool between(float u, float a, float b) { return a > 0 && b > 0 && u > std::min(a, b) && u < std::max(a, b); }
 
     [[nodiscard]] bool worthwhile() const {
-        const float apart = 0.001F * 2.0F * limits.jumpMm;
+        const float apart = 0.001F * thresholdsApart() * limits.jumpMm;
         const auto areApart = [&](float a, float b) { return std::abs(a - b) > apart * a * b; };
         const float bend = std::abs(value(-2) - 2 * value(-1) + value(0)) + std::abs(value(1) - 2 * value(0) + value(-1));
         const bool bent = bend > 0.25F * apart * value(0) * value(0);
@@ -104,7 +104,11 @@ struct PlainVeil {
         result = gap(before, value(0)) < gap(after, value(0)) ? before : after;
         return true;
     }
-    [[nodiscard]] float slope(int end, int sign) const {
+    [[nodiscard]] float thresholdsApart() const { return limits.spotGrows ? 1.6F : 2.0F; }
+    [[nodiscard]] float slope(int end, int sign, int run) const {
+        const auto v = [&](int n) { return value(end + n * sign); };
+        const bool five = there[(end + 2 * sign) * step] != 0 && there[(end + 3 * sign) * step] != 0 && there[(end + 4 * sign) * step] != 0;
+        if (run > 3 && five) return 0.1F * (2 * (v(4) - v(0)) + v(3) - v(1));
         return there[(end + 2 * sign) * step] != 0 ? 0.5F * (value(end + 2 * sign) - value(end)) : value(end + sign) - value(end);
     }
     [[nodiscard]] bool run(int count, std::vector<float>& result) const {
@@ -112,11 +116,11 @@ struct PlainVeil {
         float farthest = 0;
         result.clear();
         for (int n = 0; n < count; ++n) {
-            const float before = value(-1) - static_cast<float>(n + 1) * slope(-1, -1);
-            const float after = value(count) - static_cast<float>(count - n) * slope(count, 1);
+            const float before = value(-1) - static_cast<float>(n + 1) * slope(-1, -1, count);
+            const float after = value(count) - static_cast<float>(count - n) * slope(count, 1, count);
             if (!between(value(n), before, after)) return false;
             const float allowed = limits.jumpAt(1000.0F / std::max(before, after));
-            if (std::min(gap(before, after), gap(value(-1), value(count))) < 2.0F * allowed) return false;
+            if (std::min(gap(before, after), gap(value(-1), value(count))) < thresholdsApart() * allowed) return false;
             const float toBefore = gap(before, value(n));
             const float toAfter = gap(after, value(n));
             farthest = std::max(farthest, std::min(toBefore, toAfter) / allowed);
@@ -140,7 +144,8 @@ struct PlainVeil {
             const float rangeM = 1.0F / value(0);
             const float cell = rangeM * angle[j];
             const float spot = 0.013F + 0.0046F * rangeM;
-            for (int cells = isShort ? 2 : 3; cells <= limits.mixedRun && static_cast<float>(cells) * cell <= spot; ++cells) {
+            for (int cells = isShort ? 2 : 3; cells <= (limits.spotGrows ? kLongestRun : 2) && static_cast<float>(cells) * cell <= spot;
+                 ++cells) {
                 if ((cells > 2 && static_cast<float>(cells) * cell < 0.5F * spot) || !run(cells, values)) continue;
                 for (int n = 0; n < cells; ++n) out[n * step] = values[static_cast<std::size_t>(n)];
                 count += cells;
@@ -160,7 +165,7 @@ DepthLimits randomLimits(std::mt19937& random) {
     limits.passes = 1 + static_cast<int>(random() % 2);
     limits.windowMm = static_cast<float>(20 + random() % 200);
     limits.noise = {4.0, 0.2};
-    limits.mixedRun = random() % 3 == 0 ? 2 : kLongestRun;
+    limits.spotGrows = random() % 3 != 0;
     return limits;
 }
 
