@@ -117,14 +117,15 @@ Result<Done> learn(const LearnConfidence& asked) {
         if (each.count() == 0) continue;
         const lab::TreeSamples others = without(samples, kind);
         if (others.count() > 0)
-            printResult(kind + " left out: " + lab::qualityText(lab::qualityOf(each, lab::learntTrees(others, asked.choices, threads))));
+            printResult(kind +
+                        " left out: " + lab::qualityText(lab::qualityOf(each, lab::learntConfidence(others, asked.choices, threads))));
     }
     const lab::TreeSamples all = without(samples, "");
     if (all.count() == 0) return Error{"nothing is called a rock in these scans", "--lines --beams", "give finer scans"};
-    const lab::LearntTrees trees = lab::learntTrees(all, asked.choices, threads);
-    printResult(std::to_string(all.count()) + " rocks, on themselves: " + lab::qualityText(lab::qualityOf(all, trees)) + "; " +
+    const lab::LearntConfidence learnt = lab::learntConfidence(all, asked.choices, threads);
+    printResult(std::to_string(all.count()) + " rocks, on themselves: " + lab::qualityText(lab::qualityOf(all, learnt)) + "; " +
                 std::to_string(regions.size()) + " regions, " + scoreText(regions));
-    return writeWholeFile(asked.output, lab::treesText(trees, madeBy("learn-confidence", asked.scans, drawFlags(asked.stones))));
+    return writeWholeFile(asked.output, lab::confidenceText(learnt, madeBy("learn-confidence", asked.scans, drawFlags(asked.stones))));
 }
 
 } // namespace

@@ -65,7 +65,8 @@ struct Split {
 class Grower {
 public:
     Grower(const TreeSamples& samples, const BoostingChoices& choices, int threads)
-        : samples_(samples), choices_(choices), threads_(threads), limits_(static_cast<std::size_t>(samples.features)),
+        : samples_(samples), choices_(choices), threads_(threads),
+          limits_(static_cast<std::size_t>(choices.features > 0 ? choices.features : samples.features)),
           bins_(limits_.size(), std::vector<std::uint8_t>(samples.count())), said_(samples.count()), place_(samples.count()),
           sums_(samples.count()) {
         eachFeature([&](std::size_t f) {
@@ -85,8 +86,8 @@ public:
         }
         LearntTrees learnt;
         const double share = std::clamp(yes / std::max(all, 1e-9), 1e-3, 1 - 1e-3);
-        learnt.start = static_cast<std::int32_t>(std::lround(std::log(share / (1 - share)) * kLogOddsUnit));
-        std::ranges::fill(said_, learnt.start);
+        if (samples_.before.empty()) learnt.start = static_cast<std::int32_t>(std::lround(std::log(share / (1 - share)) * kLogOddsUnit));
+        said_ = samples_.before.empty() ? std::vector<std::int32_t>(samples_.count(), learnt.start) : samples_.before;
         for (int n = 0; n < choices_.trees; ++n) learnt.trees.push_back(nextTree());
         return learnt;
     }
@@ -94,7 +95,7 @@ public:
 private:
     template <class Work>
     void eachFeature(Work work) {
-        runInBands(samples_.features, threads_, [&](int first, int last) {
+        runInBands(static_cast<int>(limits_.size()), threads_, [&](int first, int last) {
             for (int f = first; f < last; ++f) work(static_cast<std::size_t>(f));
         });
     }
@@ -213,7 +214,7 @@ AnswerQuality qualityOf(const TreeSamples& samples, const LearntTrees& trees) {
     std::array<double, 10> said{}, was{}, weight{};
     double yes = 0, no = 0;
     for (std::size_t n = 0; n < samples.count(); ++n) {
-        const std::int32_t odds = trees.logOddsOf(samples.of(n));
+        const std::int32_t odds = trees.logOddsOf(samples.of(n)) + (samples.before.empty() ? 0 : samples.before[n]);
         const auto w = static_cast<double>(samples.weight[n]);
         answers.push_back({odds, samples.yes[n] != 0 ? w : 0.0, samples.yes[n] != 0 ? 0.0 : w});
         yes += answers.back().yes;

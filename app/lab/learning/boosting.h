@@ -13,9 +13,10 @@ namespace edgescan::lab {
 /// What is known of some cells or regions.
 struct TreeSamples {
     int features = 0;
-    std::vector<float> values;     ///< samples x features
-    std::vector<std::uint8_t> yes; ///< 1 or 0 per sample
-    std::vector<float> weight;     ///< per sample
+    std::vector<float> values;          ///< samples x features
+    std::vector<std::uint8_t> yes;      ///< 1 or 0 per sample
+    std::vector<float> weight;          ///< per sample
+    std::vector<std::int32_t> before{}; ///< per sample, the log odds to which the trees add; empty: one start for all
 
     [[nodiscard]] std::size_t count() const { return yes.size(); }
     [[nodiscard]] const float* of(std::size_t sample) const { return values.data() + sample * static_cast<std::size_t>(features); }
@@ -28,6 +29,7 @@ struct BoostingChoices {
     double rate = 0.25;
     double least = 60;  ///< weight of the samples of a leaf
     double ridge = 1.0; ///< added to the curvature of a leaf
+    int features = 0;   ///< trees ask only about the first so many; 0: about all
 };
 
 struct LearntTrees {

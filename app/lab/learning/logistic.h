@@ -17,6 +17,7 @@ struct LogisticSample {
     std::array<double, kInputs> inputs{};
     bool right = false; ///< the answer is yes
     double weight = 1.0;
+    double before = 0.0; ///< log odds to which the weights add
 };
 
 struct LogisticChoices {
@@ -40,7 +41,7 @@ template <std::size_t kInputs>
         for (const LogisticSample<kInputs>& sample : samples) {
             Vector x;
             x << 1.0, Eigen::Map<const Eigen::Matrix<double, kSize - 1, 1>>(sample.inputs.data());
-            const double said = 1.0 / (1.0 + portable::exp(-now.dot(x)));
+            const double said = 1.0 / (1.0 + portable::exp(-now.dot(x) - sample.before));
             slope += sample.weight * ((sample.right ? 1.0 : 0.0) - said) * x;
             curvature += sample.weight * std::max(said * (1.0 - said), choices.leastVariance) * x * x.transpose();
         }

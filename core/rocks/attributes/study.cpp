@@ -179,9 +179,13 @@ Study studyRocks(const Inputs& inputs, const RockSettings& settings, const std::
                                         : std::make_shared<const Segmentation>(segmentRocks(inputs, cuts));
     const Segmentation& segments = *study.segmentation;
     study.tree = sameSegments && before->edits == edits ? before->tree : treeOf(study, edits, before);
-    const RegionMap plain = edits.empty() ? RegionMap{} : rocksAt(*study.uncut, {*study.tree->plain}, settings);
-    study.map = rocksAt(segments, *study.tree, settings, rockCallsOf(segments, edits), edits.empty() ? nullptr : &plain);
-    if (!edits.empty()) study.map = withKeptNumbers(std::move(study.map), segments, plain, *study.uncut, edits);
+    if (edits.empty()) {
+        study.map = rocksAt(segments, *study.tree, settings);
+    } else {
+        const RegionMap plain = rocksAt(*study.uncut, {*study.tree->plain}, settings);
+        study.map = rocksAt(segments, *study.tree, settings, rockCallsOf(segments, edits), &plain);
+        study.map = withKeptNumbers(std::move(study.map), segments, plain, *study.uncut, edits);
+    }
     const std::optional<EarlierRows> rows = sameSegments ? std::optional(EarlierRows{before->map, before->rocks}) : std::nullopt;
     study.rocks = rockRows(segments, study.map, rows ? &*rows : nullptr);
     addLikelyJoins(*study.tree, study.map, study.rocks);

@@ -1,6 +1,8 @@
 // Measures pairs of bodies and asks the trees about them.
 #include "core/rocks/segmentation/merge_price.h"
 
+#include "core/base/boosted_trees.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -97,10 +99,6 @@ PairFeatures pairFeatures(const Body& a, const Body& b, const BodyBorder& border
     return features;
 }
 
-MergeModel mergeModel() { return {kStart, kTrees}; }
-
-double mergePrice(const PairFeatures& features, const MergeModel& model) {
-    return static_cast<double>(logOdds(model.trees, model.start, features.data())) / kLogOddsUnit;
-}
+double mergePrice(const PairFeatures& features) { return static_cast<double>(logOdds(kTrees, kStart, features.data())) / kLogOddsUnit; }
 
 } // namespace edgescan::rocks

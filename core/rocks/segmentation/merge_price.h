@@ -2,12 +2,9 @@
 // "Step 5").
 #pragma once
 
-#include "core/base/boosted_trees.h"
 #include "core/rocks/segmentation/bodies.h"
 
 #include <array>
-#include <cstdint>
-#include <span>
 #include <vector>
 
 namespace edgescan::rocks {
@@ -39,14 +36,7 @@ using PairFeatures = std::array<float, kPairFeatures>;
 /// `border.sums.a` belongs to `a`, `border.sums.b` to `b`.
 [[nodiscard]] PairFeatures pairFeatures(const Body& a, const Body& b, const BodyBorder& border, const RangeNoise& noise);
 
-/// The trees that `edgescan-lab learn-rocks` made (merge_trees.inc).
-struct MergeModel {
-    std::int32_t start;
-    std::span<const BoostedTree> trees;
-};
-[[nodiscard]] MergeModel mergeModel();
-
-/// Log odds that two bodies are two rocks.
-[[nodiscard]] double mergePrice(const PairFeatures& features, const MergeModel& model);
+/// Log odds that two bodies are two rocks, by the trees that `edgescan-lab learn-rocks` made (merge_trees.inc).
+[[nodiscard]] double mergePrice(const PairFeatures& features);
 
 } // namespace edgescan::rocks

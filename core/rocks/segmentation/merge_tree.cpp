@@ -111,7 +111,7 @@ private:
     double priceOf(const BodyBorder& border, std::uint32_t one, std::uint32_t other, std::uint32_t a, std::uint32_t b) {
         if (bodies_.empty()) return border.sums.meanZ();
         const PairFeatures features = pairFeatures(bodyOf(one), bodyOf(other), border, noise_);
-        return rules_ != nullptr ? rules_->price(features, a, b) : mergePrice(features, model_);
+        return rules_ != nullptr ? rules_->price(features, a, b) : mergePrice(features);
     }
 
     // Marks the border as removed.
@@ -161,7 +161,6 @@ private:
 
     RangeNoise noise_{};
     const MergeRules* rules_ = nullptr;
-    MergeModel model_ = mergeModel();
     JoinedGroups groups_;
     std::vector<std::uint32_t> name_; // smallest segment, by group
     std::vector<Neighbours> of_;      // borders, by group

@@ -1,6 +1,7 @@
 // A region alone says too little: on a wall without rocks, what looks like a rock is background. So the other regions count, too.
 #include "core/rocks/selection/confidence.h"
 
+#include "core/base/boosted_trees.h"
 #include "core/base/portable_math.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace edgescan::rocks {
 namespace {
 
-#include "core/rocks/selection/confidence_trees.inc" // kStart and kTrees
+#include "core/rocks/selection/confidence_trees.inc" // kStart, kTrees and kBase
 
 constexpr double kLeastScore = -6.0;
 constexpr double kMostScore = 12.0;
@@ -22,9 +23,9 @@ double chance(double logOdds) { return 1.0 / (1.0 + portable::exp(-logOdds)); }
 
 double clippedScore(const Region& region) { return std::clamp(region.score, kLeastScore, kMostScore); }
 
-/// Log odds of the mean over all rocks, within 0 and 1.25; 0 without rocks. Above that it says which scan it is rather than what is there.
+/// Log odds of the mean over all rocks, within 0 and 2; 0 without rocks.
 double ofAllRocks(const RegionMap& map) {
-    constexpr double kMostChance = 0.777; // log odds of 1.25
+    constexpr double kMostChance = 0.8808; // log odds of 2
     double sum = 0.0;
     double rocks = 0.0;
     for (const Region& region : map.regions) {
@@ -52,7 +53,6 @@ std::vector<ConfidenceInputs> confidenceInputs(const RegionMap& map) {
         const double rangeM = (region.sums.sumM / std::max(1.0, static_cast<double>(region.sums.cells))).norm();
         const std::array<double, kConfidenceInputs> numbers{region.nearShare,
                                                             clippedScore(region),
-                                                            all,
                                                             around[n] / std::max(1.0, static_cast<double>(region.outlineCracks)),
                                                             region.levelsBelow,
                                                             region.levelsAbove,
@@ -62,16 +62,22 @@ std::vector<ConfidenceInputs> confidenceInputs(const RegionMap& map) {
                                                             region.depthRatio,
                                                             region.boxShare,
                                                             static_cast<double>(region.sweepSides),
-                                                            rangeM > 0 ? region.sums.areaM2 / (rangeM * rangeM) : 0.0};
+                                                            rangeM > 0 ? region.sums.areaM2 / (rangeM * rangeM) : 0.0,
+                                                            all};
         std::ranges::transform(numbers, inputs[n].begin(), [](double number) { return static_cast<float>(number); });
     }
     return inputs;
 }
 
-ConfidenceModel confidenceModel() { return {kStart, kTrees}; }
+double baseOdds(const std::array<double, kConfidenceBase>& base, const float* inputs) {
+    double odds = base[0];
+    for (std::size_t n = 0; n < kConfidenceBaseInputs.size(); ++n)
+        odds += base[n + 1] * static_cast<double>(inputs[kConfidenceBaseInputs[n]]);
+    return odds;
+}
 
-double confidenceOf(const ConfidenceInputs& inputs, const ConfidenceModel& model) {
-    return chance(static_cast<double>(logOdds(model.trees, model.start, inputs.data())) / kLogOddsUnit);
+double confidenceOf(const ConfidenceInputs& inputs) {
+    return chance(baseOdds(kBase, inputs.data()) + static_cast<double>(logOdds(kTrees, kStart, inputs.data())) / kLogOddsUnit);
 }
 
 } // namespace edgescan::rocks

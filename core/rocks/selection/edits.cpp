@@ -154,16 +154,23 @@ RegionMap withKeptNumbers(RegionMap map, const Segmentation& segments, const Reg
     std::vector<std::uint32_t> numbers = sharedNumbers(map, plain, sharedCells(uncut, plain, segments, map));
     std::uint32_t next = plain.rocks;
     const std::vector<std::vector<std::uint32_t>> touched = rocksTouched(map, segments, edits);
-    std::vector<std::size_t> last(numbers.size(), 0); // the last edit that touches the rock
+    std::vector<std::size_t> last(numbers.size(), 0), lastJoin(numbers.size(), 0); // edits that touch the rock
     for (std::size_t n = 0; n < touched.size(); ++n) {
-        for (const std::uint32_t rock : touched[n]) last[rock] = n;
+        for (const std::uint32_t rock : touched[n]) {
+            last[rock] = n;
+            if (edits[n].kind == EditKind::Join) lastJoin[rock] = n;
+        }
     }
-    // A later edit made the other pieces that it touches, too.
+    // A later edit made the other pieces that it touches, too. The number of a piece that is joined again stays free.
     for (std::size_t n = 0; n < touched.size(); ++n) {
         bool isFirst = true;
+        const std::uint32_t before = next;
         for (const std::uint32_t rock : touched[n]) {
             if (numbers[rock] == 0 && (std::exchange(isFirst, false) || last[rock] == n)) numbers[rock] = ++next;
         }
+        const bool divides =
+            edits[n].kind == EditKind::Part || (edits[n].kind == EditKind::Cut && (n == 0 || edits[n - 1].kind != EditKind::Cut));
+        if (divides && next == before && std::ranges::any_of(touched[n], [&](std::uint32_t rock) { return lastJoin[rock] > n; })) ++next;
     }
     for (std::uint32_t rock = 1; rock <= map.rocks; ++rock) {
         if (numbers[rock] == 0) numbers[rock] = ++next;

@@ -207,7 +207,7 @@ void setConfidence(const Segmentation& segments, const RegionMap* plain, RegionM
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         Region& region = map.regions[n];
         if (region.kind != RegionKind::Fines)
-            region.confidence = same[n] != 0 ? plain->regions[same[n]].confidence : confidenceOf(inputs[n], confidenceModel());
+            region.confidence = same[n] != 0 ? plain->regions[same[n]].confidence : confidenceOf(inputs[n]);
         if (region.kind == RegionKind::Rock && region.confidence < kLeastConfidence) region.kind = RegionKind::NotRock;
     }
 }

@@ -41,6 +41,15 @@ TEST(Boosting, IsTheSameWithAnyNumberOfThreads) {
     EXPECT_EQ(treesText(learntTrees(samples, {}, 1), "x"), treesText(learntTrees(samples, {}, 3), "x"));
 }
 
+TEST(Boosting, TreesAddToWhatIsKnownBefore) {
+    TreeSamples samples = ring(1, 20000);
+    for (const std::uint8_t yes : samples.yes) samples.before.push_back(yes != 0 ? 8 * kLogOddsUnit : -8 * kLogOddsUnit);
+    const LearntTrees trees = learntTrees(samples, {}, 1);
+    EXPECT_EQ(trees.start, 0);
+    EXPECT_LT(std::abs(trees.logOddsOf(samples.of(0))), 2 * kLogOddsUnit); // little is left to learn
+    EXPECT_NEAR(qualityOf(samples, trees).auc, 1.0, 1e-9);
+}
+
 TEST(Boosting, AnUnaskedQuestionAddsNothing) {
     const LearntTrees trees = learntTrees(ring(1, 150), {.least = 1000}, 1); // no leaf is large enough
     for (const BoostedTree& tree : trees.trees) {

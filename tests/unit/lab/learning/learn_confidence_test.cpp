@@ -27,7 +27,7 @@ TEST(LearnConfidence, FalseRocksOfABareWallAreSamples) {
     for (std::size_t n = 0; n < samples.count(); ++n) {
         rocks::ConfidenceInputs inputs{};
         std::copy_n(samples.of(n), inputs.size(), inputs.begin());
-        EXPECT_LT(rocks::confidenceOf(inputs, rocks::confidenceModel()), 0.85);
+        EXPECT_LT(rocks::confidenceOf(inputs), 0.85);
     }
 }
 

@@ -39,15 +39,26 @@ TEST(Confidence, InputsAreThoseOfTheRegionItsNeighboursAndAllRocks) {
     const auto inputs = confidenceInputs(pair(4.0, 20.0));
     EXPECT_EQ(inputs[1][0], 0.4F);
     EXPECT_EQ(inputs[1][1], 12.0F); // within -6 .. 12
-    EXPECT_EQ(inputs[1][2], inputs[2][2]);
-    EXPECT_FLOAT_EQ(inputs[1][3], (5 * 8.0F + 5 * -6.0F) / 10);
-    EXPECT_FLOAT_EQ(inputs[2][3], 5 * 12.0F / 10);
+    EXPECT_EQ(inputs[1].back(), inputs[2].back());
+    EXPECT_FLOAT_EQ(inputs[1][2], (5 * 8.0F + 5 * -6.0F) / 10);
+    EXPECT_FLOAT_EQ(inputs[2][2], 5 * 12.0F / 10);
 }
 
 TEST(Confidence, RisesWithTheScoresOfARockAndOfTheOthers) {
-    const auto of = [](const RegionMap& map) { return confidenceOf(confidenceInputs(map)[2], confidenceModel()); };
+    const auto of = [](const RegionMap& map) { return confidenceOf(confidenceInputs(map)[2]); };
     // The same rock is less sure where the other one is doubtful.
     EXPECT_LT(of(pair(1.0, 0.5)), of(pair(6.0, 12.0)));
+}
+
+TEST(Confidence, WhatTheOtherRocksAreChangesItSmoothly) {
+    ConfidenceInputs inputs = confidenceInputs(pair(3.0, 3.0))[2];
+    double before = 0;
+    for (inputs.back() = 0; inputs.back() <= 2; inputs.back() += 0.05F) {
+        const double now = confidenceOf(inputs);
+        EXPECT_GT(now, before);
+        if (before > 0) EXPECT_LT(now, before + 0.05);
+        before = now;
+    }
 }
 
 TEST(Confidence, FallsWhereTheNextMergeIsNearlyAsCheap) {
@@ -56,7 +67,7 @@ TEST(Confidence, FallsWhereTheNextMergeIsNearlyAsCheap) {
         map.regions[2].levelsAbove = above;
         map.regions[2].score = 2.0;
         map.regions[2].evidence = 3.0;
-        return confidenceOf(confidenceInputs(map)[2], confidenceModel());
+        return confidenceOf(confidenceInputs(map)[2]);
     };
     EXPECT_LT(with(0.1), with(kMostLevels));
 }
@@ -64,8 +75,8 @@ TEST(Confidence, FallsWhereTheNextMergeIsNearlyAsCheap) {
 TEST(Confidence, AScanWithoutRocksHasInputs) {
     RegionMap map;
     map.regions = {Region{}, region(RegionKind::NotRock, 2.0, -9.0)};
-    EXPECT_EQ(confidenceInputs(map)[1][2], 0.0F);
-    EXPECT_FLOAT_EQ(confidenceInputs(map)[1][12], 0.25F / 25);
+    EXPECT_EQ(confidenceInputs(map)[1].back(), 0.0F);
+    EXPECT_FLOAT_EQ(confidenceInputs(map)[1][11], 0.25F / 25);
 }
 
 } // namespace
