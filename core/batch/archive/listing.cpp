@@ -2,6 +2,7 @@
 #include "core/batch/archive/listing.h"
 
 #include "core/base/bounded_json.h"
+#include "core/base/file_address.h"
 #include "core/base/inputs.h"
 #include "core/base/number_text.h"
 #include "core/base/pipe.h"
@@ -206,6 +207,7 @@ Result<Done> addPattern(const std::string& pattern, const fs::path& results, Arc
         }
     }
     if (code == 0) return Done{};
+    if (auto elsewhere = addressElsewhere(pattern)) return *elsewhere;
     return Error{"there is no such folder, list or scan, and no file of this pattern", pattern, "check the spelling and the folder"};
 }
 

@@ -322,7 +322,13 @@ Result<E57Choice> firstWithReturn(const Source& source) {
     auto file = containers::openE57(source.bytes, source.path.string());
     if (!file) return file.error();
     auto first = readChoice(*file, source, 0);
-    const auto isEmpty = [](const Result<E57Choice>& choice) { return choice && std::ranges::none_of(choice->table.points, hasRange); };
+    // No point has a range, or all have the same place: a value for "nothing".
+    const auto isEmpty = [](const Result<E57Choice>& choice) {
+        if (!choice) return false;
+        const auto& points = choice->table.points;
+        const auto one = std::ranges::find_if(points, hasRange);
+        return std::ranges::none_of(points, [&](const Eigen::Vector3d& p) { return hasRange(p) && p != *one; });
+    };
     if (source.options->scanIndex || !isEmpty(first)) return first;
     std::size_t from = first->index + 1;
     for (int tried = 1; tried < kMostTried && from < file->scans.size(); ++tried) {

@@ -145,11 +145,4 @@ void fitPlanes(AxisFrame& frame, std::vector<ScanLine>& lines, FanModel& fan, st
     fan = fit.fan();
 }
 
-Eigen::Vector3d inFan(const Eigen::Vector3d& q, double angle, double roll) {
-    const double c = std::cos(angle), s = std::sin(angle), cr = std::cos(roll), sr = std::sin(roll);
-    const double x = c * q.x() + s * q.y();
-    const double y = c * q.y() - s * q.x();
-    return {x, cr * y + sr * q.z(), cr * q.z() - sr * y};
-}
-
 } // namespace edgescan::files::turning

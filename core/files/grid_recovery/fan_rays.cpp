@@ -21,6 +21,7 @@ constexpr double kOnBeam = 0.3;        // of the step
 constexpr double kEven = 0.7;          // of the phases: the beams are even
 constexpr double kMostStep = 0.2;      // radians
 constexpr int kStepRounds = 25;
+constexpr double kSettled = 1e-14; // share that a round changes: rounding alone
 
 struct Neighbours {
     Eigen::Vector2d a, b; ///< across and along the axis
@@ -90,7 +91,10 @@ bool fitStep(Eigen::Vector2d& mirror, double& step, const std::vector<Neighbours
         if (!change.allFinite()) return false;
         mirror += change.head<2>();
         step += change.z();
+        const double before = tolerance;
         tolerance = std::clamp(8 * valueInOrder(off, off.size() / 2) / std::abs(step), 1e-4, kNeighbours);
+        const double moved = std::max(change.head<2>().norm() / (1 + mirror.norm()), std::abs(change.z() / step));
+        if (std::max(moved, std::abs(tolerance / before - 1)) < kSettled) break;
     }
     return true;
 }

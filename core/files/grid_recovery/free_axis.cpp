@@ -66,7 +66,8 @@ struct Model {
     [[nodiscard]] std::vector<Eigen::Vector3d> inFans(const Returns& returns) const {
         std::vector<Eigen::Vector3d> fans(returns.points.size());
         for (const ScanLine& line : lines) {
-            for (std::size_t m = line.from; m < line.to; ++m) fans[m] = inFan(frame(returns.points[m]), line.angle, fan.roll);
+            const auto inFan = intoFan(line.angle, fan.roll);
+            for (std::size_t m = line.from; m < line.to; ++m) fans[m] = inFan(frame(returns.points[m]));
         }
         return fans;
     }
@@ -119,13 +120,17 @@ std::vector<recognition::ReturnAngles> returnsAbout(std::span<const Eigen::Vecto
     return seen;
 }
 
-/// False when the list does not run along lines.
+/// False when the list does not run along lines that have most of the returns.
 bool findLines(Model& model, std::span<const Eigen::Vector3d> points, double rounding, double misfit) {
     const auto runs = recognition::runsOf(returnsAbout(points, rounding, misfit));
     if (!runs || runs->runs.size() < kFewestLines) return false;
     model.lines.clear();
-    for (const recognition::Run& run : runs->runs) model.lines.push_back({run.from, run.to, run.plane});
-    return true;
+    std::size_t inLines = 0;
+    for (const recognition::Run& run : runs->runs) {
+        model.lines.push_back({run.from, run.to, run.plane});
+        inLines += run.to - run.from >= kFewOfLine ? run.to - run.from : 0;
+    }
+    return 2 * inLines > points.size();
 }
 
 std::vector<Eigen::Vector3d> inFrame(const AxisFrame& frame, const Returns& returns) {
@@ -148,11 +153,10 @@ std::vector<double> steadyAngles(const Model& model, const Returns& returns) {
         if (isLine(i)) continue;
         double least = std::numeric_limits<double>::infinity();
         const auto tryLine = [&](std::size_t other) {
+            const auto inFan = intoFan(model.lines[other].angle, model.fan.roll);
             double off = 0;
-            for (std::size_t m = model.lines[i].from; m < model.lines[i].to; ++m) {
-                const Eigen::Vector3d f = inFan(model.frame(returns.points[m]), model.lines[other].angle, model.fan.roll);
-                off = std::max(off, std::abs(f.y() - model.fan.mirror.y()));
-            }
+            for (std::size_t m = model.lines[i].from; m < model.lines[i].to; ++m)
+                off = std::max(off, std::abs(inFan(model.frame(returns.points[m])).y() - model.fan.mirror.y()));
             if (off >= least) return;
             least = off;
             angles[i] = model.lines[other].angle;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -45,8 +46,13 @@ struct FanModel {
 /// Fits axis, centre, roll and mirror.y() to the planes of all lines, and the angle of each line.
 void fitPlanes(AxisFrame& frame, std::vector<ScanLine>& lines, FanModel& fan, std::span<const Eigen::Vector3d> returns);
 
-/// A return in its fan: Rx(-roll) Rz(-angle) q.
-[[nodiscard]] Eigen::Vector3d inFan(const Eigen::Vector3d& q, double angle, double roll);
+/// A function from a return to the same in its fan: Rx(-roll) Rz(-angle) q.
+[[nodiscard]] inline auto intoFan(double angle, double roll) {
+    return [c = std::cos(angle), s = std::sin(angle), cr = std::cos(roll), sr = std::sin(roll)](const Eigen::Vector3d& q) {
+        const double y = c * q.y() - s * q.x();
+        return Eigen::Vector3d(c * q.x() + s * q.y(), cr * y + sr * q.z(), cr * q.z() - sr * y);
+    };
+}
 
 /// FanBeams of a fan, radians.
 struct FanBeams {

@@ -37,9 +37,11 @@ std::string unitTaken(double mmPerUnit) {
 
 RangeUnit findUnit(std::span<const double> ranges, const Precision& precision, std::optional<double> known) {
     RangeUnit unit;
+    std::vector<double> sorted(ranges.begin(), ranges.end());
+    const double far = sorted.empty() ? 0.0 : quantile(sorted, 0.95);
     if (known) {
-        unit.mmPerUnit = *known;
-        unit.wholeMm = wholeAt(ranges, precision, *known);
+        unit = {*known, wholeAt(ranges, precision, *known), {}};
+        if (far * *known > 1000.0 * kLongestInMetres) unit.remark = "Ranges beyond 1,000 m: if the file is in millimetres, give --unit mm.";
         return unit;
     }
     // Whole millimetres are also whole tenths of a centimetre: the coarsest unit that fits is the one it was written in.
@@ -48,9 +50,8 @@ RangeUnit findUnit(std::span<const double> ranges, const Precision& precision, s
         unit = {factor, true, unitTaken(factor) + ", in which every range is a whole number of millimetres."};
         return unit;
     }
-    std::vector<double> sorted(ranges.begin(), ranges.end());
     if (sorted.empty()) return unit;
-    unit.mmPerUnit = valueInOrder(sorted, (sorted.size() - 1) * 95 / 100) > kLongestInMetres ? 1.0 : 1000.0;
+    unit.mmPerUnit = far > kLongestInMetres ? 1.0 : 1000.0;
     unit.remark = unitTaken(unit.mmPerUnit) + ", from the size of the numbers.";
     return unit;
 }

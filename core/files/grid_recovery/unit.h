@@ -16,7 +16,7 @@ namespace edgescan::files {
 struct RangeUnit {
     double mmPerUnit = 1000.0;
     bool wholeMm = false; ///< every range is a whole number of millimetres within the precision of the file
-    std::string remark;   ///< a sentence when the unit was found out rather than known
+    std::string remark;   ///< a sentence when the unit was found out, or when ranges are beyond those of such scanners
 };
 
 /// Unit of the distances `ranges` (> 0) from the origin. A scanner that measures whole millimetres gives itself away.

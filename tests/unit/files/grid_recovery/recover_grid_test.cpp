@@ -141,6 +141,21 @@ TEST(RecogniseGrid, RangesOfWholeMillimetresComeBackExactly) {
     }
 }
 
+TEST(RecogniseGrid, AUnitThatGivesKilometresIsDoubted) {
+    const Folder folder;
+    for (const double perMetre : {1.0, 1000.0}) {
+        const ListStyle style{.perMetre = perMetre};
+        writeText(folder / "list.txt", textOf(listOf(makeScan({}), style), style));
+        ReadingOptions metres;
+        metres.unitMm = 1000.0;
+        const auto found = openScan(folder / "list.txt", metres);
+        ASSERT_TRUE(found) << found.error().sentence();
+        const bool doubted =
+            std::ranges::any_of(found->warnings, [](const auto& w) { return w.find("give --unit mm") != std::string::npos; });
+        EXPECT_EQ(doubted, perMetre == 1000.0);
+    }
+}
+
 TEST(RecogniseGrid, DroppedAndShuffledPointsFindTheirCells) {
     const Folder folder;
     for (const char* format : {"%.6g", "%.9g", "%.4f"}) {
