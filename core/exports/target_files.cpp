@@ -40,7 +40,7 @@ std::string csvTargets(const edges::Detection& detection, const TargetList& targ
     const RangeNoise noise = inspect::noiseOf(detection);
     std::string text = "target,name,note,distance_m,tolerance_m";
     for (const char* name : coordinateNames(frame)) text += std::string(",") + name;
-    text += ",line,beam,edge,pinned_utc\n";
+    text += ",line,beam,edge,pinned_utc,rock\n";
     const auto metres = [](double value) { return "," + fixedText(value, 3); }; // the digits of the window's table
     for (const PinnedTarget& target : targets) {
         text += std::to_string(target.number) + "," + csvCell(target.name) + "," + csvCell(target.note);
@@ -58,7 +58,7 @@ std::string csvTargets(const edges::Detection& detection, const TargetList& targ
             const edges::Probe probe = edges::probeCell(detection, target.cell);
             text += edges::edgeName(probe.edge, probe.kind);
         }
-        text += "," + csvCell(target.pinnedUtc) + "\n";
+        text += "," + csvCell(target.pinnedUtc) + "," + (target.rock > 0 ? std::to_string(target.rock) : "") + "\n";
     }
     return text;
 }
@@ -119,13 +119,15 @@ Json targetsRecord(const ExportOptions& options, const Scan& scan) {
     if (!options.targets) return {};
     const auto beams = static_cast<std::uint32_t>(scan.beams());
     Json list = Json::array();
-    for (const PinnedTarget& target : *options.targets)
+    for (const PinnedTarget& target : *options.targets) {
         list.push_back({{"number", target.number},
                         {"name", target.name},
                         {"note", target.note},
                         {"line", target.cell / beams},
                         {"beam", target.cell % beams},
                         {"pinned_utc", target.pinnedUtc}});
+        if (target.rock > 0) list.back()["rock"] = target.rock;
+    }
     return list;
 }
 
@@ -141,6 +143,7 @@ Result<Done> readTargets(const Json& record, const Scan& scan, const std::string
         const auto beam = each.wholeNumber("beam", 0, static_cast<std::uint64_t>(scan.beams()) - 1);
         target.cell = static_cast<std::uint32_t>(line * static_cast<std::uint64_t>(scan.beams()) + beam);
         target.pinnedUtc = each.text("pinned_utc");
+        if (each.has("rock")) target.rock = static_cast<std::uint32_t>(each.wholeNumber("rock", 1, UINT32_MAX));
         each.done();
         targets->push_back(std::move(target));
     }

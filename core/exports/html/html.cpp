@@ -43,6 +43,17 @@ std::string htmlText(std::string_view text) {
     return html;
 }
 
+std::string groupedText(std::size_t count) {
+    std::string text = std::to_string(count);
+    for (std::size_t end = text.size(); end > 3; end -= 3) text.insert(end - 3, ",");
+    return text;
+}
+
+std::string legendEntry(const Rgb& c, const std::string& words) {
+    return "<span><i style=\"background:rgb(" + std::to_string(c.red) + "," + std::to_string(c.green) + "," + std::to_string(c.blue) +
+           ")\"></i>" + words + "</span>";
+}
+
 std::string scriptJson(const nlohmann::ordered_json& json) {
     std::string text;
     for (const char c : jsonText(json)) text += c == '<' ? std::string("\\u003c") : c == '>' ? std::string("\\u003e") : std::string(1, c);

@@ -1,8 +1,11 @@
 // The parts of HTML pages. Text from outside enters a page only through these functions.
 #pragma once
 
+#include "core/base/rgb.h"
+
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -11,6 +14,11 @@ namespace edgescan::exports {
 /// Text for use between tags and in attributes: markup characters become &lt; and the like, control characters become what printable()
 /// writes.
 [[nodiscard]] std::string htmlText(std::string_view text);
+
+/// "1,136,154", as the window writes counts in English.
+[[nodiscard]] std::string groupedText(std::size_t count);
+
+[[nodiscard]] std::string legendEntry(const Rgb& colour, const std::string& words);
 
 /// JSON for use in a script: without "<", which could end the script.
 [[nodiscard]] std::string scriptJson(const nlohmann::ordered_json& json);

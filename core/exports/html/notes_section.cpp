@@ -68,10 +68,11 @@ std::string rowsHtml(const Rows& rows) {
 constexpr std::array kTargetColumns{"Target", "Name and note", "Cell", "Where, and its edge now", "Also on its card when it was pinned",
                                     "Pinned"};
 constexpr std::array kMeasureColumns{"Measured", "Result, ± two standard deviations", "From", "Cells"};
+constexpr std::array kTargetWidths{7, 13, 11, 26, 33, 10}, kMeasureWidths{16, 17, 51, 16, 0, 0}; // % of the table
 
-std::string headRow(const char* id, std::span<const char* const> columns) {
+std::string headRow(const char* id, std::span<const char* const> columns, std::span<const int> widths) {
     std::string html = std::string("<div class=\"wide cards\"><table id=\"") + id + "\">\n<thead><tr>";
-    for (const char* column : columns) html += std::string("<th>") + column + "</th>";
+    for (std::size_t n = 0; n < columns.size(); ++n) html += "<th width=\"" + std::to_string(widths[n]) + "%\">" + columns[n] + "</th>";
     return html + "</tr></thead><tbody>\n";
 }
 
@@ -187,28 +188,23 @@ std::string linesOf(std::string_view text) {
     return html;
 }
 
-std::string swatch(const Rgb& c, const char* sign, const std::string& words) {
-    return "<span><i style=\"background:rgb(" + std::to_string(c.red) + "," + std::to_string(c.green) + "," + std::to_string(c.blue) +
-           ")\"></i>" + sign + words + "</span>";
-}
-
 } // namespace
 
 std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook, int mostPixels, Translated translated) {
     if (notebook.empty()) return {};
-    std::string html = "<h2>Targets and measures</h2>\n";
     const RangeNoise noise = inspect::noiseOf(detection);
+    std::string html = "<h2>Targets and measures</h2>\n" + notesPicture(detection, noise, notebook, mostPixels);
     if (!notebook.targets.empty()) {
-        html += headRow("targets", kTargetColumns);
+        html += headRow("targets", kTargetColumns, kTargetWidths);
         for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(detection, noise, target);
         html += "</tbody></table></div>\n";
     }
     if (!notebook.measures.empty()) {
-        html += headRow("measures", kMeasureColumns);
+        html += headRow("measures", kMeasureColumns, kMeasureWidths);
         for (const inspect::StoredMeasure& measure : notebook.measures) html += measureRow(detection, noise, measure, translated);
         html += "</tbody></table></div>\n";
     }
-    return html + notesPicture(detection, noise, notebook, mostPixels);
+    return html;
 }
 
 std::string changeSection(const edges::Detection& now, const inspect::SceneChange& change, const std::string& earlier, int mostPixels) {
@@ -220,9 +216,9 @@ std::string changeSection(const edges::Detection& now, const inspect::SceneChang
         linesOf(inspect::changeText(*now.scan, change)) + "</pre>\n";
     const auto png = containers::pngRgbBytes(smaller(inspect::changePicture(*now.scan, change), mostPixels), "report");
     html += "<figure class=\"picture\">" + htmlImage(png ? *png : std::string(), "What changed, on the grid of this scan") +
-            "<div class=\"legend\">" + swatch(inspect::kGainedColour, "+ ", "edge gained, or surface nearer") +
-            swatch(inspect::kLostColour, "&minus; ", "edge lost, or surface farther") +
-            swatch(inspect::kUnchangedColour, "= ", "edge kept") + "</div></figure>\n";
+            "<div class=\"legend\">" + legendEntry(inspect::kGainedColour, "+ edge gained, or surface nearer") +
+            legendEntry(inspect::kLostColour, "&minus; edge lost, or surface farther") +
+            legendEntry(inspect::kUnchangedColour, "= edge kept") + "</div></figure>\n";
     return html;
 }
 

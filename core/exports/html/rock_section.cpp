@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -113,8 +112,6 @@ using Json = nlohmann::ordered_json;
 constexpr int kFacePixels = 900;                             // along a side
 constexpr int kRockCloudWidth = 800, kRockCloudHeight = 512; // px
 
-std::string twoDecimals(double m) { return fixedText(m, 2); }
-
 std::size_t overSite(const rocks::Study& study) {
     const double limit = study.settings.oversizeM;
     const auto isOver = [&](const rocks::Rock& rock) { return rock.shortestCaliperM > limit; };
@@ -144,8 +141,10 @@ std::string tableOf(const rocks::Study& study, const inspect::Notebook* notebook
     const std::vector<const rocks::Rock*> largest = listedRocks(study);
     const rocks::RockRows rows(study, files::usualFrame(scan), notebook != nullptr ? namedCells(notebook->targets) : rocks::NamedCells());
     std::string html = "<div class=\"wide cards\"><table id=\"rocks\">\n<thead><tr>", body;
+    const auto titles = std::ranges::count_if(rocks::rockColumns(rows.frame()), [](const auto& each) { return each.title != nullptr; });
+    const std::string head = "<th class=\"number\" width=\"" + std::to_string(100 / titles) + "%\">"; // as wide as each other
     for (const rocks::RockColumn& column : rocks::rockColumns(rows.frame())) {
-        if (column.title != nullptr) html += "<th class=\"number\">" + htmlText(column.title) + "</th>";
+        if (column.title != nullptr) html += head + htmlText(column.title) + "</th>";
     }
     for (const rocks::Rock* rock : largest) {
         const rocks::RockRow row = rows.of(*rock);
@@ -190,19 +189,17 @@ std::string countsOf(const rocks::Study& study, const rocks::SizeCurve& curve) {
         html += "; " + std::to_string(changes) + (changes == 1 ? " change was made by hand" : " changes were made by hand");
     html += ". Level " + shortestText(study.settings.level) + " of -4 (fine) to 4 (coarse).</p>\n";
     if (curve.rocks() == 0) return html;
-    html += "<p>Visible width b: P20 " + twoDecimals(curve.p20M) + " m, P50 " + twoDecimals(curve.p50M) + " m, P80 " +
-            twoDecimals(curve.p80M) + " m (20, 50 and 80 % of the rocks are not wider), largest " + twoDecimals(curve.topM) + " m";
-    if (curve.oversizeM > 0)
-        html += "; " + fixedText(100 * curve.oversizeShare, 0) + " % over the site's " + twoDecimals(curve.oversizeM) + " m";
+    html += "<p>Visible width b: P20 " + metresOf(curve.p20M) + ", P50 " + metresOf(curve.p50M) + ", P80 " + metresOf(curve.p80M) +
+            " (20, 50 and 80 % of the rocks are not wider), largest " + metresOf(curve.topM);
+    if (curve.oversizeM > 0) html += "; " + fixedText(100 * curve.oversizeShare, 0) + " % over the site's " + metresOf(curve.oversizeM);
     return html + " (" + htmlText(rocks::kSizeCurveCaveat) + ").</p>\n";
 }
 
 // Those of the table first, so that they are always there.
 std::vector<const rocks::Rock*> rocksInOrder(const rocks::Study& study) {
-    std::vector<const rocks::Rock*> order = listedRocks(study);
-    const std::set<const rocks::Rock*> listed(order.begin(), order.end());
+    std::vector<const rocks::Rock*> order = listedRocks(study), listed = order;
     for (const rocks::Rock& rock : study.rocks) {
-        if (!listed.contains(&rock)) order.push_back(&rock);
+        if (std::ranges::find(listed, &rock) == listed.end()) order.push_back(&rock);
     }
     return order;
 }
@@ -272,10 +269,10 @@ Json rockFaceData(const rocks::Study& study) {
     for (const rocks::Rock& rock : study.rocks)
         rocks[rock.label - 1] = {places[rock.label],
                                  rocks::isDoubtful(rock) ? 1 : 0,
-                                 twoDecimals(rock.longestCaliperM),
-                                 twoDecimals(rock.shortestCaliperM),
-                                 twoDecimals(shownTolerance(rock.toleranceM, 2)),
-                                 twoDecimals(rock.distanceM)};
+                                 fixedText(rock.longestCaliperM, 2),
+                                 fixedText(rock.shortestCaliperM, 2),
+                                 fixedText(shownTolerance(rock.toleranceM, 2), 2),
+                                 fixedText(rock.distanceM, 2)};
     return {{"colours", colours}, {"rocks", rocks}};
 }
 

@@ -109,8 +109,7 @@ std::string placeOf(const Scan& scan) {
 
 std::string factsOf(const edges::Detection& detection, const Json& record, const PageWords& words) {
     const Scan& scan = *detection.scan;
-    const Acquisition none;
-    const Acquisition& measured = scan.acquisition ? *scan.acquisition : none;
+    const Acquisition measured = scan.acquisition ? *scan.acquisition : Acquisition{};
     std::string scanner = measured.vendor;
     for (const std::string& more : {measured.model, measured.serial.empty() ? "" : "serial " + measured.serial,
                                     measured.firmware.empty() ? "" : "firmware " + measured.firmware}) {
@@ -131,7 +130,7 @@ std::string factsOf(const edges::Detection& detection, const Json& record, const
                                          : "none was measured");
     facts += fact("Scanned", whenText(scan, measured)) + fact("Scanner", scanner);
     facts += fact("Uncertainty", uncertaintyText(detection));
-    facts += fact("Edges", std::to_string(detection.edges->size()) + " cells, " +
+    facts += fact("Edges", groupedText(detection.edges->size()) + " cells, " +
                                fixedText(100 * edges / std::max(1.0, static_cast<double>(valid)), 1) + " % of those measured");
     facts += fact("Method", edges::choiceLabel(*edges::findParameter("method"), detection.settings));
     facts += (by.empty() ? fact("Report by", "not said") : writtenFact("Report by", by)) + fact("Made", plainUtc(words.madeUtc));
@@ -172,18 +171,14 @@ std::string completenessOf(const Scan& scan, const Json& record) {
     const Json& acquired = record["acquisition"];
     const int expected = acquired.value("lines_expected", scan.lines()), received = acquired.value("lines_received", scan.lines());
     std::string html = "<h2>Completeness</h2>\n<p>" + std::string(received < expected ? "<strong>INCOMPLETE</strong> " : "") +
-                       std::to_string(received) + " of " + std::to_string(expected) + " lines, " + std::to_string(scan.cells()) +
+                       std::to_string(received) + " of " + std::to_string(expected) + " lines, " + groupedText(scan.cells()) +
                        " cells.</p>\n<dl class=\"facts\">\n";
     for (int s = 0; s < kCellStates; ++s) {
         const auto count = counts[static_cast<std::size_t>(s)];
         const double share = 100.0 * static_cast<double>(count) / std::max(1.0, static_cast<double>(scan.cells()));
-        html += fact(kStateWords.at(static_cast<std::size_t>(s)), std::to_string(count) + " (" + fixedText(share, 2) + " %)");
+        html += fact(kStateWords.at(static_cast<std::size_t>(s)), groupedText(count) + " (" + fixedText(share, 2) + " %)");
     }
     return html + "</dl>\n";
-}
-
-std::string cssColour(const Rgb& colour) {
-    return "rgb(" + std::to_string(colour.red) + "," + std::to_string(colour.green) + "," + std::to_string(colour.blue) + ")";
 }
 
 constexpr std::array kClassNames{"edge", "jump", "convex fold", "concave fold", "data border", "outline before a void", "void rim"};
@@ -194,8 +189,7 @@ std::string edgeLegend(const edges::Detection& detection) {
     for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? kClassNames.size() : std::size_t{1}); ++kind) {
         const std::size_t count = detection.classes ? counts[kind] : detection.edges->size();
         if (count == 0 && detection.classes) continue;
-        html += "<span><i style=\"background:" + cssColour(files::kEdgeColours[kind]) + "\"></i>" + kClassNames[kind] + " (" +
-                std::to_string(count) + ")</span>";
+        html += legendEntry(files::kEdgeColours[kind], std::string(kClassNames[kind]) + " (" + groupedText(count) + ")");
     }
     html += "</div>\n";
     if (!detection.borders) return html;
@@ -263,7 +257,7 @@ std::string viewOf(const ViewPoints& view, bool rocks) {
     for (const auto& some : {std::span<const char* const>(kViewWords), std::span<const char* const>(kClassNames)})
         for (const char* each : some) words += std::string("<span>") + each + "</span>";
     const auto part = [](std::size_t shown, std::size_t of, const char* what) {
-        return std::to_string(shown) + (shown == of ? "" : " of " + std::to_string(of)) + " " + what;
+        return groupedText(shown) + (shown == of ? "" : " of " + groupedText(of)) + " " + what;
     };
     return "<section class=\"onscreen\">\n<h2>Turning view</h2>\n<div class=\"tools\" id=\"viewtools\">" + buttons +
            "</div>\n<p id=\"viewwords\" hidden>" + words +

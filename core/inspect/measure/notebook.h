@@ -31,6 +31,7 @@ struct PinnedTarget {
     std::vector<std::pair<std::string, std::string>> asPinned; ///< label and value of each row
     std::optional<std::uint32_t> clicked{};                    ///< the cell of the click, if nearSideCell() moved it (near_side.h)
     std::string note{};                                        ///< of the operator; may be empty
+    std::uint32_t rock = 0;                                    ///< in an export: the number of its rock; 0: none, or not known
 
     bool operator==(const PinnedTarget&) const = default;
 };

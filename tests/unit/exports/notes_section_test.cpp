@@ -1,6 +1,7 @@
 // The operator's targets in a report: their places by the pose that the scan has now.
 #include "core/base/number_text.h"
 #include "core/edges/pipeline/pipeline.h"
+#include "core/exports/html/html.h"
 #include "core/exports/html/notes_section.h"
 #include "core/exports/html/scan_pictures.h"
 #include "core/inspect/measure/cell_target.h"
@@ -39,6 +40,7 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
     EXPECT_NE(without.find("Targets and measures on gray levels"), std::string::npos);
     EXPECT_NE(without.find("<circle cx=\"40.5\" cy=\"25.5\""), std::string::npos) << "its dot is where it is";
     EXPECT_NE(without.find(">1</text>"), std::string::npos);
+    EXPECT_EQ(groupedText(999) + " " + groupedText(6518) + " " + groupedText(1136154), "999 6,518 1,136,154");
 
     scan.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
     const auto placed = edges::detectEdges(std::make_shared<const Scan>(scan), edges::Settings{});

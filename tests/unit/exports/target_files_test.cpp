@@ -41,6 +41,7 @@ void fill(Pinned& of, bool placed) {
     targets[0].note = "loose, watch\nit";
     targets[0].cell = valid[100];
     targets[1].number = 4;
+    targets[1].rock = 12;
     targets[1].cell = valid[2000];
     targets[2].number = 5;
     targets[2].name = "hole";
@@ -63,11 +64,12 @@ TEST(TargetFiles, TableAndDrawingHaveThePlacesOfTheCardsInTheirFrame) {
         EXPECT_TRUE(table->coordinates->box.contains(place));
         const std::string csv = readText(on.folder / "t.csv");
         const std::string names = placed ? "easting_m,northing_m,elevation_m" : "x_m,y_m,z_m";
-        EXPECT_TRUE(csv.starts_with("target,name,note,distance_m,tolerance_m," + names + ",line,beam,edge,pinned_utc\n1,cl\xC3\xA9,"))
+        EXPECT_TRUE(csv.starts_with("target,name,note,distance_m,tolerance_m," + names + ",line,beam,edge,pinned_utc,rock\n1,cl\xC3\xA9,"))
             << csv;
         for (int axis = 0; axis < 3; ++axis) EXPECT_NE(csv.find("," + fixedText(place[axis], 3) + ","), std::string::npos) << csv;
         // The digits of the table in the window: millimetres, with zeros at the end.
         const std::string measured = csv.substr(csv.find("\n4,") + 1);
+        EXPECT_TRUE(measured.substr(0, measured.find('\n')).ends_with(",12")) << "its rock, also in verify below: " << measured;
         std::stringstream cells(measured.substr(0, measured.find('\n')));
         std::string cell;
         for (int n = 0; std::getline(cells, cell, ',') && n < 8; ++n)

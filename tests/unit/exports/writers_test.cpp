@@ -417,6 +417,15 @@ TEST(Writers, AReadOnlyFileIsNotReplacedAndTheMessageSaysHowToGoOn) {
     EXPECT_FALSE(writeWholeFile(folder / "link", std::string("x")));
 }
 
+TEST(Writers, TheRecordOfAPrivateExportIsPrivate) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "e.csv", record = folder / "e.csv.provenance.json";
+    std::ofstream(file) << "old";
+    fs::permissions(file, fs::perms(0600));
+    ASSERT_TRUE(exported(exports::ExportContent::EdgeCloud, file, 0));
+    for (const fs::path& path : {file, record}) EXPECT_EQ(fs::status(path).permissions(), fs::perms(0600)) << path;
+}
+
 TEST(Writers, TwoFilesOfOneCallAreTwoFilesWhateverTheirNames) {
     const TemporaryFolder folder;
     const std::string text = "x";
