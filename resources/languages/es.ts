@@ -110,6 +110,7 @@
 <message><source>Folded panels</source><translation>Paneles plegados</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
+<message><source>Details</source><translation>Detalles</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Cerrar</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Muestra la siguiente de las notas que no se cerraron</translation></message>
@@ -117,7 +118,6 @@
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Listo</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
-<message><source>Details</source><translation>Detalles</translation></message>
 <message><source>%1 MB</source><translation>%1 MB</translation></message>
 <message><source>%1 kB</source><translation>%1 kB</translation></message>
 <message><source>Saved %1%2, %3.</source><translation>Guardado %1%2, %3.</translation></message>
@@ -786,7 +786,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Sus objetivos no se guardaron: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
-<message><source>Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
+<message><source>Targets and measurements of the previous scan: %1. They are stored with it, as its edits of rocks are: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él, igual que sus correcciones de rocas: ábralo de nuevo para verlos.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Aún sin guardar. Los objetivos de un barrido en vivo se guardan cuando abre su grabación; los de una parte de una grabación, cuando se muestra su barrido entero.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
@@ -864,19 +864,12 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Hold to leave</source><translation>Mantener: salir</translation></message>
 <message><source>Hold for one second to leave cab mode</source><translation>Mantener un segundo para salir del modo cabina</translation></message>
-<message><source>More edges</source><translation>Más bordes</translation></message>
-<message><source>Fewer edges</source><translation>Menos bordes</translation></message>
-<message><source>less: %1</source><translation>menos: %1</translation></message>
-<message><source>more: %1</source><translation>más: %1</translation></message>
 <message><source>End of the menu</source><translation>Fin del menú</translation></message>
 <message><source>Delete the last letter</source><translation>Borrar la última letra</translation></message>
 <message><source>Enter</source><translation>Intro</translation></message>
 <message><source>Close the keys</source><translation>Cerrar las teclas</translation></message>
 <message><source>Capital letter</source><translation>Mayúscula</translation></message>
 <message><source>Space</source><translation>Espacio</translation></message>
-<message><source>Previous target or measurement</source><translation>Objetivo o medición anterior</translation></message>
-<message><source>Next target or measurement</source><translation>Objetivo o medición siguiente</translation></message>
-<message><source>More</source><translation>Más</translation></message>
 <message><source>+ edges gained</source><translation>+ bordes ganados</translation></message>
 <message><source>− edges lost</source><translation>− bordes perdidos</translation></message>
 <message><source>edges kept</source><translation>bordes que siguen</translation></message>
@@ -1077,6 +1070,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: puntos más allá</translation></message>
 <message><source>Numbers</source><translation>Números</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
+<message><source>More</source><translation>Más</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
 <message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>El veredicto en los términos del método, los puntos a través de la celda y los números</translation></message>
@@ -1186,8 +1180,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada a mano como no roca</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>demasiado incierto para mostrarse como roca</translation></message>
 <message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
-<message><source>visible spans a × b</source><translation>extensiones visibles a × b</translation></message>
-<message><source>distance, median</source><translation>distancia, mediana</translation></message>
 <message><source>Name…</source><translation>Nombre…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
@@ -1209,6 +1201,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>Sí es una roca (N)</translation></message>
 <message><source>Rock %1</source><translation>Roca %1</translation></message>
+<message><source>visible spans a × b</source><translation>extensiones visibles a × b</translation></message>
+<message><source>distance, median</source><translation>distancia, mediana</translation></message>
 <message><source>visible area</source><translation>área visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>delante</translation></message>
@@ -1241,7 +1235,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 de ellas inciertas (achuradas); %3 trozos demasiado pequeños para ser una roca</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
-<message><source>A click selects a rock, Ctrl+click one more; Shift+click or the tool Pin (P) sets a target.</source><translation>Un clic elige una roca, Ctrl+clic una más; Mayús+clic o la herramienta Fijar (P) fija un objetivo.</translation></message>
+<message><source>A click selects a rock (Ctrl+click one more); the tool Pin (P) sets a target (Shift+click).</source><translation>Un clic elige una roca (Ctrl+clic una más); la herramienta Fijar (P) fija un objetivo (Mayús+clic).</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: P20 %1, P50 %2, P80 %3 (20, 50, 80 % de las rocas no son más anchas), la mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
@@ -1429,10 +1423,13 @@ RL %3 m</translation></message>
 <message><source>
 Double-click: back to the preset</source><translation>
 Doble clic: volver al preajuste</translation></message>
+<message><source>less: %1</source><translation>menos: %1</translation></message>
+<message><source>more: %1</source><translation>más: %1</translation></message>
+<message><source>More edges</source><translation>Más bordes</translation></message>
+<message><source>Fewer edges</source><translation>Menos bordes</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Volver a %1, el valor del preajuste</translation></message>
-<message><source>%1 auto</source><translation>%1 auto</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos de la ventana de distancias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arrastre un extremo, o Izquierda y Derecha para el lejano, con Mayús para el cercano; un doble clic la hace automática</translation></message>
 <message><source>Gray</source><translation>Gris</translation></message>
@@ -1495,8 +1492,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Without a pose, up is the scanner's z</source><translation>Sin pose, arriba es el eje z del escáner</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar las imágenes enteras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Encuadrar</translation></message>
+<message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Back to the cloud</source><translation>Volver a la nube</translation></message>
-<message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
+<message><source>Hold it for one second to leave.</source><translation>Manténgalo 1 s para salir.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
@@ -1505,29 +1503,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>Small picture</source><translation>Imagen pequeña</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
-<message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
-<message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rock…</source><translation>Roca…</translation></message>
 <message><source>What can be done with rocks</source><translation>Qué se puede hacer con las rocas</translation></message>
-<message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Views</source><translation>Vistas</translation></message>
 <message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
-<message><source>Tune</source><translation>Ajustes</translation></message>
-<message><source>in B</source><translation>en B</translation></message>
-<message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
-<message><source>not a target</source><translation>no es un objetivo</translation></message>
-<message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque una roca en la nube: aquí se muestran su distancia y su tamaño. Para fijar un objetivo, toque antes Fijar.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño. Arrastrar gira la nube, dos dedos la mueven.</translation></message>
-<message><source>No target</source><translation>Ningún objetivo</translation></message>
-<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
-<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
-<message><source>The arrows above show the measurements.</source><translation>Las flechas de arriba muestran las mediciones.</translation></message>
-<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
-<message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
-<message><source>Others…</source><translation>Otros…</translation></message>
-<message><source>End measuring</source><translation>Terminar la medición</translation></message>
 <message><source>Targets</source><translation>Objetivos</translation></message>
 <message><source>Layers</source><translation>Capas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
@@ -1708,8 +1687,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
+<message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Scanner view</source><translation>Vista escáner</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
+<message><source>A/B</source><translation>A/B</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
@@ -2733,6 +2714,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Unit taken as millimetres</source><translation>Unidad tomada como milímetros</translation></message>
 <message><source>Unit taken as centimetres</source><translation>Unidad tomada como centímetros</translation></message>
 <message><source>Unit taken as metres</source><translation>Unidad tomada como metros</translation></message>
+<message><source>Ranges beyond 1,000 m: if the file is in millimetres, give --unit mm.</source><translation>Distancias de más de 1000 m: si el archivo está en milímetros, indique --unit mm.</translation></message>
 <message><source>, in which every range is a whole number of millimetres.</source><translation>, unidad en la que cada distancia es un número entero de milímetros.</translation></message>
 <message><source>, from the size of the numbers.</source><translation>, por el tamaño de los números.</translation></message>
 <message><source>a recording is being written already</source><translation>ya se está escribiendo una grabación</translation></message>

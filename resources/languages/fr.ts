@@ -110,6 +110,7 @@
 <message><source>Folded panels</source><translation>Panneaux repliés</translation></message>
 <message><source>Open %1</source><translation>Ouvrir %1</translation></message>
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
+<message><source>Details</source><translation>Détails</translation></message>
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Montre la suivante des notes qui n'ont pas été fermées</translation></message>
@@ -117,7 +118,6 @@
 <message><source>Note</source><translation>Remarque</translation></message>
 <message><source>Done</source><translation>Terminé</translation></message>
 <message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
-<message><source>Details</source><translation>Détails</translation></message>
 <message><source>%1 MB</source><translation>%1 Mo</translation></message>
 <message><source>%1 kB</source><translation>%1 ko</translation></message>
 <message><source>Saved %1%2, %3.</source><translation>Enregistré %1%2, %3.</translation></message>
@@ -333,7 +333,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 s'est terminé.</translation></message>
-<message><source>Held. Follow shows the next ones, until Hold.</source><translation>Figé. Suivre montre les suivants, jusqu'à Figer.</translation></message>
+<message><source>Held. Follow shows the next ones, until Hold.</source><translation>Figé. Suivre montre la suite jusqu'à Figer.</translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
 <message><source>Scan %1</source><translation>Scan %1</translation></message>
 <message><source>Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was not measured.</source><translation>Les arêtes et les blocs sont des candidats : géométrie seule, un point de vue. Ce qui est caché derrière une surface n'a pas été mesuré.</translation></message>
@@ -786,7 +786,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Vos cibles ne sont pas enregistrées : %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
-<message><source>Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
+<message><source>Targets and measurements of the previous scan: %1. They are stored with it, as its edits of rocks are: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui, comme ses corrections de blocs : rouvrez-le pour les voir.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Pas encore enregistrées. Les cibles d'un balayage en direct sont enregistrées quand vous ouvrez son enregistrement, celles d'une partie d'un enregistrement quand son balayage entier est affiché.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
@@ -864,19 +864,12 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>Connect</source><translation>Connecter</translation></message>
 <message><source>Hold to leave</source><translation>Tenir : quitter</translation></message>
 <message><source>Hold for one second to leave cab mode</source><translation>Maintenir une seconde pour quitter le mode cabine</translation></message>
-<message><source>More edges</source><translation>Plus d'arêtes</translation></message>
-<message><source>Fewer edges</source><translation>Moins d'arêtes</translation></message>
-<message><source>less: %1</source><translation>moins : %1</translation></message>
-<message><source>more: %1</source><translation>plus : %1</translation></message>
 <message><source>End of the menu</source><translation>Fin du menu</translation></message>
 <message><source>Delete the last letter</source><translation>Effacer la dernière lettre</translation></message>
 <message><source>Enter</source><translation>Entrée</translation></message>
 <message><source>Close the keys</source><translation>Fermer les touches</translation></message>
 <message><source>Capital letter</source><translation>Majuscule</translation></message>
 <message><source>Space</source><translation>Espace</translation></message>
-<message><source>Previous target or measurement</source><translation>Cible ou mesure précédente</translation></message>
-<message><source>Next target or measurement</source><translation>Cible ou mesure suivante</translation></message>
-<message><source>More</source><translation>Plus</translation></message>
 <message><source>+ edges gained</source><translation>+ arêtes gagnées</translation></message>
 <message><source>− edges lost</source><translation>− arêtes perdues</translation></message>
 <message><source>edges kept</source><translation>arêtes gardées</translation></message>
@@ -1077,6 +1070,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation> ; ▲ ▼ : points au-delà</translation></message>
 <message><source>Numbers</source><translation>Nombres</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
+<message><source>More</source><translation>Plus</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>Le verdict dans les termes de la méthode, les points en travers de la cellule et les nombres</translation></message>
@@ -1186,8 +1180,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marqué à la main comme non-bloc</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>trop incertain pour être montré comme un bloc</translation></message>
 <message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
-<message><source>visible spans a × b</source><translation>étendues visibles a × b</translation></message>
-<message><source>distance, median</source><translation>distance, médiane</translation></message>
 <message><source>Name…</source><translation>Nom…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Split</source><translation>Scinder</translation></message>
@@ -1209,6 +1201,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
 <message><source>Rock %1</source><translation>Bloc %1</translation></message>
+<message><source>visible spans a × b</source><translation>étendues visibles a × b</translation></message>
+<message><source>distance, median</source><translation>distance, médiane</translation></message>
 <message><source>visible area</source><translation>surface visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>devant</translation></message>
@@ -1241,7 +1235,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, dont %2 incertains (hachurés) ; %3 morceaux trop petits pour être un bloc</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
-<message><source>A click selects a rock, Ctrl+click one more; Shift+click or the tool Pin (P) sets a target.</source><translation>Un clic choisit un bloc, Ctrl+clic un de plus ; Maj+clic ou l'outil Épingler (P) place une cible.</translation></message>
+<message><source>A click selects a rock (Ctrl+click one more); the tool Pin (P) sets a target (Shift+click).</source><translation>Un clic choisit un bloc (Ctrl+clic un de plus) ; l'outil Épingler (P) place une cible (Maj+clic).</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : P20 %1, P50 %2, P80 %3 (20, 50, 80 % des blocs ne sont pas plus larges), le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
 <message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
@@ -1429,10 +1423,13 @@ RL %3 m</translation></message>
 <message><source>
 Double-click: back to the preset</source><translation>
 Double-clic : retour au préréglage</translation></message>
+<message><source>less: %1</source><translation>moins : %1</translation></message>
+<message><source>more: %1</source><translation>plus : %1</translation></message>
+<message><source>More edges</source><translation>Plus d'arêtes</translation></message>
+<message><source>Fewer edges</source><translation>Moins d'arêtes</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Revenir à %1, la valeur du préréglage</translation></message>
-<message><source>%1 auto</source><translation>%1 auto</translation></message>
 <message><source>Ends of the range window</source><translation>Bornes de la fenêtre de distances</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Faites glisser une borne, ou Gauche et Droite pour la borne lointaine, avec Maj pour la proche ; un double-clic la rend automatique</translation></message>
 <message><source>Gray</source><translation>Gris</translation></message>
@@ -1495,8 +1492,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Without a pose, up is the scanner's z</source><translation>Sans pose, le haut est l'axe z du scanner</translation></message>
 <message><source>Show the whole images</source><translation>Montrer les images entières</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Agrandi %1 × · Ajuster</translation></message>
+<message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Back to the cloud</source><translation>Retour au nuage</translation></message>
-<message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
+<message><source>Hold it for one second to leave.</source><translation>Tenez 1 s pour quitter.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
@@ -1505,29 +1503,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>Small picture</source><translation>Petite image</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
-<message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
-<message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Rock…</source><translation>Bloc…</translation></message>
 <message><source>What can be done with rocks</source><translation>Ce qu'on peut faire avec les blocs</translation></message>
-<message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Views</source><translation>Vues</translation></message>
 <message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
-<message><source>Tune</source><translation>Régler</translation></message>
-<message><source>in B</source><translation>dans B</translation></message>
-<message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
-<message><source>not a target</source><translation>pas une cible</translation></message>
-<message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Pour poser une cible, touchez d'abord Épingler.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici. Glisser tourne le nuage, deux doigts le déplacent.</translation></message>
-<message><source>No target</source><translation>Aucune cible</translation></message>
-<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
-<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
-<message><source>The arrows above show the measurements.</source><translation>Les flèches ci-dessus montrent les mesures.</translation></message>
-<message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>
-<message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
-<message><source>Others…</source><translation>Autres…</translation></message>
-<message><source>End measuring</source><translation>Terminer la mesure</translation></message>
 <message><source>Targets</source><translation>Cibles</translation></message>
 <message><source>Layers</source><translation>Couches</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
@@ -1708,8 +1687,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
+<message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Scanner view</source><translation>Vue scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>A/B</source><translation>A/B</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
 <message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
@@ -2733,6 +2714,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Unit taken as millimetres</source><translation>Unité prise en millimètres</translation></message>
 <message><source>Unit taken as centimetres</source><translation>Unité prise en centimètres</translation></message>
 <message><source>Unit taken as metres</source><translation>Unité prise en mètres</translation></message>
+<message><source>Ranges beyond 1,000 m: if the file is in millimetres, give --unit mm.</source><translation>Distances de plus de 1 000 m : si le fichier est en millimètres, donnez --unit mm.</translation></message>
 <message><source>, in which every range is a whole number of millimetres.</source><translation>, unité dans laquelle chaque distance est un nombre entier de millimètres.</translation></message>
 <message><source>, from the size of the numbers.</source><translation>, d'après la grandeur des nombres.</translation></message>
 <message><source>a recording is being written already</source><translation>un enregistrement est déjà en cours</translation></message>

@@ -110,6 +110,7 @@
 <message><source>Folded panels</source><translation>Painéis recolhidos</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
+<message><source>Details</source><translation>Detalhes</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Mostra a próxima das notas que não foram fechadas</translation></message>
@@ -117,7 +118,6 @@
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Concluído</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
-<message><source>Details</source><translation>Detalhes</translation></message>
 <message><source>%1 MB</source><translation>%1 MB</translation></message>
 <message><source>%1 kB</source><translation>%1 kB</translation></message>
 <message><source>Saved %1%2, %3.</source><translation>Salvo %1%2, %3.</translation></message>
@@ -786,7 +786,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
 <message><source>Your targets are not stored: %1</source><translation>Seus alvos não foram guardados: %1</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
-<message><source>Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
+<message><source>Targets and measurements of the previous scan: %1. They are stored with it, as its edits of rocks are: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela, como suas correções de rochas: abra-a de novo para vê-los.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
 <message><source>Not stored yet. Targets of a live sweep are stored when you open its recording, those of a part of a recording when its whole sweep is shown.</source><translation>Ainda não guardados. Os alvos de uma varredura ao vivo são guardados quando você abre a gravação; os de uma parte de uma gravação, quando a varredura inteira é mostrada.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
@@ -864,19 +864,12 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Hold to leave</source><translation>Segurar: sair</translation></message>
 <message><source>Hold for one second to leave cab mode</source><translation>Segurar um segundo para sair do modo cabine</translation></message>
-<message><source>More edges</source><translation>Mais bordas</translation></message>
-<message><source>Fewer edges</source><translation>Menos bordas</translation></message>
-<message><source>less: %1</source><translation>menos: %1</translation></message>
-<message><source>more: %1</source><translation>mais: %1</translation></message>
 <message><source>End of the menu</source><translation>Fim do menu</translation></message>
 <message><source>Delete the last letter</source><translation>Apagar a última letra</translation></message>
 <message><source>Enter</source><translation>Enter</translation></message>
 <message><source>Close the keys</source><translation>Fechar as teclas</translation></message>
 <message><source>Capital letter</source><translation>Maiúscula</translation></message>
 <message><source>Space</source><translation>Espaço</translation></message>
-<message><source>Previous target or measurement</source><translation>Alvo ou medição anterior</translation></message>
-<message><source>Next target or measurement</source><translation>Alvo ou medição seguinte</translation></message>
-<message><source>More</source><translation>Mais</translation></message>
 <message><source>+ edges gained</source><translation>+ bordas ganhas</translation></message>
 <message><source>− edges lost</source><translation>− bordas perdidas</translation></message>
 <message><source>edges kept</source><translation>bordas mantidas</translation></message>
@@ -1077,6 +1070,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: pontos além dele</translation></message>
 <message><source>Numbers</source><translation>Números</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
+<message><source>More</source><translation>Mais</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
 <message><source>The verdict in the method's terms, the points across the cell, and the numbers</source><translation>O veredito nos termos do método, os pontos através da célula e os números</translation></message>
@@ -1186,8 +1180,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada à mão como não rocha</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>incerto demais para ser mostrado como rocha</translation></message>
 <message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
-<message><source>visible spans a × b</source><translation>extensões visíveis a × b</translation></message>
-<message><source>distance, median</source><translation>distância, mediana</translation></message>
 <message><source>Name…</source><translation>Nome…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
@@ -1209,6 +1201,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>É uma rocha, sim (N)</translation></message>
 <message><source>Rock %1</source><translation>Rocha %1</translation></message>
+<message><source>visible spans a × b</source><translation>extensões visíveis a × b</translation></message>
+<message><source>distance, median</source><translation>distância, mediana</translation></message>
 <message><source>visible area</source><translation>área visível</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
 <message><source>in front</source><translation>na frente</translation></message>
@@ -1241,7 +1235,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 delas incertas (hachuradas); %3 pedaços pequenos demais para ser uma rocha</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
-<message><source>A click selects a rock, Ctrl+click one more; Shift+click or the tool Pin (P) sets a target.</source><translation>Um clique escolhe uma rocha, Ctrl+clique mais uma; Shift+clique ou a ferramenta Fixar (P) fixa um alvo.</translation></message>
+<message><source>A click selects a rock (Ctrl+click one more); the tool Pin (P) sets a target (Shift+click).</source><translation>Um clique escolhe uma rocha (Ctrl+clique mais uma); a ferramenta Fixar (P) fixa um alvo (Shift+clique).</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: P20 %1, P50 %2, P80 %3 (20, 50, 80 % das rochas não são mais largas), a maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
@@ -1429,10 +1423,13 @@ RL %3 m</translation></message>
 <message><source>
 Double-click: back to the preset</source><translation>
 Clique duplo: voltar à predefinição</translation></message>
+<message><source>less: %1</source><translation>menos: %1</translation></message>
+<message><source>more: %1</source><translation>mais: %1</translation></message>
+<message><source>More edges</source><translation>Mais bordas</translation></message>
+<message><source>Fewer edges</source><translation>Menos bordas</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>Back to %1, the value of the preset</source><translation>Voltar a %1, o valor da predefinição</translation></message>
-<message><source>%1 auto</source><translation>%1 auto</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos da janela de distâncias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arraste um extremo, ou Esquerda e Direita para o distante, com Shift para o próximo; um clique duplo a torna automática</translation></message>
 <message><source>Gray</source><translation>Cinza</translation></message>
@@ -1495,6 +1492,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Without a pose, up is the scanner's z</source><translation>Sem pose, acima é o eixo z do scanner</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar as imagens inteiras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Enquadrar</translation></message>
+<message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Back to the cloud</source><translation>Voltar à nuvem</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
 <message><source>No scan</source><translation>Nenhuma varredura</translation></message>
@@ -1505,29 +1503,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>Small picture</source><translation>Imagem pequena</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
-<message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
-<message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Rock…</source><translation>Rocha…</translation></message>
 <message><source>What can be done with rocks</source><translation>O que se pode fazer com as rochas</translation></message>
-<message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Views</source><translation>Vistas</translation></message>
 <message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
-<message><source>Tune</source><translation>Ajustes</translation></message>
-<message><source>in B</source><translation>em B</translation></message>
-<message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
-<message><source>not a target</source><translation>não é um alvo</translation></message>
-<message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. To set a target, tap Pin first.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho aparecem aqui. Para marcar um alvo, toque antes em Fixar.</translation></message>
-<message><source>Tap a rock in the cloud: its distance and its size are shown here. A drag turns the cloud, two fingers move it.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui. Arrastar gira a nuvem, dois dedos a movem.</translation></message>
-<message><source>No target</source><translation>Nenhum alvo</translation></message>
-<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
-<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
-<message><source>The arrows above show the measurements.</source><translation>As setas acima mostram as medições.</translation></message>
-<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
-<message><source>Remove: %1</source><translation>Remover: %1</translation></message>
-<message><source>Others…</source><translation>Outros…</translation></message>
-<message><source>End measuring</source><translation>Terminar a medição</translation></message>
 <message><source>Targets</source><translation>Alvos</translation></message>
 <message><source>Layers</source><translation>Camadas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
@@ -1708,8 +1687,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
+<message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Scanner view</source><translation>Vista scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>A/B</source><translation>A/B</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
@@ -2733,6 +2714,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Unit taken as millimetres</source><translation>Unidade tomada como milímetros</translation></message>
 <message><source>Unit taken as centimetres</source><translation>Unidade tomada como centímetros</translation></message>
 <message><source>Unit taken as metres</source><translation>Unidade tomada como metros</translation></message>
+<message><source>Ranges beyond 1,000 m: if the file is in millimetres, give --unit mm.</source><translation>Distâncias acima de 1000 m: se o arquivo estiver em milímetros, indique --unit mm.</translation></message>
 <message><source>, in which every range is a whole number of millimetres.</source><translation>, unidade em que cada distância é um número inteiro de milímetros.</translation></message>
 <message><source>, from the size of the numbers.</source><translation>, pelo tamanho dos números.</translation></message>
 <message><source>a recording is being written already</source><translation>uma gravação já está em andamento</translation></message>

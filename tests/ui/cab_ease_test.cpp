@@ -10,14 +10,17 @@
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/cab/keypad.h"
-#include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/dialogs/report_form.h"
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/rocks/rock_card.h"
 #include "ui/panels/rocks/rock_table.h"
+#include "ui/panels/rocks/rocks_panel.h"
 #include "ui/panels/start/start_page.h"
+#include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/targets_panel.h"
 #include "ui/views/cloud/scale_plate.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/side_column.h"
@@ -36,6 +39,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QStackedWidget>
 #include <QStyle>
 #include <QTableView>
 #include <QToolButton>
@@ -83,7 +87,7 @@ private slots:
         useTheme(*qApp, false);
     }
 
-    // A comparison opens another scan: the side says what became of the targets, and counts edges of B as those of B while A is shown.
+    // A comparison opens another scan: the side says what became of the targets, and that its numbers are of B while A is shown.
     void aComparisonSaysWhatBelongsToWhichScan() {
         QDir().mkpath(QString::fromStdString((folder_ / "kept").string()));
         WindowFixture on(QString::fromStdString((folder_ / "kept" / "viewer.ini").string())); // targets are stored with settings only
@@ -94,18 +98,18 @@ private slots:
         on.viewer.comparing.openDemoPair();
         const ChangeLegend& legend = on.viewer.changeLegend;
         QVERIFY(eventually([&] { return legend.isVisible() && !legend.counted(ChangeRow::Nearer).isEmpty(); }));
-        const auto& labels = on.window.findChild<NumbersSide*>()->findChildren<QLabel*>();
+        const auto labels = on.window.cab().frame().panels().findChildren<QLabel*>();
         QVERIFY(eventually([&] {
             return std::ranges::any_of(labels, [](const QLabel* each) {
                 return each->isVisible() && each->text().startsWith("Targets and measurements of the previous scan: 1.");
             });
         }));
-        const auto* found = on.window.findChild<QLabel*>("stepper-found");
-        QVERIFY2(found->text().endsWith("\nEdges"), qPrintable(found->text()));
+        const auto* ofB = on.window.findChild<QLabel*>("cab-of-b");
+        QVERIFY(!ofB->isVisible());
         on.viewer.comparing.flip(true);
-        QTRY_VERIFY2(found->text().endsWith("\nin B"), qPrintable(found->text()));
+        QTRY_VERIFY2(ofB->isVisible() && ofB->text() == "Targets · B", qPrintable(ofB->text()));
         on.viewer.comparing.flip(false);
-        QTRY_VERIFY2(found->text().endsWith("\nEdges"), qPrintable(found->text()));
+        QTRY_VERIFY(!ofB->isVisible());
         on.window.cab().set(false);
     }
 
@@ -119,7 +123,7 @@ private slots:
         on.viewer.views.pin(100 * 240 + 120);
         press(on.window, "cab-undo");
         QVERIFY(on.viewer.targets.notebook().targets.empty() && redo->isEnabled());
-        QCOMPARE(redo->accessibleName(), QString("Redo new target 1"));
+        QVERIFY2(redo->toolTip().startsWith("Redo new target 1"), qPrintable(redo->toolTip()));
         press(on.window, "cab-redo");
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         QVERIFY(!redo->isEnabled());
@@ -128,7 +132,7 @@ private slots:
             const QRect column = placeOf(on.window.cab().frame().tools()), a = placeOf(*undo), b = placeOf(*redo);
             QVERIFY(column.contains(a) && column.contains(b) && !a.intersects(b) && redo->height() >= kGlovePx);
             const bool sideBySide = a.top() == b.top() && b.left() - a.right() < 12,
-                       above = a.left() == b.left() && a.top() - b.bottom() < 12;
+                       above = a.left() == b.left() && a.top() - b.bottom() < 48;
             QVERIFY2(sideBySide || above, qPrintable(QString::number(size.height())));
             for (const auto* each : on.window.cab().frame().tools().findChildren<QToolButton*>())
                 QVERIFY2(placeOf(*each).bottom() <= a.bottom(), "Undo is the lowest");
@@ -139,7 +143,7 @@ private slots:
         on.viewer.files.openDemo();
         QVERIFY(on.settled() && eventually([&] { return on.viewer.files.demo().has_value(); }));
         QTRY_VERIFY(!redo->isEnabled() && !undo->isEnabled());
-        QCOMPARE(redo->accessibleName(), QString("Redo"));
+        QVERIFY2(!redo->toolTip().contains("target"), qPrintable(redo->toolTip()));
     }
 
     // The table of rocks covers the views, with rows for gloves, and widens nothing. At the desk it is a dock again.
@@ -156,13 +160,13 @@ private slots:
             dock->toggleViewAction()->trigger();
             QTRY_VERIFY(dock->isVisible() && placeOf(*dock).contains(placeOf(on.viewer.cloud)));
             QCOMPARE(on.window.size(), size);
-            QVERIFY(!placeOf(*dock).intersects(placeOf(on.window.cab().frame().side())));
+            QVERIFY(!placeOf(*dock).intersects(placeOf(on.window.cab().frame().panels())));
             QVERIFY(!placeOf(*dock).intersects(placeOf(on.window.cab().frame().tools())));
             QTRY_VERIFY(table->rowHeight(0) >= kGlovePx && table->horizontalHeader()->height() >= kGlovePx);
             QVERIFY2(table->viewport()->height() >= (size.height() < 500 ? 2 : 3) * kGlovePx,
                      qPrintable(QString::number(table->viewport()->height())));
             QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(table->model()->index(0, 1)).center());
-            QTRY_VERIFY(on.window.findChild<QLabel*>("cab-target")->text().startsWith("Rock "));
+            QTRY_VERIFY(on.viewer.rocksPanel.card().isVisible());
             auto* close = dock->titleBarWidget()->findChild<QToolButton*>("fold");
             QVERIFY(close->text().contains("Close") && close->height() >= kGlovePx);
             QTest::mouseClick(close, Qt::LeftButton);
@@ -224,20 +228,12 @@ private slots:
         const rocks::Rock& rock = on.viewer.rocks.picture()->study.rocks.front();
         const QPoint at = on.viewer.views.placeOf(rock.cell);
         tapCell(image, at);
-        const auto* title = on.window.findChild<QLabel*>("cab-target");
-        QTRY_VERIFY2(title->text().startsWith(QString("Rock %1").arg(rock.label)), qPrintable(title->text()));
+        const RockCard& card = on.viewer.rocksPanel.card();
+        QTRY_VERIFY2(card.isVisible() && card.text().startsWith(QString("Rock %1").arg(rock.label)), qPrintable(card.text()));
         QVERIFY(on.viewer.targets.notebook().targets.empty());
-        QVERIFY2(title->text().contains("not a target"), qPrintable(title->text())); // its card looks like that of one
         on.viewer.rocks.select({});
-        const auto asksForPin = [&] {
-            const auto labels = on.window.cab().frame().side().findChildren<QLabel*>();
-            return std::ranges::any_of(labels,
-                                       [](const QLabel* label) { return label->isVisible() && label->text().contains("tap Pin first"); });
-        };
-        QTRY_VERIFY(asksForPin());
         press(on.window, "cab-pin");
         QVERIFY(pin->isChecked());
-        QTRY_VERIFY(!asksForPin());
         tapCell(image, at);
         QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         // Its mark is chosen again by a tap, also while a tap pins nothing.
@@ -246,7 +242,7 @@ private slots:
         on.viewer.views.pin(std::nullopt);
         QTRY_VERIFY(!image.tags().empty()); // drawn
         tapCell(image, on.viewer.views.placeOf(on.viewer.targets.notebook().targets.front().cell));
-        QTRY_VERIFY2(title->text().startsWith("Target 1"), qPrintable(title->text()));
+        QTRY_VERIFY(on.viewer.targetsPanel.card().isVisible());
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         // Without rocks a tap pins; with them a click chooses a rock on the desk, too.
         press(on.window, "cab-rocks");
@@ -292,20 +288,6 @@ private slots:
         QVERIFY(explain());
         QTest::mouseClick(tool(on.window, "cab-pin"), Qt::LeftButton);
         QVERIFY(!on.viewer.explanation.card()->isVisible() && on.viewer.views.tool() == Tool::Pin);
-    }
-
-    // The arrows lead to another target, or they are off.
-    void theArrowsAreOffWhereTheyLeadNowhere() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        on.window.cab().set(true);
-        const QToolButton &next = *tool(on.window, "cab-next"), &previous = *tool(on.window, "cab-previous");
-        on.viewer.views.pin(100 * 240 + 120);
-        QTRY_VERIFY(!next.isEnabled() && !previous.isEnabled());
-        on.viewer.views.pin(std::nullopt);
-        QTRY_VERIFY(next.isEnabled()); // to the target
-        on.viewer.views.pin(60 * 240 + 60);
-        QTRY_VERIFY(next.isEnabled() && previous.isEnabled());
     }
 
     // The rows of a menu stay where they are, and one of several views is not a box to tick. No letter is underlined.

@@ -1,6 +1,5 @@
-// Cab mode with gloves and without a keyboard: whole numbers in Tune, keys on the screen, what can be removed, what waits for a scan.
+// Cab mode with gloves and without a keyboard: whole rows in Tune, keys on the screen, what can be removed, what waits for a scan.
 #include "tests/support/folders.h"
-#include "tests/support/placements.h"
 #include "tests/ui/sized_window.h"
 #include "tests/ui/whole_widgets.h"
 #include "ui/base/language/languages.h"
@@ -9,11 +8,12 @@
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/cab/keypad.h"
-#include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/dialogs/report_form.h"
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/live/live_panel.h"
+#include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/theme.h"
@@ -37,6 +37,7 @@
 #include <QScrollBar>
 #include <QSet>
 #include <QSpinBox>
+#include <QStackedWidget>
 #include <QStyle>
 #include <QStyleOption>
 #include <QTimer>
@@ -53,23 +54,10 @@ class CabHandsTest : public QObject {
 
     static constexpr int kGuardedMs = 800; // longer than a second tap is ignored
 
-    static QMenu* opened(QToolButton* button) {
-        QTest::mouseClick(button, Qt::LeftButton);
-        return qobject_cast<QMenu*>(QApplication::activePopupWidget());
-    }
-    static void choose(QMenu* menu, int row) {
-        QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(menu->actions()[row]).center());
-    }
     static void tap(Keypad& pad, const QString& key) {
         QToolButton* found = pad.key(key);
         if (found == nullptr) qFatal("the keypad has no key %s", qPrintable(key));
         QTest::mouseClick(found, Qt::LeftButton);
-    }
-    /// A finger reaches only what is in sight.
-    static void bringIntoView(QWidget& widget) {
-        for (QWidget* up = &widget; up != nullptr; up = up->parentWidget()) {
-            if (auto* area = qobject_cast<QScrollArea*>(up)) area->ensureWidgetVisible(&widget);
-        }
     }
     static QRect onScreen(const QWidget& widget) { return {widget.mapToGlobal(QPoint()), widget.size()}; }
 
@@ -84,8 +72,8 @@ private slots:
         useTheme(*qApp, false);
     }
 
-    // No label of Tune is narrower or lower than its text, for the settings of all methods.
-    void everyNumberOfTuneIsWhole() {
+    // No text of Tune is cut, and each button is large enough, for the settings of all methods.
+    void everyRowOfTuneIsWhole() {
         for (const Language& language : kLanguages) {
             QVERIFY(useTexts(language.code));
             WindowFixture on;
@@ -93,35 +81,23 @@ private slots:
             on.window.cab().set(true);
             QTest::mouseClick(tool(on.window, "cab-tune"), Qt::LeftButton);
             on.viewer.cloud.hide(); // it would be drawn at each size
-            auto* side = on.window.findChild<NumbersSide*>();
-            QSet<QString> methods;
-            for (bool more = true; more;) {
-                for (const int width : {853, 1024, 1280, 1366, 1920, 2560}) {
-                    on.window.resize(width, 700);
-                    for (int n = 0; n < 3; ++n) QApplication::processEvents();
+            const QWidget& panels = on.window.cab().frame().panels();
+            for (const edges::Method method : {edges::Method::EdgeScanPlus, edges::Method::Canny, edges::Method::LogRange}) {
+                edges::Settings settings = on.viewer.engine.settings();
+                settings.method = method;
+                QVERIFY(on.use(settings));
+                for (const QSize size : {QSize(853, 480), QSize(1024, 768), QSize(1280, 700), QSize(1920, 700)}) {
+                    on.window.resize(size);
+                    const QString where = QString("%1 at %2 x %3: ").arg(language.code).arg(size.width()).arg(size.height());
+                    QTRY_VERIFY2(faultsIn(panels).isEmpty(), qPrintable(where + faultsIn(panels).join('\n')));
                     const QToolButton* leave = tool(on.window, "cab-leave");
-                    QVERIFY2(leave->width() >= leave->sizeHint().width(), qPrintable(QString("%1 at %2").arg(leave->text()).arg(width)));
-                    const auto* page = side->stepper("method")->parentWidget();
-                    for (const QLabel* each : page->findChildren<QLabel*>()) {
-                        if (!each->isVisible()) continue;
-                        const QString where =
-                            QString("%1: \"%2\" at %3, %4 px").arg(language.code, each->text()).arg(width).arg(each->width());
-                        QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(where));
-                        for (const QString& word : each->text().split(each->wordWrap() ? ' ' : '\n'))
-                            QVERIFY2(each->fontMetrics().horizontalAdvance(word) <= each->contentsRect().width() + 1, qPrintable(where));
-                        QVERIFY2(!each->wordWrap() || each->heightForWidth(each->width()) <= each->height() + 1, qPrintable(where));
-                    }
+                    QVERIFY2(leave->width() >= leave->sizeHint().width(), qPrintable(where));
+                    for (const auto* each : panels.findChildren<QToolButton*>())
+                        QVERIFY2(!each->isVisible() || (each->width() >= kGlovePx && each->height() >= kGlovePx),
+                                 qPrintable(where + each->text()));
                 }
-                methods << side->stepper("method")->value();
-                const edges::Method before = on.viewer.engine.settings().method;
-                on.window.resize(1024, 700); // on the screen
-                QApplication::processEvents();
-                bringIntoView(*side->stepper("method"));
-                QTest::mouseClick(side->stepper("method")->more(), Qt::LeftButton);
-                QVERIFY(on.settled());
-                more = on.viewer.engine.settings().method != before;
             }
-            QVERIFY2(methods.size() >= 2, qPrintable(QStringList(methods.values()).join(", ")));
+            on.window.cab().set(false);
         }
     }
 
@@ -318,30 +294,21 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
-        QToolButton* remove = tool(on.window, "cab-remove");
-        QVERIFY(remove->isVisible() && !remove->isEnabled());
         const auto cell = [&](int line, int beam) { return static_cast<std::uint32_t>(line * 240 + beam); };
         on.viewer.views.pin(cell(100, 120));
         inspect::StoredMeasure measure;
         measure.cells = {cell(60, 60), cell(100, 120)};
         on.viewer.targets.keepMeasure(measure);
-        QTRY_VERIFY(remove->isEnabled() && on.viewer.targets.settled());
-        QMenu* menu = opened(remove);
-        QVERIFY(menu != nullptr);
-        QCOMPARE(menu->actions().size(), 3); // the first closes it; the measurement is chosen, and the target is one of the others
-        QVERIFY2(menu->actions()[1]->text().startsWith("Remove: M1 Distance"), qPrintable(menu->actions()[1]->text()));
-        QCOMPARE(menu->actions()[2]->text(), QString("Others…"));
-        choose(menu, 2);
-        QTRY_VERIFY(menu->isVisible() && menu->actions()[1]->text().startsWith("Remove: Target 1 · "));
-        const QString words = menu->actions()[1]->text();
-        QVERIFY2(words.contains(" m") && words.contains("x "), qPrintable(words));
-        QVERIFY2(menu->actions()[2]->text().startsWith("Remove: M1 Distance"), qPrintable(menu->actions()[2]->text()));
-        choose(menu, 2);
+        QPushButton& remove = *on.viewer.targetsPanel.removeMeasure();
+        QTRY_VERIFY(remove.isVisible() && remove.isEnabled() && remove.height() >= kGlovePx && on.viewer.targets.settled());
+        QTest::mouseClick(&remove, Qt::LeftButton);
         QTRY_VERIFY(on.viewer.targets.notebook().measures.empty());
         QVERIFY(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("Removed: M1 Distance"));
-        menu = opened(remove);
-        choose(menu, 1);
-        QTRY_VERIFY(on.viewer.targets.notebook().targets.empty() && !remove->isEnabled());
+        on.viewer.views.pin(cell(100, 120));
+        QToolButton& close = *on.viewer.targetsPanel.card().close();
+        QTRY_VERIFY(close.isVisible() && close.width() >= kGlovePx && close.height() >= kGlovePx);
+        QTest::mouseClick(&close, Qt::LeftButton);
+        QTRY_VERIFY(on.viewer.targets.notebook().targets.empty());
         QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton);
         QVERIFY2(on.viewer.targets.active() != nullptr, "what came back is chosen");
         QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton);
@@ -350,79 +317,18 @@ private slots:
         QVERIFY(on.viewer.targets.chosenMeasure() == std::size_t(0) && on.viewer.targets.active() == nullptr);
     }
 
-    // The title has the menu of its target; a locked one is not removed.
-    void aTargetIsLockedFromItsTitle() {
+    // A locked one is not removed.
+    void aTargetIsLockedOnItsCard() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         on.viewer.views.pin(100 * 240 + 120);
-        QTRY_VERIFY(on.viewer.targets.settled());
-        auto *title = on.window.findChild<QLabel*>("cab-target"), *lock = on.window.findChild<QLabel*>("cab-locked");
-        const auto chooseOfTitle = [&](const QString& words) {
-            QTest::mouseClick(title, Qt::LeftButton);
-            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-            if (menu == nullptr) return false;
-            QStringList all;
-            for (int n = 0; n < menu->actions().size(); ++n) {
-                all << menu->actions()[n]->text().remove('&');
-                if (all.back() != words) continue;
-                choose(menu, n);
-                return true;
-            }
-            qWarning("%s", qPrintable(all.join(", ")));
-            return false;
-        };
-        QVERIFY(title->text().contains("▾"));
-        QVERIFY(chooseOfTitle("Lock Target 1"));
-        QTRY_VERIFY(on.viewer.targets.active()->locked && lock->isVisible());
-        QVERIFY(title->text().endsWith("1 of 1") && title->accessibleName().endsWith("locked") && title->text().count('\n') == 1);
-        QVERIFY(!title->geometry().intersects(lock->geometry()));
-        QMenu* menu = opened(tool(on.window, "cab-remove"));
-        QVERIFY(menu != nullptr && menu->actions()[1]->text().startsWith("Locked: Target 1") && !menu->actions()[1]->isEnabled());
-        menu->close();
-        QVERIFY(chooseOfTitle("Unlock Target 1"));
-        QTRY_VERIFY(!on.viewer.targets.active()->locked && !lock->isVisible());
-    }
-
-    // A tap on the warning, which is underlined, or just next to it.
-    void aTapOnNoPoseAsksForOne() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        on.window.cab().set(true);
-        on.viewer.views.pin(100 * 240 + 120);
-        QTRY_VERIFY(on.window.findChild<QLabel*>("cab-pose") != nullptr);
-        auto* pose = on.window.findChild<QLabel*>("cab-pose");
-        QTRY_VERIFY(pose->isVisible() && pose->font().underline());
-        QTest::mouseClick(pose, Qt::LeftButton, Qt::NoModifier, QPoint(20, pose->height() / 2));
-        const auto* dialog = on.window.findChild<QDialog*>("place-dialog");
-        QTRY_VERIFY(dialog != nullptr && dialog->isVisible());
-        // On a low screen its buttons are in sight.
-        const QSize least = dialog->layout()->totalMinimumSize();
-        QVERIFY2(least.width() < 833 && least.height() < 420, qPrintable(QString("%1 x %2").arg(least.width()).arg(least.height())));
-        on.window.cab().set(false);
-    }
-
-    // With a pose the coordinates open the form, which is changed or removed there.
-    void aTapOnTheCoordinatesOpensThePose() {
-        const std::string placed = (folder_ / "placed.json").string();
-        Scan scan = test::boxesScan(200, 240, 3, 0.02);
-        scan.placement = test::randomPlacement(3, 1, false);
-        QVERIFY(bool(files::saveScan(scan, placed)));
-        WindowFixture on;
-        QVERIFY(on.showWith(placed));
-        on.window.cab().set(true);
-        on.viewer.views.pin(100 * 240 + 120);
-        const auto coordinate = [&]() -> QLabel* {
-            for (auto* each : on.window.findChild<NumbersSide*>()->findChildren<QLabel*>()) {
-                if (each->isVisible() && each->text() == "N") return each;
-            }
-            return nullptr;
-        };
-        QTRY_VERIFY(coordinate() != nullptr && coordinate()->font().underline());
-        QTest::mouseClick(coordinate(), Qt::LeftButton);
-        const auto* dialog = on.window.findChild<QDialog*>("place-dialog");
-        QTRY_VERIFY(dialog != nullptr && dialog->isVisible());
-        on.window.cab().set(false);
+        const TargetCard& card = on.viewer.targetsPanel.card();
+        QTRY_VERIFY(on.viewer.targets.settled() && card.lock()->isVisible() && card.lock()->height() >= kGlovePx);
+        QTest::mouseClick(card.lock(), Qt::LeftButton);
+        QTRY_VERIFY(on.viewer.targets.active()->locked && !card.close()->isEnabled());
+        QTest::mouseClick(card.lock(), Qt::LeftButton);
+        QTRY_VERIFY(!on.viewer.targets.active()->locked && card.close()->isEnabled());
     }
 
     // The form opens each time at its top and as high as at first, also after it was closed while the keys were open.
@@ -464,6 +370,8 @@ private slots:
         emit on.viewer.statusLine.poseRequested();
         auto* dialog = on.window.findChild<QDialog*>("place-dialog");
         QVERIFY(dialog != nullptr && QTest::qWaitForWindowActive(dialog));
+        const QSize least = dialog->layout()->totalMinimumSize(); // on a low screen its buttons are in sight
+        QVERIFY2(least.width() < 833 && least.height() < 420, qPrintable(QString("%1 x %2").arg(least.width()).arg(least.height())));
         auto* first = dialog->findChild<QLineEdit*>("talin-easting_m");
         first->setFocus();
         QTest::mouseClick(first, Qt::LeftButton);
@@ -477,19 +385,6 @@ private slots:
         }
         dialog->reject();
         on.window.cab().set(false);
-    }
-
-    void aSectionIsAtTheEndOfMeasure() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        on.window.cab().set(true);
-        QMenu* menu = opened(tool(on.window, "cab-measure"));
-        QVERIFY(menu != nullptr);
-        QStringList all;
-        for (const QAction* each : menu->actions()) all << each->text().remove('&');
-        QCOMPARE(all.mid(all.size() - 2), QStringList({"Section through the Measurement", "Section through the Rock"}));
-        choose(menu, static_cast<int>(all.size()) - 2);
-        QTRY_VERIFY2(on.viewer.notice.text().contains("Measure a distance first"), qPrintable(on.viewer.notice.text()));
     }
 
     void rocksEndMeasuring() {
@@ -549,7 +444,7 @@ private slots:
         for (const QSize size : {QSize(853, 533), QSize(1024, 748), QSize(1280, 700), QSize(1366, 748), QSize(1920, 1040)}) {
             resizeTo(on.window, size);
             QMap<int, int> columns; // buttons by x
-            for (const auto* each : on.window.findChild<ToolColumn*>()->findChildren<QToolButton*>()) ++columns[each->x()];
+            for (const auto* each : on.window.cab().frame().tools().findChildren<QToolButton*>()) ++columns[each->x()];
             const auto [least, most] = std::minmax_element(columns.begin(), columns.end());
             QVERIFY2(*most - *least <= 1, qPrintable(QString("%1 and %2 at %3").arg(*least).arg(*most).arg(size.height())));
             if (size.height() >= 700) QCOMPARE(columns.size(), 1);
@@ -759,13 +654,13 @@ private slots:
             QCOMPARE(legend.row(row)->isVisibleTo(&legend), legend.counted(row) != "0");
         // While A is shown, the numbers of a target say that they are of B.
         on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
-        const auto& target = *on.window.findChild<QLabel*>("cab-target");
-        QTRY_VERIFY2(target.text().startsWith("Target 1"), qPrintable(target.text()));
+        const auto& ofB = *on.window.findChild<QLabel*>("cab-of-b");
+        QVERIFY(!ofB.isVisible());
         on.viewer.comparing.flip(true);
-        QVERIFY2(target.text().startsWith("B: Target 1"), qPrintable(target.text()));
+        QVERIFY2(ofB.isVisible() && ofB.text().endsWith("· B"), qPrintable(ofB.text()));
         QVERIFY2(on.window.cab().corner().image() == on.viewer.views.gray().image(), "the small picture is not of A");
         on.viewer.comparing.flip(false);
-        QVERIFY2(target.text().startsWith("Target 1"), qPrintable(target.text()));
+        QVERIFY(!ofB.isVisible());
     }
 
     // All text is in sight, or there is a bar to scroll it with.

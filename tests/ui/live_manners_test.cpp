@@ -58,10 +58,14 @@ class LiveMannersTest : public QObject {
         settings.axis = axis;
         return settings;
     }
-    [[nodiscard]] std::unique_ptr<scanner::EmulatedScanner> scanner(double linesPerSecond, std::uint16_t port = 0) const {
+    /// `only`: it sends so many lines, for a test that needs the scanner in the middle of a sweep. 0: it does not end.
+    [[nodiscard]] std::unique_ptr<scanner::EmulatedScanner> scanner(double linesPerSecond, std::uint16_t port = 0,
+                                                                    std::size_t only = 0) const {
         auto telegrams = scanner::telegramsOf(scan_);
         if (!telegrams) return nullptr;
         scanner::EmulatedScannerSettings settings;
+        if (only > 0) settings.atEnd = scanner::AtEnd::Stop;
+        for (std::size_t next = 0; telegrams->size() < only; ++next) telegrams->push_back((*telegrams)[next]);
         settings.linesPerSecond = linesPerSecond;
         settings.port = port;
         auto made = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
@@ -332,7 +336,7 @@ private slots:
     // Stop in the middle of a sweep, while the one before it is held: strip, badge and count name the sweep on the screen, and the button
     // shows the other.
     void afterStopOneSweepIsNamedAndTheOtherIsOffered() {
-        const auto emulated = scanner(100);
+        const auto emulated = scanner(100, 0, kLines + 30);
         QVERIFY(emulated);
         WindowFixture on;
         MainWindow& window = on.window;
@@ -375,7 +379,7 @@ private slots:
 
     // The rest of a sweep that was held in its middle: the scanner measured it, so Stop does not lose it for the first lines of the next.
     void aSweepHeldInTheMiddleIsOfferedWholeAfterStop() {
-        const auto emulated = scanner(60);
+        const auto emulated = scanner(60, 0, kLines + 30);
         QVERIFY(emulated);
         WindowFixture on;
         MainWindow& window = on.window;
@@ -414,7 +418,7 @@ private slots:
     // A picture is held for more than a sweep, and Stop comes in the middle of the third: each sweep that is held is offered by its name,
     // and strip, count and picture are of the one that was chosen.
     void afterStopEverySweepThatIsHeldIsOffered() {
-        const auto emulated = scanner(200);
+        const auto emulated = scanner(200, 0, 2 * kLines + 30);
         QVERIFY(emulated);
         WindowFixture on;
         MainWindow& window = on.window;

@@ -512,24 +512,6 @@ private slots:
         marks.targets.front().isTarget = false; // a remark, as "✓ edge"
         QVERIFY(!at(65, 35) && !at(50, 43) && at(90, 57) == MarkName({false, 8}));
     }
-
-    // Pins of the last time are there, but no target is chosen: the cab's side says so, and its arrows go to them.
-    void theCabSaysHowManyPinsThereAre() {
-        WindowFixture on;
-        QVERIFY(on.showWith(bare_) && on.activate());
-        on.window.cab().set(true);
-        const auto* title = on.window.findChild<QLabel*>("cab-target");
-        auto* next = on.window.findChild<QToolButton*>("cab-next");
-        QCOMPARE(title->text(), QString("No target"));
-        QVERIFY(!next->isEnabled());
-        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 2)));
-        on.viewer.views.clearPin(); // as Esc: targets stay
-        QTRY_COMPARE(title->text(), QString("2 targets"));
-        QVERIFY(next->isEnabled());
-        QTest::mouseClick(next, Qt::LeftButton);
-        QTRY_VERIFY2(title->text().startsWith("Target "), qPrintable(title->text()));
-        on.window.cab().set(false);
-    }
 };
 
 int pins_test(int argc, char** argv) { return runWindowTest<PinsTest>(argc, argv); }

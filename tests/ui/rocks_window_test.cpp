@@ -58,8 +58,8 @@ class RocksWindowTest : public QObject {
         return on.settled() && eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); });
     }
     // Opens the scan and shows rocks by their key.
-    bool showRocks(WindowFixture& on) {
-        on.window.resize(1600, 950);
+    bool showRocks(WindowFixture& on, const QSize& size = {1600, 950}) {
+        on.window.resize(size);
         if (!on.showWith(bell_) || !on.activate()) return false;
         QTest::keyClick(&on.window, Qt::Key_K);
         return settled(on);
@@ -719,6 +719,24 @@ private slots:
         QVERIFY(view->grab().toImage().pixel(dot) != before.pixel(dot));
         QTest::keyClick(&on.window, Qt::Key_K);
         QCOMPARE(view->curve().rocks(), std::size_t{0});
+    }
+
+    // On a small screen its contacts need no scrolling, and the classes of edges that rocks cover use no rows unless they are asked for.
+    void theCardComesFirstAndTheLegendIsShort() {
+        WindowFixture on;
+        QVERIFY(showRocks(on, {1280, 800}));
+        QVERIFY(on.window.findChild<QDockWidget*>("dock-rocks")->height() > 0.4 * on.window.height()); // before there is a card, too
+        choose(on, 3);
+        QTRY_VERIFY(on.viewer.rocksPanel.card().visibleRegion().boundingRect().height() > 0.8 * on.viewer.rocksPanel.card().height());
+        QCheckBox* jumps = on.viewer.legend.classSwitch(0);
+        QTRY_VERIFY(!jumps->isVisible());
+        QTest::mouseClick(on.viewer.legend.unfold(), Qt::LeftButton);
+        QTRY_VERIFY(jumps->isVisible());
+        on.viewer.rocks.setShown(false);
+        on.viewer.rocks.setShown(true);
+        QTRY_VERIFY(!jumps->isVisible());
+        on.viewer.rocks.setShown(false);
+        QTRY_VERIFY2(jumps->isVisible(), "as the operator left it without rocks");
     }
 
     void theCardSaysThatUpIsAssumedAndNamesTheRocksOfTheArch() {

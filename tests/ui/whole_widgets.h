@@ -1,8 +1,6 @@
 // Searches a window for widgets that are cut off, squeezed or covered.
 #pragma once
 
-#include "ui/base/fact_row.h"
-
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDockWidget>
@@ -72,7 +70,6 @@ namespace edgescan::ui {
                                      .arg(label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height()));
             if (!label->wordWrap() && !mayShrink && label->sizeHint().width() > label->width() + 1)
                 addFault(*label, QString("%1 wide are needed").arg(label->sizeHint().width()));
-            if (dynamic_cast<const FittedLabel*>(label) != nullptr && !label->toolTip().isEmpty()) addFault(*label, "is cut");
         } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
             const auto* tool = qobject_cast<const QToolButton*>(button);
             if (button->hasHeightForWidth() && button->height() < button->heightForWidth(button->width()))

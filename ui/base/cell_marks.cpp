@@ -370,7 +370,7 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const QPolygonF& part : marks.cut)
-        strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 4.0), QPen(kCut, 1.6, Qt::DashDotLine), [&] { painter.drawPolyline(part); });
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 4.0), QPen(kCut, 2.0, Qt::DashDotLine), [&] { painter.drawPolyline(part); });
     for (const QLineF& move : marks.moves) drawMove(painter, move);
     for (const ScreenMarks::Measure& measure : marks.measures) drawMeasure(painter, measure);
     for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);

@@ -16,10 +16,11 @@ bool grows(QLayoutItem& item) {
     return policy == QSizePolicy::Expanding || policy == QSizePolicy::Ignored;
 }
 
-/// Px that it takes of a line of this width. A least width that was set counts; else a growing one gets enough for words.
+/// Px that it takes of a line of this width. An expanding one has a least width; an ignored one gets enough for words.
 int widthOf(QLayoutItem& item, int line) {
     if (item.isEmpty()) return std::min(line, item.widget()->sizeHint().width()); // hidden: what it would take
-    const int least = item.widget()->minimumWidth() > 0 ? 0 : kLeastOfGrowing;
+    const bool known = item.widget()->minimumWidth() > 0 || item.widget()->sizePolicy().horizontalPolicy() == QSizePolicy::Expanding;
+    const int least = known ? 0 : kLeastOfGrowing;
     return std::min(line, grows(item) ? std::max(least, item.minimumSize().width()) : item.sizeHint().width());
 }
 

@@ -58,9 +58,14 @@ Plate plateIn(QPainter& painter, const QRect& place, const PictureFrame& frame, 
 QRect drawPlate(QPainter& painter, const QRect& place, const PictureFrame& frame, const QRect& avoided) {
     QFont large = painter.font();
     large.setBold(true);
-    large.setPointSizeF(large.pointSizeF() * 2.0);
-    Plate plate = plateIn(painter, place, frame, large);
-    if (plate.box.intersects(avoided)) plate = plateIn(painter, place.adjusted(0, 0, avoided.left() - place.right() - 1, 0), frame, large);
+    Plate plate;
+    for (const double factor : {2.0, 1.5, 1.0}) { // a narrow view has no room for the largest letters next to a picture
+        large.setPointSizeF(painter.font().pointSizeF() * factor);
+        plate = plateIn(painter, place, frame, large);
+        if (!plate.box.intersects(avoided)) break;
+        plate = plateIn(painter, place.adjusted(0, 0, avoided.left() - place.right() - 1, 0), frame, large);
+        if (!plate.box.intersects(avoided)) break;
+    }
     painter.setPen(QPen(frame.colour, 2.0));
     painter.setBrush(QColor(27, 29, 31));
     painter.drawRect(plate.box);

@@ -29,19 +29,19 @@ namespace edgescan::ui {
 namespace {
 
 constexpr std::size_t kMostEarlier = 9;
-constexpr int kLeastText = 160;       // px of the line, next to the button of a note
-constexpr double kMostOfWindow = 0.4; // of its height, for all of the text
-constexpr int kLongName = 28;         // letters of it
-constexpr int kNameEnd = 10;          // letters at each end of a long name
-constexpr double kWholeFrom = 100.0;  // kB, of a file's size
+constexpr int kLeastText = 160;        // px of the line, next to the button of a note
+constexpr double kMostOfWindow = 0.25; // of its height, for all of the text
+constexpr int kLongName = 28;          // letters of it
+constexpr int kNameEnd = 10;           // letters at each end of a long name
+constexpr double kWholeFrom = 100.0;   // kB, of a file's size
 constexpr int kUndoneMs = 8000, kTouchedMs = 1000;
 
 } // namespace
 
 NoticeBar::NoticeBar(QWidget* parent)
-    : QFrame(parent), sign_(new QLabel), line_(new ElidedLabel), text_(new QLabel), all_(new QScrollArea), details_(new QWidget),
-      head_(new QHBoxLayout), below_(new QVBoxLayout), action_(new QToolButton), folder_(new QToolButton), unfold_(new QToolButton),
-      more_(new QToolButton), close_(new QToolButton) {
+    : QFrame(parent), line_(new ElidedLabel), text_(new QLabel), all_(new QScrollArea), details_(new QWidget), head_(new QHBoxLayout),
+      below_(new QVBoxLayout), action_(new QToolButton), folder_(new QToolButton), unfold_(new QToolButton), more_(new QToolButton),
+      close_(new QToolButton) {
     setObjectName("notice-bar");
     QSizePolicy stays(QSizePolicy::Preferred, QSizePolicy::Fixed);
     stays.setRetainSizeWhenHidden(true);
@@ -52,9 +52,11 @@ NoticeBar::NoticeBar(QWidget* parent)
     folder_->setText(tr("Open folder"));
     folder_->hide();
     connect(folder_, &QToolButton::clicked, this, [this] { openPath(folderOf_); });
-    QFont bold = sign_->font();
+    QFont bold = unfold_->font();
     bold.setBold(true);
-    sign_->setFont(bold);
+    unfold_->setFont(bold);
+    unfold_->setAutoRaise(true);
+    unfold_->setToolTip(tr("Details"));
     text_->setObjectName("notice-text");
     text_->setWordWrap(true);
     text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path must not widen the window
@@ -84,9 +86,9 @@ NoticeBar::NoticeBar(QWidget* parent)
     more_->setToolTip(tr("Shows the next of the notes that were not closed"));
     more_->hide();
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
-    head_->addWidget(sign_);
+    head_->addWidget(unfold_);
     head_->addWidget(line_, 1);
-    for (QWidget* each : std::initializer_list<QWidget*>{action_, unfold_, close_}) head_->addWidget(each);
+    for (QWidget* each : {action_, close_}) head_->addWidget(each);
     for (QWidget* each : std::initializer_list<QWidget*>{more_, folder_, copy}) below_->addWidget(each);
     below_->addStretch(1);
     auto* inner = new QHBoxLayout(details_);
@@ -94,7 +96,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     inner->addWidget(all_, 1);
     inner->addLayout(below_);
     details_->hide();
-    setMinimumHeight(heightOfLine());
+    setFixedHeight(heightOfLine());
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(10, 2, 6, 2);
     rows->addLayout(head_);
@@ -111,7 +113,8 @@ NoticeBar::NoticeBar(QWidget* parent)
 /// The same with any buttons, and while it is hidden.
 int NoticeBar::heightOfLine() const {
     constexpr int kForGloves = 52; // px
-    return large_ ? std::max(kForGloves, 2 * fontMetrics().height() + 4) : 2 * fontMetrics().height();
+    constexpr int kAround = 11;    // px, of the letters of a button
+    return large_ ? std::max(kForGloves, 2 * fontMetrics().height() + 4) : fontMetrics().height() + kAround;
 }
 
 // A strip and an icon have the colour of the kind of notice; the text has the normal colour. The text names the kind as well.
@@ -120,17 +123,17 @@ void NoticeBar::paintKind() {
     const QColor colour = kind_ == Kind::Error ? theme.bad : kind_ == Kind::Warning ? theme.warn : theme.text;
     setStyleSheet(
         QString("#notice-bar { background: %1; border: none; border-left: 6px solid %2; }").arg(theme.panel.name(), colour.name()));
-    QPalette letters = sign_->palette();
-    letters.setColor(QPalette::WindowText, colour);
-    sign_->setPalette(letters);
+    QPalette letters = unfold_->palette();
+    letters.setColor(QPalette::ButtonText, colour);
+    unfold_->setPalette(letters);
 }
 
+/// Two lines where the text has two: it needs the width.
 void NoticeBar::showSign() {
-    const auto& [sign, word] = kind_ == Kind::Error     ? std::pair("✕", tr("Error"))
-                               : kind_ == Kind::Warning ? std::pair("▲", tr("Note"))
-                                                        : std::pair("✓", tr("Done"));
-    sign_->setText(large_ ? QString::fromUtf8(sign) : QString::fromUtf8(sign) + ' ' + word);
-    sign_->setAccessibleName(word);
+    const QString sign = QString::fromUtf8(kind_ == Kind::Error ? "✕" : kind_ == Kind::Warning ? "▲" : "✓");
+    const QString word = kind_ == Kind::Error ? tr("Error") : kind_ == Kind::Warning ? tr("Note") : tr("Done");
+    const QString more = (earlier_.empty() ? QString() : QString(" (%1)").arg(earlier_.size() + 1)) + QString::fromUtf8(" ▾");
+    unfold_->setText(large_ ? sign + more + '\n' + word : sign + ' ' + word + more);
 }
 
 NoticeBar::Note NoticeBar::noteOf(Kind kind, const QString& text) {
@@ -197,16 +200,13 @@ bool NoticeBar::waits() const { return !action_->isHidden() && !used_ && !passes
 void NoticeBar::countEarlier() {
     more_->setText(tr("%1 of %2").arg(place_).arg(earlier_.size() + 1));
     more_->setHidden(earlier_.empty());
-    unfold_->setText(tr("Details") + " (9)"); // as wide with any number: the button next to it stays
-    unfold_->setMinimumWidth(unfold_->sizeHint().width());
-    unfold_->setText(earlier_.empty() ? tr("Details") : tr("Details") + QString(" (%1)").arg(earlier_.size() + 1));
+    showSign();
 }
 
 void NoticeBar::put(const Note& note) {
     kind_ = note.kind;
     passes_ = false;
     leaves_.stop();
-    showSign();
     paintKind();
     setWords(note.text);
     brief_ = note.brief;
@@ -289,7 +289,7 @@ void NoticeBar::showFolder() { folder_->setHidden(folderOf_.isEmpty() || large_)
 /// Next to the line, or with the details where the line has no room for it.
 void NoticeBar::placeAction() {
     int others = action_->sizeHint().width() + kLeastText + 4 * head_->spacing();
-    for (const QWidget* each : std::initializer_list<const QWidget*>{sign_, unfold_, close_}) others += each->sizeHint().width();
+    for (const QWidget* each : std::initializer_list<const QWidget*>{unfold_, close_}) others += each->sizeHint().width();
     const bool fits = width() >= others;
     if (fits == (head_->indexOf(action_) >= 0)) return;
     (fits ? below_ : head_)->removeWidget(action_);
@@ -350,13 +350,19 @@ void NoticeBar::leave() {
 void NoticeBar::unfold(bool on) {
     unfold_->setChecked(on);
     details_->setVisible(on);
+    setFixedHeight(heightOfLine());
+    if (on) setMaximumHeight(QWIDGETSIZE_MAX);
     fit();
+    for (const QWidget* each = this; each != nullptr; each = each->parentWidget()) // at once: the next click is on what is there
+        if (each->layout() != nullptr) each->layout()->activate();
 }
 
 /// Where the line is too short for a path, its folders are left out, and the middle of a long name: its ends are read.
 void NoticeBar::fitLine(int room) {
     static const QRegularExpression kFolders(R"((?<![:/\w])(?:…?/[^/\s]+)+/(?=[^/\s]))");
-    const QString shown = (brief_.isEmpty() ? words_ : brief_).simplified();
+    const QString all = brief_.isEmpty() ? words_ : brief_, first = all.section('\n', 0, 0).simplified();
+    if (unfolded()) return line_->setText({});                                                 // all of it is below
+    const QString shown = first == all.simplified() ? first : first + QString::fromUtf8(" …"); // the worst comes first
     line_->setText(shown);
     if (line_->fits(room)) return;
     QStringList words = QString(shown).replace(kFolders, QString("…/")).split(' ');
@@ -404,8 +410,7 @@ void NoticeBar::setBrief(bool on) {
     showSign();
     showFolder();
     line_->setLines(on ? 2 : 1);
-    setMinimumHeight(heightOfLine());
-    fit();
+    unfold(unfolded());
 }
 
 QString NoticeBar::text() const { return words_; }

@@ -1,5 +1,6 @@
-// The line above the views: which fault or assumption, where, and what to do. Its place is there while it is hidden: no view moves when a
-// note comes or goes. Details shows all of the text, the notes that a later one replaced, Copy, and the folder of a written file.
+// The line next to the menus, in a cab above the views: which fault or assumption, where, and what to do. Its place is there while it is
+// hidden: no view moves when a note comes or goes. Its sign opens the details: all of the text, the notes that a later one replaced, Copy,
+// and the folder of a written file.
 #pragma once
 
 #include "core/base/result.h"
@@ -115,11 +116,10 @@ private:
     bool large_ = false;       // the buttons are: fewer of them
     std::deque<Note> earlier_; // the newest at the end
     std::size_t place_ = 1;    // of the shown note among all of them
-    QLabel* sign_;
-    ElidedLabel* line_; // the text in one line, in a cab in two
-    QLabel* text_;      // all of it, on request
-    QScrollArea* all_;  // around it
-    QWidget* details_;  // below the line
+    ElidedLabel* line_;        // the text in one line, in a cab in two
+    QLabel* text_;             // all of it, on request
+    QScrollArea* all_;         // around it
+    QWidget* details_;         // below the line
     QBoxLayout *head_, *below_;
     QString words_; // as given
     QToolButton* action_;

@@ -26,10 +26,11 @@ public:
 
 private:
     void follow() {
-        const QLayout& layout = *panel_.layout();
+        QLayout& layout = *panel_.layout();
         area_.setMinimumWidth(layout.minimumSize().width() + area_.verticalScrollBar()->sizeHint().width());
         const int height = layout.hasHeightForWidth() ? layout.heightForWidth(panel_.width()) : 0;
         panel_.setMinimumHeight(std::max(height, layout.minimumSize().height()));
+        layout.setGeometry(panel_.contentsRect()); // Qt loses a change of size that is made while a hidden panel gets its last one
     }
 
     QScrollArea& area_;
@@ -49,9 +50,14 @@ QScrollArea* scrolled(QWidget& panel) {
     return area;
 }
 
-void scrollTo(QWidget& widget) {
+void scrollTo(QWidget& widget, bool top) {
     for (QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
-        if (auto* area = qobject_cast<QScrollArea*>(up)) area->ensureWidgetVisible(&widget);
+        auto* area = qobject_cast<QScrollArea*>(up);
+        if (area == nullptr) continue;
+        if (top)
+            area->verticalScrollBar()->setValue(widget.mapTo(area->widget(), QPoint()).y());
+        else
+            area->ensureWidgetVisible(&widget);
     }
 }
 

@@ -296,7 +296,8 @@ void Explanation::followPicture() {
 
 void Explanation::explainMarked() {
     const auto cell = views_.marked();
-    if (!cell && views_.tool() == Tool::Why) return endWait();                          // a second press
+    const bool answered = card_ != nullptr && card_->isVisible() && asked_ && cell == asked_->click.cell;
+    if (views_.tool() == Tool::Why && (!cell || answered)) return endWait();            // a second press
     if (!cell || (views_.tool() == Tool::Pin && views_.pinsOnClick())) waitForClicks(); // else another tool is in use
     if (!cell) return;
     explain(inspect::exactly(*cell), views_.hovered() ? Subject::Pointer : Subject::Pin);

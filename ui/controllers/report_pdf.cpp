@@ -130,7 +130,8 @@ bool moveOne(const QTextDocument& document) {
         const double length = part.extent.bottom - part.extent.top;
         const bool flows = part.table != nullptr && part.table->format().headerRowCount() > 0 && length > high / 4; // its head is repeated
         const double room = (page + 1) * high - part.extent.top;
-        const bool split = page != last && (flows ? room < high / 8 : length < (part.table != nullptr ? high : high / 2));
+        const bool split =
+            page != last && (flows ? room < high / (length < high ? 3 : 8) : length < (part.table != nullptr ? high : high / 2));
         const bool alone = part.leads() && n + 1 < parts.size() && page != pageOf(document, parts[n + 1].extent.top) && length < high / 2 &&
                            !beginsPage(parts[n + 1]);
         if (split || alone) {
@@ -446,6 +447,7 @@ QByteArray laidOut(const std::string& html) {
     cut(page, "<details class=\"onscreen\">", "</details>");
     for (const char* kind : {"narrow", "onscreen"}) cut(page, QString("<span class=\"%1\">").arg(kind), "</span>");
     page.replace("\"></i>", "\">&nbsp;&nbsp;&nbsp;</i>&nbsp;");
+    page.replace(QRegularExpression(" (?=[^<>]*</span>)"), "&nbsp;"); // an entry of a legend is on one line
     page.replace("</span><span", "</span>&nbsp;&nbsp; <span");
     tabulateFacts(page);
     tabulateFigures(page);
@@ -456,8 +458,8 @@ QByteArray laidOut(const std::string& html) {
     document.setDefaultStyleSheet(
         "h1 { font-size: 16pt; } h2 { font-size: 12pt; margin-top: 10px; margin-bottom: 4px; } p { margin-top: 4px; margin-bottom: 4px; } "
         "td, th { padding: 2px 8px 2px 0px; text-align: left; }"
-        " #rocks td, #rocks th { font-size: 6pt; padding: 1px 0px 1px 3px; } #rocks td { white-space: nowrap; }" // whole numbers
-        " #rocks th { font-size: 5.5pt; font-weight: normal; } #targets td, #measures td { font-size: 7.5pt; }"
+        " #rocks td, #rocks th { font-size: 7pt; padding: 1px 0px 1px 3px; } #rocks td { white-space: nowrap; }" // whole numbers
+        " #rocks th { font-size: 6pt; font-weight: normal; } #targets td, #targets th, #measures td, #measures th { font-size: 7.5pt; }"
         " td.name, .note { color: #5b6268; } .warning { background-color: #fff3d6; }"
         " pre { font-size: 7pt; white-space: pre-wrap; }");
     page = withResources(page, document);

@@ -5,6 +5,7 @@
 #include "ui/base/shown_text.h"
 
 #include <QObject>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -269,7 +270,8 @@ std::string translated(std::string_view text) {
     const auto first = text.find_first_not_of(" \n"), last = text.find_last_not_of(" \n");
     if (first == text.npos) return std::string(text);
     const QString before = decoded(exactText(std::string(text.substr(first, last - first + 1))));
-    const QString after = textInLanguage(before);
+    QString after = textInLanguage(before);
+    after.replace(QRegularExpression("(?<=\\d),(?=\\d{3}(?!\\d))"), QChar(0x202F)); // as countText()
     if (after == before) return std::string(text);
     return std::string(text.substr(0, first)) + exactBytes(after.toHtmlEscaped()) + std::string(text.substr(last + 1));
 }

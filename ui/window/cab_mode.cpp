@@ -12,10 +12,11 @@
 #include "ui/panels/cab/glove_buttons.h"
 #include "ui/panels/cab/gloves.h"
 #include "ui/panels/cab/keypad.h"
-#include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/keys/commands.h"
 #include "ui/panels/live/live_panel.h"
+#include "ui/panels/rocks/rocks_panel.h"
+#include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/status_line.h"
@@ -58,10 +59,10 @@ constexpr int kCancelAfterMs = 300;
 } // namespace
 
 CabMode::CabMode(MainWindow& window, QWidget* middle)
-    : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_, window.viewer().panel.rows())),
+    : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
       zoom_(new QWidget), menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)),
-      swipes_(new Swipes(&window)) {
+      swipes_(new Swipes(&window)), tune_(gloveButton("cab-tune", "tune", tr("Tune"))) {
     badge_->setTwoLines();
     badge_->setObjectName("cab-origin");
     corner_->setObjectName("cab-corner");
@@ -73,7 +74,6 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     window.setCentralWidget(frame_);
     window.side().add(*zoom_);
     connectHead();
-    connectSide();
     connect(back_, &CornerPicture::reachChanged, this, [this](int reach) {
         if (large_ != Large::Cloud) imageView().setCovered(reach); // no prompt is below it
     });
@@ -130,57 +130,40 @@ void CabMode::fillMenu() {
     for (QToolButton* each : {head.open(), head.connectScanner()}) {
         if (each->isHidden()) menu_->addAction(each->text(), each, &QToolButton::click);
     }
-    NumbersSide& side = frame_->side();
-    if (!side.mainStepper()->isVisible() && !side.tuning()) {
-        menu_->addAction(tr("More edges"), side.mainStepper()->less(), &QToolButton::click);
-        menu_->addAction(tr("Fewer edges"), side.mainStepper()->more(), &QToolButton::click);
-    }
     if (!menu_->isEmpty()) menu_->addSeparator();
     menu_->addActions(window_.menuBar()->actions());
-}
-
-void CabMode::connectSide() {
-    NumbersSide& side = frame_->side();
-    connect(&side, &NumbersSide::entryStepRequested, this, &CabMode::step);
-    connect(&side, &NumbersSide::titleTapped, this, &CabMode::openTitleMenu);
-    connect(&side, &NumbersSide::poseRequested, &window_.viewer().statusLine, &StatusLine::poseRequested);
 }
 
 /// The tool bar, which has the prompts, is hidden here.
 void CabMode::showAsked() { window_.viewer().views.setAsked(on_ ? window_.viewer().tools.shown() : QString()); }
 
-/// Updates all numbers and pictures of this mode.
+/// Updates the panel and the pictures of this mode.
 void CabMode::follow() {
     connect(&window_.viewer().tools, &ToolBar::wordsChanged, this, &CabMode::showAsked);
     connect(&window_, &MainWindow::pictureShown, this, [this] {
         showScan();
-        showSettings();
         showCorner();
     });
     connect(&window_, &MainWindow::originShown, this, &CabMode::showScan);
     connect(&window_.viewer().views, &LinkedViews::picturesChanged, this, &CabMode::showCorner);
-    connect(&window_.viewer().engine, &Engine::settingsChanged, this, &CabMode::showSettings);
     connect(&window_.viewer().targets, &Targets::cardChanged, this, [this] {
-        showNumbers();
+        showPanel();
         showCorner();
     });
     connect(&window_.viewer().measures, &Measures::kindChanged, this, [this] {
         if (on_ && window_.viewer().measures.kind())
             window_.viewer().explanation.closeCard(); // it would take the taps, and cover the cloud
-        showNumbers();
     });
     connect(&window_.viewer().views, &LinkedViews::flippedChanged, this, [this] {
-        showSettings();
-        showNumbers();
+        showPanel();
         showCorner();
     });
-    connect(&window_.viewer().views, &LinkedViews::toolChanged, this, &CabMode::showNumbers); // if a tap sets a target
-    connect(&window_.viewer().rocks, &Rocks::rocksShown, this, &CabMode::showNumbers);
+    connect(&window_.viewer().rocks, &Rocks::rocksShown, this, &CabMode::showPanel);
     connect(&window_.viewer().rocks, &Rocks::selectionChanged, this, [this] {
-        showNumbers();
+        showPanel();
         showCorner();
     });
-    connect(&window_.viewer().rocks, &Rocks::shownChanged, this, &CabMode::showNumbers);
+    connect(&window_.viewer().rocks, &Rocks::shownChanged, this, &CabMode::showPanel);
     connect(&window_.viewer().warnings, &WarningButton::warningsRaised, this, &CabMode::showScan);
     connect(&window_.viewer().warnings, &WarningButton::warningsAcknowledged, this, &CabMode::showScan);
     connect(&window_.viewer().live.scanner(), &ScannerLink::connectedChanged, this, [this](bool connected) {
@@ -220,6 +203,9 @@ void CabMode::set(bool on) {
     window_.viewer().changeLegend.setBrief(on);
     window_.viewer().notice.setBrief(on);
     window_.viewer().live.panel().setBrief(on);
+    window_.viewer().rocksPanel.setBrief(on);
+    window_.viewer().targetsPanel.setCardFirst(on);
+    window_.viewer().panel.setForGloves(on);
     frame_->setCab(on);
     keypad_->setOn(on);
     gloveMenus_->setOn(on);
@@ -240,9 +226,10 @@ void CabMode::set(bool on) {
     if (on) {
         useTheme(application, true); // last: large widgets that are hidden must not enlarge the window
         showScan();
-        showNumbers();
-        showSettings();
+        showPanel();
     }
+    window_.viewer().rocks.show();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // rows whose letters grew: nothing moves later
     window_.layout()->activate();
     const auto keepSize = [this, size] {
         if (!window_.isMaximized() && !window_.isFullScreen()) window_.resize(size);
@@ -422,10 +409,8 @@ void CabMode::fillViews(QMenu& menu) {
     small->setCheckable(true);
     small->setChecked(small_);
     small->setEnabled(large_ == Large::Cloud); // an image has no picture in its corner
-    QMenu& directions = menuWith("View/Look from/Top (from Above)");
     menu.addSeparator();
-    menu.addMenu(&directions);
-    connect(&directions, &QMenu::triggered, this, &CabMode::showCloud, Qt::UniqueConnection);
+    menu.addMenu(&menuWith(kDirection));
 }
 
 std::string CabMode::viewsKept() const {
@@ -443,14 +428,6 @@ void CabMode::useViews(const QString& kept) {
     small_ = words.contains("small");
     showLarge(static_cast<Large>(large));
     showCorner();
-}
-
-/// Shows all of the large view.
-void CabMode::fit() {
-    if (large_ == Large::Cloud)
-        window_.viewer().views.cloud().zoomToFit();
-    else
-        window_.viewer().views.gray().viewPort()->fit();
 }
 
 /// Zooms the large view about its middle.

@@ -1,22 +1,19 @@
-// Cab mode: the same window for operators with gloves. Tools, numbers and steppers replace menus, cards and sliders.
+// Cab mode: the same window for operators with gloves. One column shows the desk's panels, one at a time; tools replace the menus.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QRegion>
+#include <QString>
 #include <QTimer>
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-class QAbstractButton;
 class QMenu;
 class QToolButton;
 
-namespace edgescan::inspect {
-struct PinnedTarget;
-}
 namespace edgescan::rocks {
 struct Rock;
 }
@@ -32,7 +29,6 @@ class MainWindow;
 struct PictureMark;
 class StateBadge;
 class Swipes;
-struct SideFacts;
 
 /// GUI thread only. The window must outlive it.
 class CabMode : public QObject {
@@ -65,22 +61,17 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void connectHead();
     void fillMenu();
-    void addSideButtons();
-    void fillRemoval(QMenu& menu, bool all);
-    void fillMeasures(QMenu& menu);
-    void openTitleMenu();
     /// The menu with this command of the menu bar: its entries, not a second list. `id`: its path in English.
-    [[nodiscard]] QMenu& menuWith(const QString& id) const;
+    [[nodiscard]] QMenu& menuWith(const char* id) const;
+    static constexpr const char* kDirection = "View/Look from/Top (from Above)";
     void fillViews(QMenu& menu);
     void addUndo();
-    void connectSide();
     void follow();
     void nameUndone();
     void showScan();
     void showWork();
     void showAsked();
-    void showNumbers();
-    void showSettings();
+    void showPanel();
     void showCorner();
     void swap();
     void noteChangeUnder(const QRegion& place);
@@ -88,16 +79,10 @@ private:
     void showCloud();
     void showLarge(Large which);
     [[nodiscard]] ImageView& imageView() const;
-    void fit();
     void zoom(double factor);
     void addZoom();
     void lockDocks(bool on);
-    [[nodiscard]] SideFacts ofTarget(const inspect::PinnedTarget& target) const;
-    [[nodiscard]] SideFacts ofRock(const rocks::Rock& rock) const;
-    [[nodiscard]] SideFacts ofMeasure(std::size_t place) const;
-    [[nodiscard]] SideFacts ofNothing() const;
     [[nodiscard]] const rocks::Rock* chosenRock() const;
-    void step(int by);
     [[nodiscard]] PictureMark chosenPlace() const;
 
     MainWindow& window_;
@@ -110,7 +95,8 @@ private:
     Keypad* keypad_;
     GloveMenus* gloveMenus_;
     Swipes* swipes_;
-    QToolButton* remove_ = nullptr;
+    QToolButton* tune_;
+    QString shown_;                // of the panel: changes with what is chosen
     std::vector<QWidget*> ofScan_; // useless without a scan
     QTimer cancelSoon_;
     Large large_ = Large::Cloud, image_ = Large::Range; // image_: in the corner, or the one that was large last

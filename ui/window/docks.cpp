@@ -18,6 +18,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QStyle>
 #include <QToolButton>
@@ -35,7 +36,8 @@ constexpr int kTableFrom = 1600;      // px of the window's width: in a narrower
 constexpr int kStackedFrom = 1000;    // px of its height: in a lower one rocks and targets share a place
 constexpr int kLeastTable = 234;      // px of height: four rows
 constexpr double kTableShare = 0.26;  // of the window's height
-constexpr double kPanelHeight = 0.55; // of the window, of a panel that opens under another
+constexpr double kPanelHeight = 0.55; // of the column's height, of a panel that opens under another
+constexpr double kLeastOfEdges = 0.2; // of it, above several panels
 constexpr int kLeastPanel = 240, kMostPanel = 400; // px; narrower panels cut off text
 constexpr int kSamePx = 2;                         // widths that differ by less count as equal
 constexpr const char* kByHand = "byHand";          // of a dock: "open" or "folded" if the operator opened or folded it
@@ -189,8 +191,8 @@ int Docks::neededHeight(const QDockWidget& dock) const {
            (content.hasHeightForWidth() ? content.totalHeightForWidth(wide) : content.totalSizeHint().height());
 }
 
-/// Under the settings of edges one panel gets the larger part; more of them get equal parts. Where all have room, none scrolls while
-/// another has an empty part. The card of a target, which comes later, needs its part.
+/// Where all have room, none scrolls while another has an empty part; else the settings of edges do first, and each other has its share:
+/// the card of a rock comes later. That of a target always has it.
 void Docks::shareHeight() {
     QList<QDockWidget*> places;
     for (QDockWidget* dock : openAtRight()) {
@@ -198,19 +200,25 @@ void Docks::shareHeight() {
         if (std::ranges::none_of(places, [&](QDockWidget* place) { return together.contains(place); })) places << dock;
     }
     if (places.size() < 2) return;
-    const bool two = places.size() == 2;
+    const int others = static_cast<int>(places.size()) - 1;
+    const double ofEdges = others > 1 ? kLeastOfEdges : 1.0 - kPanelHeight;
     QDockWidget* targets = named(kTargets).widget;
-    int left = window_.statusBar()->y() - window_.centralWidget()->y();
-    QList<int> heights, needed;
+    const int room = window_.statusBar()->y() - window_.centralWidget()->y(), share = static_cast<int>((1.0 - ofEdges) / others * room);
+    int left = room;
+    QList<int> needed;
     for (QDockWidget* place : places) {
-        const double share = !two ? 1.0 / places.size() : place == places.front() ? 1.0 - kPanelHeight : kPanelHeight;
-        heights << static_cast<int>(share * window_.height());
-        const bool hasCard = place == targets || (!targets->isHidden() && window_.tabifiedDockWidgets(targets).contains(place));
-        needed << (hasCard ? std::max(heights.back(), neededHeight(*place)) : neededHeight(*place));
+        const bool hasTargets = place == targets || (!targets->isHidden() && window_.tabifiedDockWidgets(targets).contains(place));
+        needed << std::max(neededHeight(*place), hasTargets && place != places.front() ? share : 0);
         left -= needed.back();
     }
-    needed.back() += left;
-    window_.resizeDocks(places, left >= 0 ? needed : heights, Qt::Vertical);
+    for (int n = 1; left < 0 && n <= others; ++n) {
+        left -= std::max(0, share - needed[n]);
+        needed[n] = std::max(needed[n], share);
+    }
+    const int given = std::clamp(-left, 0, std::max(0, needed.front() - static_cast<int>(ofEdges * room)));
+    needed.front() -= given;
+    for (int n = 1; n <= others; ++n) needed[n] += (left + given) / others;
+    window_.resizeDocks(places, needed, Qt::Vertical);
 }
 
 /// A tab says the title already: the row below it names its button.
@@ -348,7 +356,19 @@ void Docks::setLocked(DockLock by, bool on) {
     if (!locked()) emit changed();
 }
 
-/// A dock would take the room of the cab's views and numbers. The table covers the views until it is closed.
+void Docks::lend(QStackedWidget& stack, bool on) {
+    for (const char* name : {kEdges, kRocks, kTargets}) {
+        QDockWidget& dock = *named(name).widget;
+        QWidget* panel = on ? dock.widget() : stack.widget(0);
+        on ? static_cast<void>(stack.addWidget(panel)) : dock.setWidget(panel);
+        panel->setWindowTitle(dock.windowTitle());
+        if (on) continue;
+        panel->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+        panel->show(); // the stack hid it
+    }
+}
+
+/// A dock would take the room of the cab's views and panel. The table covers the views until it is closed.
 void Docks::cover(const QRect& views) {
     QDockWidget* table = named(kTable).widget;
     if (!locked() || table->isHidden()) return;

@@ -9,6 +9,7 @@
 
 class QDockWidget;
 class QMainWindow;
+class QStackedWidget;
 class QWidget;
 
 namespace edgescan::ui {
@@ -35,6 +36,8 @@ public:
     void wantOpen();
     /// While locked all are hidden. In cab mode the operator can open the table of rocks; cover() places it.
     void setLocked(DockLock by, bool on);
+    /// On: the panels of edges, rocks and targets are in this stack, in this order, with their titles; off: in their docks again.
+    void lend(QStackedWidget& stack, bool on);
     /// Gives a table that is open in cab mode the place of the views, in the window.
     void cover(const QRect& views);
     [[nodiscard]] bool locked() const { return !locks_.empty(); }

@@ -227,7 +227,8 @@ void dropPassedFocus(QWidget* before, QWidget* now) {
 
 } // namespace
 
-MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(parent), viewer_(preferences), rail_(new DockRail) {
+MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
+    : QMainWindow(parent), viewer_(preferences), rail_(new DockRail), menus_(new QMenuBar) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
@@ -334,7 +335,12 @@ void MainWindow::layOutViews() {
     auto* top = new QVBoxLayout;
     column->addLayout(top);
     column->addWidget(&viewer_.livePanel);
-    column->addWidget(&viewer_.notice);
+    auto* menuRow = new QWidget;
+    auto* first = new QHBoxLayout(menuRow);
+    first->setContentsMargins(0, 0, 0, 0);
+    first->addWidget(menus_);
+    first->addWidget(&viewer_.notice, 1);
+    setMenuWidget(menuRow);
     viewsRow_ = new QBoxLayout(QBoxLayout::LeftToRight);
     viewsRow_->setSpacing(0);
     viewsRow_->addWidget(splitter_, 1);
@@ -396,7 +402,7 @@ void MainWindow::layOutTools() {
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.exports.setSelection(viewer_.selection.cells()); });
-    viewer_.exports.setTargets([this] { return viewer_.targets.notebook().targets; });
+    viewer_.exports.setTargets([this] { return viewer_.targets.withRocks(); });
     connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation,
             [this](std::size_t cell) { viewer_.explanation.explain(inspect::exactly(cell), Explanation::Subject::Pin); });
     connect(&viewer_.targets, &Targets::measureRequested, &viewer_.measures, &Measures::startAt);

@@ -13,6 +13,7 @@
 #include <string>
 
 class QBoxLayout;
+class QMenuBar;
 class QSplitter;
 
 namespace edgescan::ui {
@@ -39,6 +40,7 @@ public:
     [[nodiscard]] CabMode& cab() { return *cab_; }
     [[nodiscard]] PanePlaces& places() { return *places_; }
     [[nodiscard]] SideColumn& side() { return *side_; }
+    [[nodiscard]] QMenuBar* menuBar() const { return menus_; } // that of Qt would replace the row
 
     void resetLayout();
     /// Closes the window for the operator; in cab mode it asks before.
@@ -103,6 +105,7 @@ private:
     PlainWindow plain_; // before any widget
     Viewer viewer_;
     DockRail* rail_;
+    QMenuBar* menus_;
 
     std::array<Pane*, 3> panes_{}; // gray, edges, cloud
     Pane* maximised_ = nullptr;

@@ -124,8 +124,8 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
         following(toggle("&Edges over Rocks", "", "rocks/edges", false, setOver), v.legend, &EdgeLegend::overRocksRequested);
     return submenu("&Rocks",
                    {
-                       ofDesk(following(ofScan(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); })),
-                                        rocks, &Rocks::shownChanged)),
+                       following(ofScan(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); })), rocks,
+                                 &Rocks::shownChanged),
                        linked(command("&Largest Rock by Width b", "", [&rocks] { rocks.lookAtLargest(); }),
                               [](QAction& action) { action.setObjectName("rocks-largest"); }),
                        command("Next Sm&aller Rock by Width b", "", [&rocks] { rocks.lookAtNextSmaller(); }),

@@ -90,7 +90,6 @@ public:
         case PM_ExclusiveIndicatorWidth:
         case PM_ExclusiveIndicatorHeight:
             return 28; // the surrounding row is high enough for gloves
-        case PM_ScrollBarExtent:
         case PM_SliderThickness:
         case PM_SliderControlThickness:
         case PM_SliderLength:

@@ -5,6 +5,7 @@
 #include "ui/base/pane.h"
 #include "ui/base/window_room.h"
 #include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/keys/commands.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
@@ -265,6 +266,11 @@ void MainWindow::moveEvent(QMoveEvent* event) {
 /// Changes of the layout in cab mode.
 void MainWindow::useCab(bool on) {
     viewsRow_->setDirection(on ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    auto& strips = static_cast<QBoxLayout&>(*viewer_.livePanel.parentWidget()->layout());
+    QWidget* menuRow = viewer_.notice.parentWidget();
+    on ? strips.insertWidget(strips.indexOf(&viewer_.livePanel) + 1, menuRow) : setMenuWidget(menuRow);
+    menuRow->show();
+    docks_->lend(cab_->frame().panels(), on);
     side_->setStrip(on);
     side_->setVisible(on); // on the desk where it has room: arrange()
     viewer_.tools.setVisible(!on);

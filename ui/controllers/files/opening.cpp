@@ -71,7 +71,7 @@ void Opening::storePoints(const std::shared_ptr<const Scan>& scan, const std::ve
     const bool isWarned = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // a warning about guesses is shown
     if (against.isEmpty() && (answers || !isWarned || !files::looksGuessed(*points_))) return;
     if (!against.isEmpty())
-        notice_.showNotice(NoticeBar::Kind::Warning, (notice_.isVisible() ? notice_.text() + '\n' : QString()) + against.join('\n'));
+        notice_.showNotice(NoticeBar::Kind::Warning, against.join('\n') + (notice_.isVisible() ? '\n' + notice_.text() : QString()));
     notice_.offer(tr("Does this look right?"), [this] { show(); });
 }
 

@@ -72,6 +72,8 @@ public:
     [[nodiscard]] bool shown() const { return on_; }
     /// The rocks on the screen; null while rocks are off and before the first result.
     [[nodiscard]] const std::shared_ptr<const RockPicture>& picture() const { return picture_; }
+    /// Panel, table and outlines again, in the words for mouse or gloves.
+    void show();
     /// True if the shown rocks do not belong to the current picture, settings and edits.
     [[nodiscard]] bool behind() const;
 
@@ -145,7 +147,6 @@ private:
     void connectViews();
     void ask();
     void storePicture(const std::shared_ptr<const RockPicture>& picture);
-    void show();
     void showFaces();
     void showSelection();
     void showCard();

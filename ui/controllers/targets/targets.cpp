@@ -111,7 +111,9 @@ QString Targets::keyOf(const Picture& picture) const {
 /// What another scan had: an empty list without a word looks like a loss.
 QString Targets::leftBehind(std::size_t entries) {
     if (entries == 0) return {};
-    return tr("Targets and measurements of the previous scan: %1. They are stored with it: open it again to see them.").arg(entries);
+    return tr("Targets and measurements of the previous scan: %1. They are stored with it, as its edits of rocks are: open it again to see "
+              "them.")
+        .arg(entries);
 }
 
 void Targets::followPicture() {

@@ -65,6 +65,7 @@ public:
     /// A new picture is on the screen.
     void followPicture();
     [[nodiscard]] const inspect::Notebook& notebook() const { return notebook_; }
+    [[nodiscard]] std::vector<inspect::PinnedTarget> withRocks() const;
     /// Of another scan, as it was stored.
     [[nodiscard]] Result<inspect::Notebook> notebookOf(const inspect::NotebookScan& scan) const { return store_.peek(scan); }
     /// The file of the notebook; empty: none.
@@ -84,8 +85,6 @@ public:
     [[nodiscard]] TargetSurroundings around(std::size_t cell) const;
     /// How the cell of a target follows from its click, with a warning if a nearer surface is next to it; empty: it was chosen itself.
     [[nodiscard]] QString clickOf(const inspect::PinnedTarget& target) const;
-    /// Goes this many entries forward in the notebook, cyclically, and shows the card.
-    void goTo(int by);
 
     void pin(std::size_t cell);
     /// Not possible for a locked target.

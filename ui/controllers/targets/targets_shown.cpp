@@ -67,6 +67,12 @@ QString Targets::tagOf(const inspect::PinnedTarget& target) const {
     return rock == nullptr ? tag : tag + " · " + tr("rock %1").arg(rock->label);
 }
 
+std::vector<inspect::PinnedTarget> Targets::withRocks() const {
+    std::vector<inspect::PinnedTarget> all = notebook_.targets;
+    for (inspect::PinnedTarget& each : all) each.rock = rocks_.picture() ? rocks_.picture()->labelAt(each.cell) : 0;
+    return all;
+}
+
 QString Targets::nameAt(std::uint32_t cell) const {
     const auto found = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
     return found == notebook_.targets.end() ? QString() : nameOf(*found).simplified();
@@ -242,14 +248,6 @@ void Targets::showCard() {
         panel_.card().hide();
     }
     emit cardChanged();
-}
-
-void Targets::goTo(int by) {
-    const auto count = static_cast<int>(notebook_.targets.size());
-    if (count == 0) return;
-    const inspect::PinnedTarget* shown = active();
-    const int at = shown != nullptr ? static_cast<int>(shown - notebook_.targets.data()) : by > 0 ? -1 : 0;
-    views_.pin(notebook_.targets[static_cast<std::size_t>(((at + by) % count + count) % count)].cell);
 }
 
 void Targets::showDraft(const MeasureMark& draft) {

@@ -1,15 +1,15 @@
-// The head, the tools, the central area and the numbers of cab mode.
+// The head, the tools, the central area and the panel of cab mode.
 #include "ui/panels/cab/cab_frame.h"
 
 #include "ui/base/elided_label.h"
 #include "ui/panels/cab/glove_buttons.h"
-#include "ui/panels/cab/numbers_side.h"
 
 #include <QDateTime>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QResizeEvent>
+#include <QStackedWidget>
 #include <QTimer>
 #include <QToolButton>
 
@@ -23,7 +23,8 @@ constexpr int kLeastName = 84;      // px
 constexpr int kFactsPx = 15;        // of two lines
 constexpr double kBadgeShare = 0.2; // of the width
 constexpr int kNarrowestBadge = 150, kWidestBadge = 300;
-constexpr int kBetweenTools = 8;     // px
+constexpr int kBetweenTools = 8; // px
+constexpr int kGloveSide = 48, kBetweenButtons = 4;
 constexpr double kSideShare = 0.225; // of the width
 constexpr int kNarrowestSide = 236, kWidestSide = 400;
 
@@ -135,8 +136,20 @@ bool CabHead::event(QEvent* event) {
     return used;
 }
 
-CabFrame::CabFrame(QWidget* middle, QWidget* badge, const std::vector<ParameterRow*>& settings)
-    : head_(new CabHead(badge)), tools_(new ToolColumn), side_(new NumbersSide(settings)) {
+CabFrame::CabFrame(QWidget* middle, QWidget* badge)
+    : head_(new CabHead(badge)), tools_(new QWidget), side_(new QWidget), toolsGrid_(new QGridLayout(tools_)), ofB_(new QLabel),
+      panels_(new QStackedWidget), foot_(new QHBoxLayout), leastWide_(new QSpacerItem(kNarrowestSide, 0)) {
+    toolsGrid_->setContentsMargins(kBetweenButtons, kBetweenButtons, kBetweenButtons, kBetweenButtons);
+    toolsGrid_->setSpacing(kBetweenButtons);
+    tools_->setMinimumHeight(kGloveSide); // a lower window has two columns
+    ofB_->setObjectName("cab-of-b");
+    ofB_->hide();
+    auto* column = new QVBoxLayout(side_);
+    column->setContentsMargins(kBetweenButtons, 0, kBetweenButtons, kBetweenButtons);
+    column->addItem(leastWide_);
+    column->addWidget(ofB_);
+    column->addWidget(panels_, 1);
+    column->addLayout(foot_);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(0);
@@ -144,7 +157,8 @@ CabFrame::CabFrame(QWidget* middle, QWidget* badge, const std::vector<ParameterR
     grid->addWidget(tools_, 1, 0);
     grid->addWidget(middle, 1, 1);
     grid->addWidget(side_, 1, 2);
-    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(1, 1000);
+    grid->setColumnStretch(2, 1); // as wide as its panels need
     grid->setRowStretch(1, 1);
     setCab(false);
 }
@@ -153,9 +167,31 @@ void CabFrame::setCab(bool on) {
     for (QWidget* each : std::initializer_list<QWidget*>{head_, tools_, side_}) each->setVisible(on);
 }
 
+void CabFrame::addTool(QToolButton* button) {
+    buttons_.push_back(button);
+    layTools();
+}
+
+void CabFrame::addBelowPanel(QToolButton* button) { foot_->addWidget(button); }
+
+void CabFrame::showPanel(int place, bool ofB) {
+    panels_->setCurrentIndex(place);
+    panels_->widget(0)->setSizePolicy(place == 0 ? QSizePolicy::Preferred : QSizePolicy::Ignored, QSizePolicy::Preferred); // the widest
+    ofB_->setText(panels_->currentWidget()->windowTitle() + " · B");
+    ofB_->setVisible(ofB);
+}
+
+void CabFrame::layTools() {
+    const int all = static_cast<int>(buttons_.size()), high = height() - head_->sizeHint().height();
+    const int columns = high >= all * (kGloveSide + kBetweenButtons) + kBetweenButtons ? 1 : 2;
+    for (int n = 0; n < all; ++n) toolsGrid_->addWidget(buttons_[static_cast<std::size_t>(n)], n / columns, n % columns);
+}
+
 void CabFrame::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    side_->setFixedWidth(std::clamp(static_cast<int>(kSideShare * event->size().width()), kNarrowestSide, kWidestSide));
+    layTools();
+    leastWide_->changeSize(std::clamp(static_cast<int>(kSideShare * event->size().width()), kNarrowestSide, kWidestSide), 0);
+    side_->layout()->invalidate();
 }
 
 } // namespace edgescan::ui

@@ -1,20 +1,21 @@
-// The central area of the window with the parts that only cab mode has around it: head, tools, numbers.
+// The central area of the window with the parts that only cab mode has around it: head, tools, and one panel of the desk.
 #pragma once
 
 #include <QWidget>
 
 #include <vector>
 
+class QGridLayout;
+class QHBoxLayout;
 class QLabel;
+class QSpacerItem;
+class QStackedWidget;
 class QToolButton;
 
 namespace edgescan::ui {
 
 class ElidedLabel;
 class HoldButton;
-class NumbersSide;
-class ParameterRow;
-class ToolColumn;
 
 /// The top row in cab mode. GUI thread only.
 class CabHead : public QWidget {
@@ -65,21 +66,34 @@ private:
 class CabFrame : public QWidget {
     Q_OBJECT
 public:
-    /// `settings`: the rows of the panel, which the side shows large.
-    CabFrame(QWidget* middle, QWidget* badge, const std::vector<ParameterRow*>& settings);
+    CabFrame(QWidget* middle, QWidget* badge);
 
     void setCab(bool on);
+    /// As few columns of tools as the height has room for; the last tools are at the bottom.
+    void addTool(QToolButton* button);
+    /// Such as Report, below the panel.
+    void addBelowPanel(QToolButton* button);
+    /// `ofB`: A is in the views meanwhile.
+    void showPanel(int place, bool ofB);
     [[nodiscard]] CabHead& head() { return *head_; }
-    [[nodiscard]] ToolColumn& tools() { return *tools_; }
-    [[nodiscard]] NumbersSide& side() { return *side_; }
+    [[nodiscard]] QWidget& tools() { return *tools_; }
+    /// Empty while the panels are at the desk.
+    [[nodiscard]] QStackedWidget& panels() { return *panels_; }
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void layTools();
+
     CabHead* head_;
-    ToolColumn* tools_;
-    NumbersSide* side_;
+    QWidget *tools_, *side_;
+    QGridLayout* toolsGrid_;
+    std::vector<QToolButton*> buttons_;
+    QLabel* ofB_;
+    QStackedWidget* panels_;
+    QHBoxLayout* foot_;
+    QSpacerItem* leastWide_;
 };
 
 } // namespace edgescan::ui

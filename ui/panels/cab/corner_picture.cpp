@@ -1,7 +1,6 @@
 // Draws the picture in the corner.
 #include "ui/panels/cab/corner_picture.h"
 
-#include "ui/base/fact_row.h"
 #include "ui/base/marks.h"
 
 #include <QHideEvent>
@@ -19,6 +18,16 @@ constexpr double kMostWords = 0.1; // of the height
 constexpr int kLeastForGloves = 48;
 constexpr int kLeastLetters = 11;             // px
 constexpr double kRing = 8.0, kEndRing = 4.0; // radius, px: of one cell, of each end of a measurement
+
+/// With the largest letters, from `mostPx` down to `leastPx`, in which the text fits into the room.
+QFont fittedFont(QFont letters, const QString& text, int room, int mostPx, int leastPx) {
+    letters.setPixelSize(mostPx);
+    const int wide = QFontMetrics(letters).horizontalAdvance(text);
+    int px = wide > room && wide > 0 ? std::max(leastPx, mostPx * room / wide) : mostPx;
+    letters.setPixelSize(px);
+    while (px > leastPx && QFontMetrics(letters).horizontalAdvance(text) > room) letters.setPixelSize(--px);
+    return letters;
+}
 
 } // namespace
 

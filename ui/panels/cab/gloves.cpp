@@ -42,7 +42,7 @@ void Swipes::giveBack(QAbstractScrollArea& area) {
 }
 
 void Swipes::grab(QAbstractScrollArea& area) {
-    if (area.window()->windowType() == Qt::Popup || area.property(kPaged).toBool()) return;
+    if (area.window()->windowType() == Qt::Popup) return;
     if (auto* list = qobject_cast<QAbstractItemView*>(&area)) list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     QScroller::grabGesture(area.viewport(), QScroller::LeftMouseButtonGesture);
     QScroller* scroller = QScroller::scroller(area.viewport());

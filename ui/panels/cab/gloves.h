@@ -12,8 +12,6 @@ class QAbstractScrollArea;
 
 namespace edgescan::ui {
 
-inline constexpr const char* kPaged = "paged"; ///< property of an area that a button turns by pages instead
-
 /// GUI thread only. While it is on, a drag with the left button scrolls each page that is higher than its room, and each list. A tap still
 /// presses what is below it, and a drag across still moves a slider. Lists of boxes are popups and scroll by their arrows.
 class Swipes : public QObject {

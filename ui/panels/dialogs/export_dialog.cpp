@@ -43,7 +43,6 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
       selected_(std::move(selected)), format_(new QComboBox), picture_(new QLabel(tr("PNG picture (*.png)"))), onlySelected_(new QCheckBox),
       attached_(new QCheckBox), count_(new QLabel), numbers_(new QLabel), frameHint_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
-    setWindowTitle(tr("Export"));
     auto* questions = new QWidget; // scrolls on a low screen: squeezed widgets would be unreadable
     auto* column = new QVBoxLayout(questions);
     column->addWidget(contentBox());
@@ -368,6 +367,7 @@ std::size_t ExportDialog::count() const { return countOf(content(), options().in
 
 void ExportDialog::follow() {
     if (contents_->checkedId() < 0) return;
+    setWindowTitle(tr("Export") + ": " + contents_->checkedButton()->text());
     const bool cloud = exports::isCloud(content());
     coordinatesGroup_->setEnabled(!isPicture());
     writingGroup_->setEnabled(cloud);

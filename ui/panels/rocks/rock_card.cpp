@@ -4,6 +4,7 @@
 #include "core/base/tolerance_text.h"
 #include "ui/base/count_text.h"
 #include "ui/base/flow_layout.h"
+#include "ui/base/narrow_button.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/rocks/rock_table_model.h"
 
@@ -15,14 +16,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <utility>
-
 namespace edgescan::ui {
 namespace {
 
 constexpr int kSwatchSide = 16; // px
 
-constexpr int kAroundText = 12; // px: a button in a narrow panel
+constexpr double kLarge = 1.5; // relative to the normal font size
 
 QString metres(double value, int decimals = 2) { return RockCard::tr("%1 m").arg(value, 0, 'f', decimals); }
 QString atLeastText(const QString& value) { return RockCard::tr("at least %1").arg(value); }
@@ -74,33 +73,23 @@ QString whyNoRock(const rocks::Region* region) {
 
 } // namespace
 
-Fact sizeFact(const rocks::Rock& rock) {
-    return {"size", RockCard::tr("visible spans a × b"),
-            RockCard::tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2),
-            "± " + metres(shownTolerance(rock.toleranceM, 2))};
-}
-
-Fact distanceFact(const rocks::Rock& rock) { return {"distance", RockCard::tr("distance, median"), metres(rock.distanceM)}; }
-
 RockCard::RockCard(QWidget* parent)
-    : QFrame(parent), swatch_(new QLabel), title_(new QLabel), spans_(new QLabel), state_(new QLabel), rows_(new FactList),
-      caveat_(new QLabel), close_(new QToolButton), name_(new QPushButton(tr("Name…"))), section_(new QPushButton(tr("Section"))),
-      split_(new QPushButton(tr("Split"))), cut_(new QPushButton(tr("Cut"))), merge_(new QPushButton(tr("Merge"))),
-      rockOrNot_(new QPushButton(tr("Not a Rock"))) {
+    : QFrame(parent), swatch_(new QLabel), title_(new QLabel), spans_(new LargeLabel(kLarge)), state_(new QLabel), rows_(new FactList),
+      caveat_(new QLabel), close_(new QToolButton), name_(new NarrowButton(tr("Name…"))), section_(new NarrowButton(tr("Section"))),
+      split_(new NarrowButton(tr("Split"))), cut_(new NarrowButton(tr("Cut"))), merge_(new NarrowButton(tr("Merge"))),
+      rockOrNot_(new NarrowButton(tr("Not a Rock"))) {
     setObjectName("rock-card");
     setFrameShape(QFrame::StyledPanel);
     QFont bold = font();
     bold.setBold(true);
     title_->setFont(bold);
     title_->setWordWrap(true); // several selected rocks must not widen the panel, which would move the cloud
-    QFont large = bold;
-    large.setPointSizeF(1.5 * font().pointSizeF());
-    spans_->setFont(large);
     close_->setText(QStringLiteral("✕"));
     close_->setAutoRaise(true);
     close_->setToolTip(tr("Deselect this rock"));
     caveat_->setWordWrap(true);
     state_->setWordWrap(true);
+    spans_->setObjectName("rock-spans");
     caveat_->setText(tr("Hidden parts are not counted."));
 
     auto* head = new QHBoxLayout;
@@ -125,7 +114,6 @@ RockCard::RockCard(QWidget* parent)
     buttons->setSpacing(4);
     for (QPushButton* button : {split_, cut_, merge_, rockOrNot_, name_, section_}) {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + kAroundText);
         buttons->addWidget(button);
     }
     auto* column = new QVBoxLayout(this);
@@ -179,14 +167,13 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
 void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets, const QString& name) {
     swatch_->setPixmap(QPixmap::fromImage(rockSwatch(picture, rock, kSwatchSide)));
     title_->setText(tr("Rock %1").arg(rock.label) + (name.isEmpty() ? QString() : " " + name)); // as in the table
-    Fact size = sizeFact(rock);
-    spans_->setText(std::exchange(size.value, size.tolerance));
+    spans_->setText(tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
     spans_->show();
-    const auto linked = [](const char* key, const QString& name, const QString& value) {
-        return Fact{.key = key, .name = name, .value = value, .links = true};
+    const auto linked = [](const char* key, const QString& title, const QString& value) {
+        return Fact{.key = key, .name = title, .value = value, .links = true};
     };
-    Facts facts{size,
-                distanceFact(rock),
+    Facts facts{{"size", tr("visible spans a × b"), "± " + metres(shownTolerance(rock.toleranceM, 2))},
+                {"distance", tr("distance, median"), metres(rock.distanceM)},
                 {"area", tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2)},
                 {"front", tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0)},
                 linked("behind", tr("behind rocks"), listed(rock.rocksInFront)),

@@ -15,10 +15,6 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// Its visible spans: "2.51 × 1.83 m" with ±, and the distance of its middle.
-[[nodiscard]] Fact sizeFact(const rocks::Rock& rock);
-[[nodiscard]] Fact distanceFact(const rocks::Rock& rock);
-
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
 class RockCard : public QFrame {
     Q_OBJECT

@@ -75,13 +75,19 @@ RocksPanel::RocksPanel(QWidget* parent)
     column->setContentsMargins(8, 4, 8, 4);
     column->setSpacing(4);
     column->addLayout(ends);
-    column->addWidget(result_);
     column->addWidget(card_);
+    column->addWidget(result_);
     column->addWidget(curve_);
     column->addLayout(grid);
     column->addStretch(1);
     showSettings({});
     showResult(nullptr, QString());
+}
+
+void RocksPanel::setBrief(bool on) {
+    for (QWidget* each : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (each != card_ && each != result_) each->setVisible(!on);
+    }
 }
 
 QDoubleSpinBox* RocksPanel::number(const char* key) const {
@@ -129,7 +135,7 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
         text += tr("; %1 pieces outside the region of interest are left out")
                     .arg(rocks::regionCounts(picture->study.map, rocks::RegionKind::Outside).regions);
     result_->setText(text + "\n" + rockCaveat() + "\n" +
-                     tr("A click selects a rock, Ctrl+click one more; Shift+click or the tool Pin (P) sets a target."));
+                     tr("A click selects a rock (Ctrl+click one more); the tool Pin (P) sets a target (Shift+click)."));
     curve_->setText(sizeCurveText(rocks::sizeCurve(rocks, picture->study.settings.oversizeM)));
 }
 

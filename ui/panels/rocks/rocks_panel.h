@@ -28,6 +28,8 @@ public:
     /// The number box of a row of rockParameters(); null: unknown key.
     [[nodiscard]] QDoubleSpinBox* number(const char* key) const;
     [[nodiscard]] RockCard& card() { return *card_; }
+    /// On: only the card.
+    void setBrief(bool on);
     /// The text about the result.
     [[nodiscard]] QString text() const;
 

@@ -1,7 +1,9 @@
 // The card of a target.
 #include "ui/panels/targets/target_card.h"
 
+#include "ui/base/flow_layout.h"
 #include "ui/base/language/catalogue.h"
+#include "ui/base/narrow_button.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
@@ -38,8 +40,8 @@ QString wasOf(const inspect::PinnedTarget& pinned, const Fact& stored) {
 
 TargetCard::TargetCard(QWidget* parent)
     : QFrame(parent), number_(new QLabel), name_(new QLineEdit), note_(new QLineEdit), wholeNote_(new QLabel), lock_(new QToolButton),
-      close_(new QToolButton), distance_(new QLabel), tolerance_(new QLabel), rows_(new FactList), caveat_(new QLabel),
-      why_(new QPushButton(tr("Why"))), measure_(new QPushButton(tr("Measure"))), copy_(new QPushButton(tr("Copy"))) {
+      close_(new QToolButton), distance_(new LargeLabel(kLarge)), tolerance_(new QLabel), rows_(new FactList), caveat_(new QLabel),
+      why_(new NarrowButton(tr("Why"))), measure_(new NarrowButton(tr("Measure"))), copy_(new NarrowButton(tr("Copy"))) {
     setObjectName("target-card");
     setFrameShape(QFrame::StyledPanel);
     number_->setObjectName("target-number");
@@ -68,10 +70,6 @@ TargetCard::TargetCard(QWidget* parent)
     close_->setAutoRaise(true);
     close_->setToolTip(tr("Remove this target"));
     distance_->setObjectName("target-distance");
-    QFont large = font();
-    large.setPointSizeF(kLarge * large.pointSizeF());
-    large.setBold(true);
-    distance_->setFont(large);
     caveat_->setText(QObject::tr(rocks::kRockCaveat));
     caveat_->setWordWrap(true);
 
@@ -80,17 +78,13 @@ TargetCard::TargetCard(QWidget* parent)
     head->addWidget(name_, 1);
     head->addWidget(lock_);
     head->addWidget(close_);
-    auto* number = new QHBoxLayout;
+    auto* number = new FlowLayout; // a narrow card has "± 0.014 m" on a line of its own
     number->addWidget(distance_);
     tolerance_->setObjectName("target-tolerance");
     tolerance_->setWordWrap(true); // "was 14.944 m ± 0.035 m" does not widen the panel
-    tolerance_->setAlignment(Qt::AlignLeft | Qt::AlignBottom);
-    number->addWidget(tolerance_, 1);
+    number->addWidget(tolerance_);
     auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {why_, measure_, copy_}) {
-        button->setMinimumWidth(std::max(48, button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width() + 14));
-        buttons->addWidget(button);
-    }
+    for (QPushButton* button : {why_, measure_, copy_}) buttons->addWidget(button);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(4);

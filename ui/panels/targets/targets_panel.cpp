@@ -2,6 +2,7 @@
 #include "ui/panels/targets/targets_panel.h"
 
 #include "ui/base/icons.h"
+#include "ui/base/narrow_button.h"
 #include "ui/base/scrolled.h"
 #include "ui/panels/targets/target_card.h"
 
@@ -48,7 +49,6 @@ void fitHeight(QListWidget& list, int most, bool constant, int free) {
     if (list.minimumHeight() != before && list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
 
-constexpr int kAroundText = 16;          // px of a button
 constexpr int kLettersOfName = 10;       // with the two blanks before it
 constexpr int kLettersOfPart = 6;        // with three blanks; a part with fewer would be an unexplained "…"
 constexpr int kShortPart = 12;           // letters
@@ -112,10 +112,10 @@ private:
 } // namespace
 
 TargetsPanel::TargetsPanel(QWidget* parent)
-    : QWidget(parent), hint_(new QLabel), targets_(new QListWidget), copyAll_(new QPushButton(tr("Copy All"))),
-      letGoOfAll_(new QPushButton(tr("Remove All"))), card_(new TargetCard), measuresTitle_(new QLabel(tr("Measured"))),
-      measures_(new QListWidget), remarks_(new QLabel), section_(new QPushButton(tr("Section"))),
-      removeMeasure_(new QPushButton(tr("Remove"))), note_(new QLabel) {
+    : QWidget(parent), hint_(new QLabel), targets_(new QListWidget), copyAll_(new NarrowButton(tr("Copy All"))),
+      letGoOfAll_(new NarrowButton(tr("Remove All"))), card_(new TargetCard), measuresTitle_(new QLabel(tr("Measured"))),
+      measures_(new QListWidget), remarks_(new QLabel), section_(new NarrowButton(tr("Section"))),
+      removeMeasure_(new NarrowButton(tr("Remove"))), note_(new QLabel) {
     setObjectName("targets-panel");
     hint_->setObjectName("targets-asked");
     targets_->setObjectName("target-list");
@@ -140,10 +140,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     measuresTitle_->setFont(bold);
     auto* titleOfMeasures = new QHBoxLayout;
     titleOfMeasures->addWidget(measuresTitle_, 1);
-    for (QPushButton* button : {section_, removeMeasure_}) { // narrower than usual: a panel of 250 px has room for both
-        button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + kAroundText);
-        titleOfMeasures->addWidget(button);
-    }
+    for (QPushButton* button : {section_, removeMeasure_}) titleOfMeasures->addWidget(button);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 4, 8, 4);
     column->setSpacing(4);
@@ -304,6 +301,12 @@ void TargetsPanel::showNewest() { scrollTo(*measures_); }
 void TargetsPanel::showNote(const QString& note) {
     note_->setText(note);
     note_->setVisible(!note.isEmpty());
+}
+
+void TargetsPanel::setCardFirst(bool on) {
+    constexpr int kBelowLists = 6;
+    static_cast<QVBoxLayout*>(layout())->insertWidget(on ? 0 : kBelowLists, card_);
+    if (!measuring_) showAsked({}); // a cab has the words of a finger
 }
 
 QString TargetsPanel::note() const { return note_->text(); }

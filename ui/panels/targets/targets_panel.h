@@ -39,6 +39,8 @@ public:
     /// Where the targets are stored, or why they are not.
     void showNote(const QString& note);
 
+    /// On: the card is at the top, else below the lists.
+    void setCardFirst(bool on);
     [[nodiscard]] TargetCard& card() const { return *card_; }
     [[nodiscard]] QListWidget* targets() const { return targets_; }
     [[nodiscard]] QListWidget* measures() const { return measures_; }

@@ -86,7 +86,7 @@ EdgeLegend::EdgeLegend(QWidget* parent) : QWidget(parent) {
     unfold_->setFocusPolicy(Qt::TabFocus);
     connect(unfold_, &QToolButton::toggled, this, [this](bool open) {
         showRows();
-        if (brief_) return;
+        if (brief_ || isCovered_) return;
         openAtDesk_ = open;
         emit unfolded(open);
     });
@@ -269,19 +269,26 @@ void EdgeLegend::showRows() {
     unfold_->setArrowType(brief_ ? Qt::NoArrow : open ? Qt::DownArrow : Qt::UpArrow);
     unfold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     covered_->setVisible(isCovered_ && (open || !brief_));
-    const QString under = tr("Edges, under rocks"); // the number is that of the images
+    const QString words = (isCovered_ ? tr("Edges, under rocks") : tr("Edges")) + ' ' + total_->text(); // the number is that of the images
     const QFontMetrics letters = edges_->fontMetrics();
-    edges_->setText(isCovered_ && brief_ ? brokenText(under, letters, 2 * letters.horizontalAdvance(under) / 3) : tr("Edges"));
+    edges_->setText(brief_ ? brokenText(words, letters, 3 * letters.horizontalAdvance(words) / 5) : tr("Edges"));
+    total_->setHidden(brief_);
     filled_->setVisible(isFilled_ && (open || !brief_));
     for (QLabel* row : {missing_, status_}) row->parentWidget()->setVisible(!row->text().isEmpty() && open);
     ray_->parentWidget()->setVisible(open);
     taken_->setVisible(!taken_->text().isEmpty() && open);
 }
 
+/// What rocks cover needs no rows, unless the operator asks for them.
 void EdgeLegend::showCovered(bool on) {
-    isCovered_ = on;
+    if (std::exchange(isCovered_, on) != on && !brief_) fold();
     showTick();
     showRows();
+}
+
+void EdgeLegend::fold() {
+    const QSignalBlocker quiet(unfold_);
+    unfold_->setChecked(!brief_ && !isCovered_ && openAtDesk_);
 }
 
 /// In a cab the row with the button is the lowest, and begins with it: it stays under the finger while rows and words come and go.
@@ -301,8 +308,7 @@ void EdgeLegend::placeHead() {
 
 void EdgeLegend::setBrief(bool on) {
     brief_ = on;
-    const QSignalBlocker quiet(unfold_);
-    unfold_->setChecked(!on && openAtDesk_);
+    fold();
     const int side = on ? kForGloves : kArrow;
     unfold_->setFixedSize(side, side);
     unfold_->setAutoRaise(!on);

@@ -60,6 +60,7 @@ private:
     };
     [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
     void showRows();
+    void fold();
     void breakNames();
     void showTick();
     void placeHead();

@@ -9,6 +9,7 @@
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "ui/base/elided_label.h"
+#include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/tuning/count_curve.h"
 #include "ui/panels/tuning/parameter_row.h"
@@ -52,7 +53,7 @@ QString noiseWords(const edges::Detection& detection) {
     return text;
 }
 
-constexpr int kNarrowestPanel = 220; // px: a label, a number and "auto" side by side
+constexpr int kNarrowestPanel = 220; // px: a label, a number and "auto" next to each other
 constexpr int kNarrowestLabel = 84;
 constexpr double kThesisRatio = 3.0;
 // maximum of |gx| + |gy| of Sobel 3x3 on 8-bit gray (4 x 255 along each axis)
@@ -110,14 +111,9 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     column->addWidget(behind_);
     column->addStretch(1);
 
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(scroll);
+    layout->addWidget(scrolled(*content));
     setMinimumWidth(kNarrowestPanel);
     setRatioLocked(true);
     show(edges::Settings{});
@@ -160,6 +156,8 @@ void EdgesPanel::addPresets(QGridLayout& grid) {
             emit presetChosen(preset_);
     });
     modified_ = new QLabel;
+    modified_->setWordWrap(true);
+    modified_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the panel keeps its width under a finger
     auto* open = new QToolButton;
     open->setText(tr("Open…"));
     open->setToolTip(tr("Open a preset file"));
@@ -169,8 +167,7 @@ void EdgesPanel::addPresets(QGridLayout& grid) {
     connect(open, &QToolButton::clicked, this, &EdgesPanel::openPresetRequested);
     connect(save, &QToolButton::clicked, this, &EdgesPanel::savePresetRequested);
     auto* buttons = new QHBoxLayout;
-    buttons->addWidget(modified_);
-    buttons->addStretch(1);
+    buttons->addWidget(modified_, 1);
     buttons->addWidget(open);
     buttons->addWidget(save);
     auto* label = new QLabel(tr("Preset"));
@@ -280,6 +277,11 @@ ParameterRow* EdgesPanel::row(const char* key) const {
         if (std::strcmp(row->parameter().key, key) == 0) return row;
     }
     return nullptr;
+}
+
+void EdgesPanel::setForGloves(bool on) {
+    for (ParameterRow* row : rows_) row->setForGloves(on);
+    setMinimumWidth(on ? 0 : kNarrowestPanel); // a cab's column is as wide as the rows need
 }
 
 void EdgesPanel::edit(const edges::Parameter& parameter, double value, bool dragging) {

@@ -52,7 +52,8 @@ public:
     /// The curve under the slider of "lower", "step" or "sensitivity".
     [[nodiscard]] CountCurve* curve(const char* key) const;
     [[nodiscard]] ParameterRow* row(const char* key) const;
-    [[nodiscard]] const std::vector<ParameterRow*>& rows() const { return rows_; }
+    /// On: each slider has buttons for steps.
+    void setForGloves(bool on);
 
 public slots:
     void setRatioLocked(bool locked);

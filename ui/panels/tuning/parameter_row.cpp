@@ -72,6 +72,9 @@ private:
     Refusal refusal_;
 };
 
+// The steps grow, so that a large change takes few repeats.
+int stepsAfter(int repeats) { return repeats < 12 ? 1 : repeats < 30 ? 5 : 25; }
+
 QString limitsText(const edges::Parameter& p) {
     QString text = QObject::tr(p.help);
     if (p.choices.empty())
@@ -93,15 +96,44 @@ ParameterRow::ParameterRow(const edges::Parameter& parameter, QGridLayout& grid,
         addNumber(grid, row, parent);
     else
         addChoice(grid, row, parent);
-    if (slider_ != nullptr) {
-        slider_->setObjectName(QString("slider-") + parameter.key);
-        slider_->setToolTip(limitsText(parameter));
-        slider_->setAccessibleName(label_->text());
-        slider_->installEventFilter(this);
-        grid.addWidget(slider_, row + 1, 0, 1, 4); // on its own line: a short slider cannot be set finely
-        connect(slider_, &QSlider::valueChanged, this, [this](int position) { changeTo(edges::sliderValue(parameter_, position)); });
-        connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::dragEnded);
+    if (slider_ != nullptr) addSlider(grid, row + 1, parent);
+}
+
+/// On its own line: a short slider cannot be set finely. Left is less; of a threshold less gives more edges, and its button has a plus.
+void ParameterRow::addSlider(QGridLayout& grid, int row, QWidget* parent) {
+    slider_->setObjectName(QString("slider-") + parameter_.key);
+    slider_->setToolTip(limitsText(parameter_));
+    slider_->setAccessibleName(label_->text());
+    slider_->installEventFilter(this);
+    connect(slider_, &QSlider::valueChanged, this, [this](int position) { changeTo(edges::sliderValue(parameter_, position)); });
+    connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::dragEnded);
+    const bool threshold = parameter_.feeds == edges::Stage::Threshold;
+    auto *line = new QHBoxLayout, *words = new QHBoxLayout;
+    line->addWidget(slider_, 1);
+    for (const int direction : {-1, +1}) {
+        auto* button = new QToolButton(parent);
+        button->setObjectName((direction < 0 ? "less-" : "more-") + QString(parameter_.key));
+        button->setText((direction > 0) == threshold ? QStringLiteral("−") : QStringLiteral("+"));
+        button->setAccessibleName((direction < 0 ? tr("less: %1") : tr("more: %1")).arg(label_->text()));
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAutoRepeat(true);
+        connect(button, &QToolButton::clicked, this, [this, button, direction] {
+            step(direction * stepsAfter(repeats_++));
+            if (button->isDown()) return; // it is still pressed
+            repeats_ = 0;
+            emit dragEnded();
+        });
+        line->insertWidget(direction < 0 ? 0 : 2, button);
+        ofGloves_.push_back(button);
+        if (!threshold) continue;
+        auto* word = new QLabel(direction < 0 ? tr("More edges") : tr("Fewer edges"), parent);
+        word->setObjectName("meaning-of-" + button->objectName());
+        words->addWidget(word, 1, direction < 0 ? Qt::AlignLeft : Qt::AlignRight);
+        ofGloves_.push_back(word);
     }
+    for (QWidget* each : ofGloves_) each->hide();
+    grid.addLayout(line, row, 0, 1, 4);
+    grid.addLayout(words, row + 1, 0, 1, 4);
 }
 
 bool ParameterRow::numericChoices() const { return parameter_.choices.size() > 2 && parameter_.choices.front().name[0] <= '9'; }
@@ -215,7 +247,7 @@ void ParameterRow::show(double value, double inUse, double preset) {
     showing_ = false;
     const std::string before = edges::formatValue(parameter_, preset);
     differs_ = edges::formatValue(parameter_, value) != before && !(automatic_ != nullptr && std::isnan(preset));
-    reset_->setVisible(visible_ && differs_);
+    reset_->setVisible(visible_ && differs_ && !forGloves_); // it would widen the column of a cab under the finger
     const QString back = tr("Back to %1, the value of the preset")
                              .arg(choice_ != nullptr ? choice_->itemText(edges::sliderPosition(parameter_, preset)) : shownText(before));
     reset_->setToolTip(back);
@@ -243,18 +275,16 @@ void ParameterRow::read(Reading reading) {
 void ParameterRow::setVisible(bool visible) {
     visible_ = visible;
     for (QWidget* widget : widgets()) widget->setVisible(visible);
-    reset_->setVisible(visible && differs_);
-    emit shown();
+    for (QWidget* each : ofGloves_) each->setVisible(visible && forGloves_);
+    reset_->setVisible(visible && differs_ && !forGloves_);
 }
 
-QString ParameterRow::valueText() const {
-    if (choice_ != nullptr) return choice_->currentText();
-    const double number = std::isnan(value_) ? inUse_ : value_;
-    if (std::isnan(number)) return tr("auto");
-    const QString text = QString::number(number, 'f', parameter_.decimals) + number_->suffix();
-    return std::isnan(value_) ? tr("%1 auto").arg(text) : text;
+void ParameterRow::setForGloves(bool on) {
+    forGloves_ = on;
+    setVisible(visible_);
 }
 
+/// As a drag does. A choice goes to its next value.
 void ParameterRow::step(int steps) {
     const edges::Parameter& p = parameter_;
     double value = value_;

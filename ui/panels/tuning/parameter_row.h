@@ -34,11 +34,8 @@ public:
     void show(double value, double inUse, double preset);
     void setEnabled(bool enabled);
     void setVisible(bool visible);
-    [[nodiscard]] bool visible() const { return visible_; }
-    /// Changes the value by so many steps, as a drag does: dragEnded() is the caller's. A choice goes to its next value.
-    void step(int steps);
-    /// "1.00 x", "39 mm auto".
-    [[nodiscard]] QString valueText() const;
+    /// On: buttons at both ends of the slider change the value by steps.
+    void setForGloves(bool on);
     /// Parses a text typed into the number, such as "0.5 m"; error: the reason why it is not a value. By default the table parses it.
     using Reading = std::function<Result<double>(const QString&)>;
     void read(Reading reading);
@@ -53,8 +50,6 @@ signals:
     /// The operator changed it. `dragging`: more changes will follow before dragEnded().
     void changed(double value, bool dragging);
     void dragEnded();
-    /// The value that is shown, or whether the row is, may be another one.
-    void shown();
     /// The typed text is not a value and the former value is restored; the sentence gives the reason.
     void refused(const QString& sentence);
     /// The button, or a double-click: restore the value of the preset.
@@ -64,6 +59,8 @@ private:
     void addNumber(QGridLayout& grid, int row, QWidget* parent);
     void addChoice(QGridLayout& grid, int row, QWidget* parent);
     void addReset(QWidget* parent);
+    void addSlider(QGridLayout& grid, int row, QWidget* parent);
+    void step(int steps);
     [[nodiscard]] std::vector<QWidget*> widgets() const;
     void changeTo(double value);
     bool stepByKey(const QKeyEvent& event);
@@ -79,6 +76,9 @@ private:
     double value_ = edges::kAutomatic, inUse_ = edges::kAutomatic;
     bool differs_ = false; // from the preset
     bool visible_ = true;
+    bool forGloves_ = false;
+    int repeats_ = 0;                // of a button that is held
+    std::vector<QWidget*> ofGloves_; // buttons and their words
     bool showing_ = false;
 };
 
