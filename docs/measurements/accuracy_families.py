@@ -8,9 +8,8 @@ from accuracy_work import AT_ONCE, CACHE, PROGRAM, ROOT, hash_of, job, key, read
 
 HEAD = "## Families\n"
 NAMES = {"default": "**EdgeScan+**", "borders": "*Rock borders*", "default-4": "default set 4", "thesis": "thesis, as printed",
-         "log-range": "Canny on log range", "gray": "Canny on log gray levels"}
-# PCL takes minutes for a heap of stones, so it is in the tables of simulated scenes alone.
-METHODS = ["default", "borders", "default-4=--preset default-4", "thesis", "log-range", "gray"]
+         "log-range": "Canny on log range", "gray": "Canny on log gray levels", "pcl": "PCL OrganizedEdge, un-rolled"}
+METHODS = ["default", "borders", "default-4=--preset default-4", "thesis", "log-range", "gray", "pcl"]
 GROUPS = [("all", "F of all edges"), ("outline", "F of outlines"), ("strict_outline", "F of outlines, an edge on a crease within a rock is false")]
 
 
@@ -38,9 +37,10 @@ def scored(shared):
     def make(new):
         flags = ["--kinect", os.path.dirname(truths[0])] if truths else []
         arguments = [lab, "families", "--shared", os.path.dirname(shared), "--threads", str(AT_ONCE), "--store", os.path.join(CACHE, "families"), "--progress",
-                     "--json", new] + [word for method in METHODS for word in ("--with", method)] + flags
+                     "--json", new + ".json"] + [word for method in METHODS for word in ("--with", method)] + flags
         if subprocess.run(arguments, check=False, stdout=subprocess.DEVNULL).returncode != 0:
             raise RuntimeError("edgescan-lab families did not come to its end; run it again to go on")
+        os.rename(new + ".json", new)
     return read(job(path, "families", make))
 
 
