@@ -23,7 +23,6 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLayout>
 #include <QMenu>
@@ -730,44 +729,6 @@ private slots:
         QVERIFY2(on.viewer.notice.text().contains("Nothing is kept as A"), qPrintable(on.viewer.notice.text()));
         QTest::keyRelease(&on.viewer.views.gray(), Qt::Key_Backslash);
         QVERIFY(!on.viewer.views.flipped());
-    }
-
-    // The full grid: both clouds stay in the graphics memory. Measures the CPU time of this thread, which does not depend on the load.
-    void flippingTheFullGridIsQuick() {
-        WindowFixture on;
-        const auto save = [&](bool after) {
-            sim::SimulationSettings settings;
-            settings.afterBlast = after;
-            settings.footprint = false;
-            const std::string path = (folder_ / (after ? "full-after.json" : "full.json")).string();
-            if (!files::saveScan(sim::simulate(settings)->scan, path)) qFatal("%s cannot be written", path.c_str());
-            return path;
-        };
-        QVERIFY(showWith(on, save(false)));
-        QVERIFY(keepByKey(on));
-        QVERIFY(on.open(save(true)));
-        QVERIFY(known(on));
-        std::vector<double> times, waits;
-        const CloudView& cloud = on.viewer.views.cloud();
-        for (int n = 0; n < 8; ++n) {
-            for (const auto press : {true, false}) { // waits until the cloud is drawn
-                QElapsedTimer timer;
-                timer.start();
-                const double before = edges::threadCpuMilliseconds();
-                const int frames = cloud.framesDrawn();
-                press ? QTest::keyPress(&on.viewer.views.gray(), Qt::Key_Backslash)
-                      : QTest::keyRelease(&on.viewer.views.gray(), Qt::Key_Backslash);
-                QCOMPARE(on.viewer.views.flipped(), press);
-                QVERIFY(eventually([&] { return cloud.framesDrawn() > frames; }));
-                if (n == 0) continue; // the first flip uploads a cloud
-                times.push_back(edges::threadCpuMilliseconds() - before);
-                waits.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
-            }
-        }
-        std::ranges::sort(times);
-        std::ranges::sort(waits);
-        qInfo("a flip of %zu cells until it is drawn: this thread %.1f ms (most %.1f), on the clock %.1f ms (most %.1f)",
-              on.picture().detection->scan->cells(), times[times.size() / 2], times.back(), waits[waits.size() / 2], waits.back());
     }
 
     // A screen of 1280 x 800 at a scale of 1.5, with a panel open by hand and the tour on: the buttons of a comparison are

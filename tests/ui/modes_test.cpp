@@ -344,8 +344,8 @@ private slots:
         useTheme(*qApp);
         sim::SimulationSettings settings;
         settings.seed = 101;
-        settings.lines = 300;
-        settings.beams = 343;
+        settings.lines = 150;
+        settings.beams = 172;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, bell_)));
         settings.afterBlast = true;

@@ -323,8 +323,8 @@ private slots:
         int number = 0;
         for (const Start& start : starts_) {
             for (const auto& [screenshot, quitAfter] : {std::pair{true, false}, {false, true}, {true, true}}) {
-                // A window with a notice ends in the same way, whatever the fault; one with a scan would only wait.
-                if (!screenshot && !isSlow(start) && !start.name.contains("missing")) continue;
+                // A window with a notice ends in the same way, whatever the fault, and a picture before its time is over.
+                if (quitAfter && !isSlow(start) && !start.name.contains("missing") && !(screenshot && start.good)) continue;
                 // What waits for a time uses no processor: all of these run at once.
                 const bool rests = isSlow(start) && !quitAfter;
                 (rests ? slow : waiting).push_back([this, &start, s = screenshot, q = quitAfter, n = ++number] {
