@@ -95,14 +95,14 @@ private slots:
         for (const auto& [lines, beams] : {std::pair(101, 157), std::pair(2, 40), std::pair(9, 3)}) {
             const auto cloud = makeCloudGeometry(*demo::room(lines, beams, 3));
             for (std::size_t k = 0; k < cloud->cells(); ++k) {
-                const Eigen::Vector3f normal(cloud->normals[3 * k], cloud->normals[3 * k + 1], cloud->normals[3 * k + 2]);
                 const int line = static_cast<int>(k) / beams, beam = static_cast<int>(k) % beams;
                 const Eigen::Vector3f toSensor = (cloud->sensor - cloud->point(k)).normalized();
                 Eigen::Vector3f expected = slope(*cloud, line, beam, 0, 1).cross(slope(*cloud, line, beam, 1, 0));
                 expected = expected.norm() > 0 ? Eigen::Vector3f(expected.normalized()) : toSensor;
                 if (expected.dot(toSensor) < 0) expected = -expected;
                 if (cloud->valid[k] == 0) expected.setZero();
-                QVERIFY2((normal - expected).norm() < 1e-5F, qPrintable(QString("%1 x %2, cell %3").arg(lines).arg(beams).arg(k)));
+                QVERIFY2((cloud->normal(k) - expected).norm() < 0.008F,
+                         qPrintable(QString("%1 x %2, cell %3").arg(lines).arg(beams).arg(k)));
             }
         }
     }

@@ -243,9 +243,8 @@ private slots:
                     const auto cell = view_->cellAt(QPointF(x, y));
                     if (!cell) continue;
                     const Eigen::Vector3d way = cloud.point(*cell).cast<double>() - view_->camera().position;
-                    const float* normal = &cloud.normals[3 * std::size_t{*cell}];
                     ++all;
-                    front += way.dot(Eigen::Vector3d(normal[0], normal[1], normal[2])) < 0.0 ? 1 : 0;
+                    front += way.dot(cloud.normal(*cell).cast<double>()) < 0.0 ? 1 : 0;
                 }
             }
             return all == 0 ? 0.0 : static_cast<double>(front) / all;

@@ -15,8 +15,8 @@
 namespace edgescan::ui {
 namespace {
 
-// Points, normals, state and order of a cloud are 29 bytes per cell; placing holds three copies of the points in double and a tree.
-constexpr std::uint64_t kBytesToDraw = 60, kBytesToPlace = 130; // per cell
+// Points, normals, state and order of a cloud are 21 bytes per cell; placing holds three copies of the points in double and a tree.
+constexpr std::uint64_t kBytesToDraw = 50, kBytesToPlace = 130; // per cell
 constexpr std::size_t kPairsTaken = 2000;
 constexpr double kMostBentM = 0.01;
 

@@ -58,13 +58,6 @@ struct Cells {
 };
 using Window = std::array<Cells, 2 * kReach + 1>; // the lines around one, which is in the middle
 
-struct Normals {
-    std::vector<float> x, y, z;
-    explicit Normals(int beams) {
-        for (std::vector<float>* values : {&x, &y, &z}) values->resize(static_cast<std::size_t>(beams));
-    }
-};
-
 struct Sum {
     float x = 0, y = 0, z = 0;
 };
@@ -80,9 +73,11 @@ EDGESCAN_INLINE void add(Sum& sum, const Cells& line, int at, const Cells& own, 
     sum.z += times * (line.z[at] - own.z[j]);
 }
 
+/// -1 to 1 as 1 to 255
+EDGESCAN_INLINE int byteOf(float share) { return static_cast<int>(share * 127.0F + 128.5F); }
+
 /// Unit normals towards the sensor; zero without a point.
-EDGESCAN_INLINE void normalsOfLine(const Window& window, float sensorX, float sensorY, float sensorZ, int beams, float* __restrict x,
-                                   float* __restrict y, float* __restrict z) {
+EDGESCAN_INLINE void normalsOfLine(const Window& window, float sensorX, float sensorY, float sensorZ, int beams, float* __restrict to) {
     const Window lines = window;
     const Cells own = lines[kReach];
     for (int j = 0; j < beams; ++j) {
@@ -113,24 +108,20 @@ EDGESCAN_INLINE void normalsOfLine(const Window& window, float sensorX, float se
         const float nx = flat ? crossX : toX, ny = flat ? crossY : toY, nz = flat ? crossZ : toZ;
         const float towards = nx * toX + (ny * toY + nz * toZ) < 0.0F ? -share : share;
         const float scale = own.range[j] == own.range[j] ? towards : 0.0F;
-        x[j] = nx * scale;
-        y[j] = ny * scale;
-        z[j] = nz * scale;
+        to[j] = static_cast<float>((byteOf(nx * scale) * 256 + byteOf(ny * scale)) * 256 + byteOf(nz * scale));
     }
 }
 
-/// 3 floats per cell k: unit normal towards the sensor, fitted to the neighbours on the same surface along the line and along the beam.
+/// CloudGeometry::normals, fitted to the neighbours on the same surface along the line and along the beam.
 /// With too few neighbours: the direction to the sensor. Uses lines, beams, xyz, valid and sensor of `cloud`.
 std::vector<float> surfaceNormals(const CloudGeometry& cloud) {
-    std::vector<float> normals(3 * cloud.cells());
+    std::vector<float> normals(cloud.cells());
     runInBands(cloud.lines, bandsFor(cloud.cells(), 0), [&](int first, int last) {
         std::vector<PointLine> lines(2 * kReach + 1, PointLine(cloud.beams)); // line i is at i modulo their number
         const auto lineAt = [&](int line) -> PointLine& {
             return lines[static_cast<std::size_t>(line + static_cast<int>(lines.size())) % lines.size()];
         };
         for (int line = first - kReach; line < first + kReach; ++line) lineAt(line).read(cloud, line);
-        Normals of(cloud.beams);
-        float* to = normals.data() + 3 * static_cast<std::size_t>(first) * static_cast<std::size_t>(cloud.beams);
         for (int line = first; line < last; ++line) {
             lineAt(line + kReach).read(cloud, line + kReach);
             Window window;
@@ -139,13 +130,8 @@ std::vector<float> surfaceNormals(const CloudGeometry& cloud) {
                 window[static_cast<std::size_t>(n + kReach)] = {at.x.data() + kReach, at.y.data() + kReach, at.z.data() + kReach,
                                                                 at.range.data() + kReach};
             }
-            vectorised<normalsOfLine>(window, cloud.sensor.x(), cloud.sensor.y(), cloud.sensor.z(), cloud.beams, of.x.data(), of.y.data(),
-                                      of.z.data());
-            for (std::size_t j = 0; j < of.x.size(); ++j, to += 3) {
-                to[0] = of.x[j];
-                to[1] = of.y[j];
-                to[2] = of.z[j];
-            }
+            vectorised<normalsOfLine>(window, cloud.sensor.x(), cloud.sensor.y(), cloud.sensor.z(), cloud.beams,
+                                      normals.data() + static_cast<std::size_t>(line) * static_cast<std::size_t>(cloud.beams));
         }
     });
     return normals;

@@ -39,7 +39,7 @@ struct CloudGeometry {
     int lines = 0;
     int beams = 0;
     std::vector<float> xyz;                                        ///< 3 per cell k, local; the sensor's position for invalid cells
-    std::vector<float> normals;                                    ///< 3 per cell k, for shading
+    std::vector<float> normals;                                    ///< per cell k, for shading: a byte an axis, as an integer
     std::vector<std::uint8_t> valid;                               ///< 1 per valid cell
     std::array<std::vector<std::uint32_t>, kCloudParts> drawOrder; ///< valid cells, spread evenly; ascending in each part
     std::size_t validCount = 0;
@@ -56,6 +56,11 @@ struct CloudGeometry {
     [[nodiscard]] std::size_t cells() const { return valid.size(); }
     [[nodiscard]] bool drawable(std::size_t k) const { return k < valid.size() && valid[k] != 0; }
     [[nodiscard]] Eigen::Vector3f point(std::size_t k) const { return {xyz[3 * k], xyz[3 * k + 1], xyz[3 * k + 2]}; }
+    /// Of the surface, towards the sensor; its length is 1 within 1 %, or 0 without a point.
+    [[nodiscard]] Eigen::Vector3f normal(std::size_t k) const {
+        const auto axes = static_cast<int>(normals[k]);
+        return (Eigen::Vector3i(axes / 65536, axes / 256 % 256, axes % 256).array() - 128).cast<float>() / 127.0F;
+    }
 };
 
 /// The larger of the two angles to the neighbours in line and beam, seen from the sensor, rad: points of this size close the surface in

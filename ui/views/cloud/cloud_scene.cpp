@@ -45,7 +45,8 @@ namespace {
 constexpr double kEdgeNearer = 0.010;
 constexpr double kHaloNearer = 0.007;
 constexpr double kSelectedNearer = 0.004; // in front of the cloud, behind the edges
-constexpr double kAmbient = 0.5;          // share of the cloud's colour on surfaces seen edge-on: still lighter than the background
+constexpr const char* kNormals = "normals";
+constexpr double kAmbient = 0.5; // share of the cloud's colour on surfaces seen edge-on: still lighter than the background
 constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
@@ -75,9 +76,10 @@ void setColour(vtkActor* actor, const QColor& colour) { actor->GetProperty()->Se
 void lightPoints(vtkActor* actor) {
     vtkShaderProperty* shader = actor->GetShaderProperty();
     const char *declared = "//VTK::Normal::Dec", *computed = "//VTK::Normal::Impl", *lit = "//VTK::Light::Impl";
-    shader->AddVertexShaderReplacement(declared, true, "in vec3 normalMC;\nuniform mat3 normalMatrix;\nflat out vec2 shares;\n", false);
+    shader->AddVertexShaderReplacement(declared, true, "in float normalAxes;\nuniform mat3 normalMatrix;\nflat out vec2 shares;\n", false);
     shader->AddVertexShaderReplacement(computed, true,
-                                       "shares = vec2(isShaded != 0 ? max(0.0, normalize(normalMatrix * normalMC).z) : 1.0,"
+                                       "vec3 axes = mod(floor(normalAxes / vec3(65536.0, 256.0, 1.0)), 256.0) - 128.0;\n"
+                                       "shares = vec2(isShaded != 0 ? max(0.0, normalize(normalMatrix * axes).z) : 1.0,"
                                        " clamp(fullM / max(distance(vertexMC.xyz, scannerMC), 1.0e-6), 0.35, 1.0));\n",
                                        false);
     shader->AddFragmentShaderReplacement(declared, true, "flat in vec2 shares;\n", false);
@@ -303,6 +305,7 @@ std::unique_ptr<CloudScene::DrawnCloud> CloudScene::newCloud() {
     for (Layer& part : made->parts) {
         part.actor->GetProperty()->SetAmbient(kAmbient);
         part.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
+        part.mapper->MapDataArrayToVertexAttribute("normalAxes", kNormals, vtkDataObject::FIELD_ASSOCIATION_POINTS);
         lightPoints(part.actor);
         part.actor->ForceOpaqueOn(); // otherwise VTK searches all point colours for a transparent one
         part.actor->VisibilityOff();
@@ -338,17 +341,19 @@ void CloudScene::load(DrawnCloud& into, std::shared_ptr<const CloudGeometry> clo
         into.points = vtkSmartPointer<vtkPoints>::New();
         into.points->SetData(xyz);
         into.normals = vtkSmartPointer<vtkFloatArray>::New();
-        into.normals->SetNumberOfComponents(3);
+        into.normals->SetName(kNormals);
         into.normals->SetArray(const_cast<float*>(cloud->normals.data()), static_cast<vtkIdType>(cloud->normals.size()), 1);
     }
     for (std::size_t i = 0; i < into.parts.size(); ++i) {
         Layer& part = into.parts[i];
         part.actor->VisibilityOff();
-        if (cloud)
+        part.data->GetPointData()->RemoveArray(kNormals);
+        if (cloud) {
             part.setCells(into.points, cloud->drawOrder[i]);
-        else
+            part.data->GetPointData()->AddArray(into.normals);
+        } else {
             part.setCells(nullptr, {});
-        part.data->GetPointData()->SetNormals(cloud ? into.normals.Get() : nullptr);
+        }
     }
     into.fullM = cloud ? fullDistanceM(*cloud) : 0.0;
     into.cloud = std::move(cloud); // only now may the floats of the previous cloud be freed
@@ -461,7 +466,7 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
 void CloudScene::unload(DrawnCloud& cloud) {
     for (Layer& part : cloud.parts) {
         part.setCells(nullptr, {});
-        part.data->GetPointData()->SetNormals(nullptr);
+        part.data->GetPointData()->RemoveArray(kNormals);
         part.data->GetPointData()->SetScalars(nullptr);
         part.mapper->SetScalarVisibility(false);
         part.actor->ReleaseGraphicsResources(window_);
