@@ -108,6 +108,23 @@ void warnOfOtherFiles(const fs::path& results) {
                      "the run goes on; next time give -o a folder that is used for nothing else"});
 }
 
+/// Of results of another run in the folder, which the tables will not name, or which are made again.
+void warnOfOtherRuns(const Batch& batch, const BatchWork& work) {
+    std::size_t others = 0, otherwise = 0;
+    for (const auto& [input, text] : work.before) {
+        const bool isOurs = std::ranges::find(work.inputs, input) != work.inputs.end();
+        others += isOurs ? 0 : 1;
+        const auto row = parseOrderedJson(text, "");
+        otherwise += isOurs && row && row->value("settings_sha256", "") != work.settingsSha256 ? 1 : 0;
+    }
+    const auto say = [&](std::size_t scans, const char* what, const char* hint) {
+        if (scans > 0) printError(Error{"it holds the results of " + counted(scans, "scan") + " " + what, batch.results, hint});
+    };
+    if (batch.shard.empty() && !batch.merge)
+        say(others, "of other inputs", "the tables leave these out; give -o another folder to keep them apart");
+    if (!batch.merge) say(otherwise, "with other settings", "these are made again; give -o another folder to keep both");
+}
+
 Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     const auto listing = batch::listArchive(batch.asked, batch.results);
     if (!listing) return listing.error();
@@ -333,6 +350,7 @@ Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
     auto before = batch::readJournals(batch.results);
     if (!before) return before.error();
     work.before = std::move(*before);
+    warnOfOtherRuns(batch, work);
     const int jobs = batch.jobs > 0 ? batch.jobs : processors();
     work.memoryBytes = memoryOfJob(batch, jobs);
     Running running{work, *journal, {}, {}};
@@ -380,9 +398,9 @@ int run(Batch& batch) {
     }
     const auto settings = settingsOfRun(batch);
     if (!settings) return failWith(settings.error(), kWrongUsage);
-    warnOfOtherFiles(batch.results);
     auto work = planned(batch, *settings);
     if (!work) return failWith(work.error());
+    warnOfOtherFiles(batch.results);
     if (const auto can = checkOutputs(std::array{batch.json}); !can) return failWith(can.error());
     const auto code = runPlan(batch, *work, *settings);
     return code ? *code : failWith(code.error());

@@ -5,6 +5,7 @@
 #include "core/base/foreign_text.h"
 #include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
+#include "core/files/formats/formats.h"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +42,9 @@ Grid<std::uint8_t> shrunk(const Scan& scan, const Grid<std::uint8_t>& levels, in
 int run(const Thumbnail& thumbnail) {
     // File managers give names of temporary files, without .png.
     constexpr std::array<std::string_view, 8> kOthers{".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".pdf"};
-    if (std::ranges::any_of(kOthers, [&](std::string_view other) { return asciiLower(thumbnail.out).ends_with(other); }))
+    const std::string extension = asciiLower(std::filesystem::path(thumbnail.out).extension().string());
+    const auto reads = [&](const files::Format& format) { return std::ranges::find(format.reads, extension) != format.reads.end(); };
+    if (extension != ".png" && (std::ranges::find(kOthers, extension) != kOthers.end() || std::ranges::any_of(files::formats(), reads)))
         return failWith({"the picture is a PNG", thumbnail.out, "give a name that ends with .png"}, kWrongUsage);
     const Result<Scan> scan = files::openScan(thumbnail.in);
     if (!scan) return failWith(scan.error());

@@ -65,7 +65,7 @@ void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
     if (!ofOneScan) return;
     command
         .add_option("--edits", flags.edits,
-                    "Edits by hand, with settings where it has some: SCAN.rocks.json of the viewer (docs/method/rocks.md)")
+                    "Edits by hand, with settings where it has some: SCAN.EXT.rocks.json of the viewer (docs/method/rocks.md)")
         ->type_name("FILE")
         ->group(group);
 }

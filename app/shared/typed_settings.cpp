@@ -101,7 +101,9 @@ Result<edges::Settings> settingsBut(const MethodFlags& flags) {
         if (text == kNotTyped || parameter.usedBy(settings)) continue;
         const edges::Parameter& method = *edges::findParameter("method");
         const std::string needed = neededFor(parameter, settings);
-        return Error{"the method " + edges::formatValue(method, method.get(settings)) + " does not use this flag" +
+        const edges::Parameter* gray = grayFlag(flags);
+        return Error{"the method " + edges::formatValue(method, method.get(settings)) +
+                         (gray != nullptr ? ", which " + edges::flagOf(*gray) + " chooses," : "") + " does not use this flag" +
                          (needed.empty() ? "" : " with the other settings"),
                      edges::flagOf(parameter),
                      "leave it out, or " + (needed.empty() ? "name a --method or --preset that uses it" : "give " + needed + " too")};

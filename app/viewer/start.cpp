@@ -2,6 +2,7 @@
 #include "app/viewer/start.h"
 
 #include "app/shared/exits.h"
+#include "app/shared/outputs.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/window/main_window.h"
@@ -106,6 +107,8 @@ void Start::saveScreenshot() {
     look_.stop();
     const Result<Done> written = window_.viewer().exports.saveScreenshot(window_.screenshot(), ui::exactText(wanted_.screenshot));
     if (!written) cli::printError(written.error());
+    if (const std::string place = cli::placesText({wanted_.screenshot}); written && place.ends_with(")"))
+        cli::printError("written to " + place + ".");
     end(written ? cli::kDone : cli::kRefused);
 }
 

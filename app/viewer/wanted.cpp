@@ -45,8 +45,9 @@ Result<std::vector<cli::TypedCell>> pinsOf(const std::vector<std::string>& typed
 std::optional<Error> secondStart(const CommandLine& wanted) {
     const std::string file = wanted.files.empty() ? "" : wanted.files.front();
     std::string first;
-    for (const std::string& start : {std::string(wanted.demo ? "--demo" : ""), std::string(wanted.session.empty() ? "" : "--session"),
-                                     std::string(wanted.goOn ? "--continue" : ""), file}) {
+    for (const std::string& start :
+         {std::string(wanted.demo ? "--demo" : ""), std::string(wanted.session.empty() ? "" : "--session"),
+          std::string(wanted.goOn ? "--continue" : ""), std::string(wanted.live.empty() ? "" : "--live"), file}) {
         if (!first.empty() && !start.empty())
             return Error{first + " shows a scan of its own and no other", start, "leave out one of the two"};
         if (first.empty()) first = start;
@@ -63,8 +64,12 @@ std::optional<Error> idleFlag(const CommandLine& wanted) {
         ofFiles.axis.reset();
         ofFiles.lineStartDeg.reset();
         ofFiles.lineStepDeg.reset();
-        for (std::string* text : {&ofFiles.calibration, &ofFiles.topic, &ofFiles.joint}) text->clear();
-        if (wanted.live.starts_with("ws://")) ofFiles.keepRepeated = false;
+        ofFiles.calibration.clear();
+        if (wanted.live.starts_with("ws://")) {
+            ofFiles.topic.clear();
+            ofFiles.joint.clear();
+            ofFiles.keepRepeated = false;
+        }
     }
     const auto firstOf = [](const std::string& flags) { return flags.substr(0, flags.find(' ')); };
     struct Flag {
@@ -84,7 +89,9 @@ std::optional<Error> idleFlag(const CommandLine& wanted) {
                            Flag{wanted.mounting.stopAndGo ? "--stop-and-go" : "", live, noScanner, scanner},
                            Flag{firstOf(cli::typedFlags(wanted.method)), !restores, "the session has settings of its own", "leave it out"},
                            Flag{firstOf(readingFlags(ofFiles)), file,
-                                restores ? "the session says how its scan is read" : "this is of a file, and none is named",
+                                restores ? "the session says how its scan is read"
+                                : live   ? "this is of a file or of a robot's bridge"
+                                         : "this is of a file, and none is named",
                                 "leave it out"}};
     const auto* idle = std::ranges::find_if(flags, [](const Flag& flag) { return !flag.typed.empty() && !flag.used; });
     return idle == flags.end() ? std::nullopt : std::optional(Error{idle->why, idle->typed, idle->hint});
@@ -176,6 +183,9 @@ std::optional<Refusal> commandOfOtherProgram(int argc, char** argv) {
 std::optional<Refusal> parse(const CommandLine& wanted, ParsedCommandLine& understood) {
     if (!wanted.screenshot.empty() && !isDevice(wanted.screenshot) && !asciiLower(wanted.screenshot).ends_with(".png"))
         return Refusal{Error{"the picture is a PNG", wanted.screenshot, "give a name that ends with .png"}, cli::kWrongUsage};
+    std::error_code none;
+    if (std::filesystem::equivalent(wanted.screenshot, wanted.session, none))
+        return Refusal{Error{"the session is read from this file", wanted.screenshot, "give --screenshot another name"}, cli::kWrongUsage};
     if (const auto second = secondStart(wanted)) return Refusal{*second, cli::kWrongUsage};
     if (const auto idle = idleFlag(wanted)) return Refusal{*idle, cli::kWrongUsage};
     if (const auto missing = missingFile(wanted)) return Refusal{*missing, cli::kRefused};

@@ -17,7 +17,8 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U; // of JSON that i
 } // namespace
 
 std::string ownKind(std::string_view text) {
-    constexpr std::string_view kMark = "edgescan-";
+    constexpr std::string_view kMark = "edgescan-", kPng = "\x89PNG";
+    if (text.starts_with(kPng)) return "PNG";
     if (!text.starts_with('{')) return {};
     auto json = parseJson(text, "");
     if (!json) json = parseJson(text.substr(0, text.find('\n')), "");
@@ -30,8 +31,8 @@ std::string ownKind(std::string_view text) {
 
 Result<Done> checkIsOfKind(const std::filesystem::path& path, const std::string& kind) {
     if (isDevice(path)) return Done{};
-    const int first = std::ifstream(path).peek(); // most files are not JSON
-    if (first == std::ifstream::traits_type::eof() || (kind.empty() && first != '{')) return Done{};
+    const int first = std::ifstream(path).peek(); // most files are neither JSON nor PNG
+    if (first == std::ifstream::traits_type::eof() || (kind.empty() && first != '{' && first != 0x89)) return Done{};
     const auto bytes = readWholeFile(path, kMostBytes);
     if (!bytes) return Done{}; // whether it may be replaced is checked elsewhere
     const std::string before = ownKind(textOf(*bytes));

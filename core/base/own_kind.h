@@ -1,4 +1,4 @@
-// Which of EdgeScan's kinds of JSON a file is. A file of one kind is never replaced by one of another.
+// Which of EdgeScan's kinds of JSON a file is, or PNG. A file of one kind is never replaced by one of another.
 #pragma once
 
 #include "core/base/result.h"
@@ -9,8 +9,8 @@
 
 namespace edgescan {
 
-/// "edgescan-raw-grid" of {"format": "edgescan-raw-grid/1", ...}; reports have "schema". Of several lines the first counts. Empty: the text
-/// is not of EdgeScan.
+/// "edgescan-raw-grid" of {"format": "edgescan-raw-grid/1", ...}; reports have "schema". Of several lines the first counts. "PNG" of a
+/// picture. Empty: the text is not of EdgeScan.
 [[nodiscard]] std::string ownKind(std::string_view text);
 
 /// Error if the file is there, holds something, and is not of this kind. Empty: any file that is not of EdgeScan.

@@ -2,6 +2,7 @@
 #include "core/exports/export_kinds.h"
 
 #include "core/base/number_text.h"
+#include "core/base/whole_file.h"
 #include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
 #include "core/exports/rock_files.h"
@@ -162,7 +163,7 @@ Result<Done> checkExtension(const ExportKind& kind, const std::filesystem::path&
                    ? Result<Done>(Done{})
                    : Error{"the extension names no format that can be written", where, "use " + files::writtenExtensions(true)};
     // A file under the name of another kind would be refused by the program that opens it.
-    if (kind.files.empty() || (kind.files.size() < 2 && path.extension().empty())) return Done{};
+    if (kind.files.empty() || isDevice(path)) return Done{};
     std::string extensions;
     for (const ExportFile& file : kind.files) {
         if (asciiLower(path.extension().string()) == file.extension) return Done{};

@@ -276,6 +276,7 @@ La celda más fuerte de su cadena está marcada en todas las vistas; al ampliar,
 <message><source>the demo after the blast</source><translation>la demo tras la tronadura</translation></message>
 <message><source>%1, scan %2</source><translation>%1, escaneo %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>el primero: los demás se colocan respecto a él</translation></message>
+<message><source>OUT OF SPEC, residual %1 mm</source><translation>FUERA DE TOLERANCIA, residuo %1 mm</translation></message>
 <message><source>registered, residual %1 mm</source><translation>registrado, residuo %1 mm</translation></message>
 <message><source>placed by targets, %1 mm apart</source><translation>colocado por objetivos, separación %1 mm</translation></message>
 <message><source>placed by pose</source><translation>colocado por la pose</translation></message>
@@ -2764,6 +2765,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Ninguna celda de este escaneo tiene una distancia medida: revise el archivo, el topic y los límites de distancia.</translation></message>
 <message><source>this folder holds several scans</source><translation>esta carpeta contiene varios escaneos</translation></message>
 <message><source>open one of them, or use edgescan-cli batch</source><translation>abra uno de ellos, o use edgescan-cli batch</translation></message>
+<message><source>The pose in %1 replaces that in %2.</source><translation>La pose de %1 reemplaza la de %2.</translation></message>
 <message><source>The folder holds %1 besides this recording: name one file, or use edgescan-cli batch.</source><translation>La carpeta contiene %1 además de esta grabación: nombre un archivo, o use edgescan-cli batch.</translation></message>
 <message><source>%n scan</source><translation>%n escaneo</translation></message>
 <message><source>%n scans</source><translation>%n escaneos</translation></message>
@@ -3011,6 +3013,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>give --calibration ROBOT.json too</source><translation>indique también --calibration ROBOT.json</translation></message>
 <message><source>a calibration needs a pose, and the recording holds none that can be used</source><translation>una calibración necesita una pose, y la grabación no contiene ninguna utilizable</translation></message>
 <message><source>The recording holds poses and not how the robot is built: --calibration ROBOT.json places the scan.</source><translation>La grabación contiene poses pero no cómo está construido el robot: --calibration ROBOT.json ubica el escaneo.</translation></message>
+<message><source>The pose in %1 replaces those of the recording.</source><translation>La pose de %1 reemplaza las de la grabación.</translation></message>
 <message><source>The recording's pose cannot be used: %1.</source><translation>La pose de la grabación no se puede usar: %1.</translation></message>
 <message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit no se aplica: los telegramas de una grabación dicen ellos mismos su unidad</translation></message>
 <message><source>one sweep</source><translation>un barrido</translation></message>
@@ -3311,6 +3314,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>add "scan_start" and "scan_end" to the pose file</source><translation>añada "scan_start" y "scan_end" al archivo de pose</translation></message>
 <message><source>a pose needs the robot's calibration</source><translation>una pose necesita la calibración del robot</translation></message>
 <message><source>--calibration replaces the calibration in %1.</source><translation>--calibration sustituye la calibración de %1.</translation></message>
+<message><source>The pose in %1 replaces the place that the file gives: E %2, N %3 m in place of E %4, N %5 m.</source><translation>La pose de %1 reemplaza el lugar que da el archivo: E %2, N %3 m en vez de E %4, N %5 m.</translation></message>
 <message><source>mine grid</source><translation>coordenadas mina</translation></message>
 <message><source>local metres from the mine grid origin</source><translation>metros locales desde el origen de la cuadrícula de la mina</translation></message>
 <message><source>save the scan again, or remove "placement"</source><translation>guarde de nuevo el escaneo, o quite "placement"</translation></message>

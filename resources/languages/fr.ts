@@ -276,6 +276,7 @@ La cellule la plus forte de sa chaîne est marquée dans toutes les vues ; en zo
 <message><source>the demo after the blast</source><translation>la démo après le tir</translation></message>
 <message><source>%1, scan %2</source><translation>%1, scan %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>le premier : les autres sont placés par rapport à lui</translation></message>
+<message><source>OUT OF SPEC, residual %1 mm</source><translation>HORS TOLÉRANCE, résidu %1 mm</translation></message>
 <message><source>registered, residual %1 mm</source><translation>recalé, résidu %1 mm</translation></message>
 <message><source>placed by targets, %1 mm apart</source><translation>placé par cibles, écart %1 mm</translation></message>
 <message><source>placed by pose</source><translation>placé par la pose</translation></message>
@@ -2764,6 +2765,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Aucune cellule de ce scan n'a de distance mesurée : vérifiez le fichier, le topic et les limites de distance.</translation></message>
 <message><source>this folder holds several scans</source><translation>ce dossier contient plusieurs scans</translation></message>
 <message><source>open one of them, or use edgescan-cli batch</source><translation>ouvrez l'un d'eux, ou utilisez edgescan-cli batch</translation></message>
+<message><source>The pose in %1 replaces that in %2.</source><translation>La pose de %1 remplace celle de %2.</translation></message>
 <message><source>The folder holds %1 besides this recording: name one file, or use edgescan-cli batch.</source><translation>Le dossier contient %1 en plus de cet enregistrement : nommez un fichier, ou utilisez edgescan-cli batch.</translation></message>
 <message><source>%n scan</source><translation>%n scan</translation></message>
 <message><source>%n scans</source><translation>%n scans</translation></message>
@@ -3011,6 +3013,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>give --calibration ROBOT.json too</source><translation>indiquez aussi --calibration ROBOT.json</translation></message>
 <message><source>a calibration needs a pose, and the recording holds none that can be used</source><translation>un étalonnage demande une pose, et l'enregistrement n'en contient aucune utilisable</translation></message>
 <message><source>The recording holds poses and not how the robot is built: --calibration ROBOT.json places the scan.</source><translation>L'enregistrement contient des poses mais pas la construction du robot : --calibration ROBOT.json place le scan.</translation></message>
+<message><source>The pose in %1 replaces those of the recording.</source><translation>La pose de %1 remplace celles de l'enregistrement.</translation></message>
 <message><source>The recording's pose cannot be used: %1.</source><translation>La pose de l'enregistrement ne peut pas être utilisée : %1.</translation></message>
 <message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit ne s'applique pas : les télégrammes d'un enregistrement disent eux-mêmes leur unité</translation></message>
 <message><source>one sweep</source><translation>un balayage</translation></message>
@@ -3311,6 +3314,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>add "scan_start" and "scan_end" to the pose file</source><translation>ajoutez "scan_start" et "scan_end" au fichier de pose</translation></message>
 <message><source>a pose needs the robot's calibration</source><translation>une pose demande l'étalonnage du robot</translation></message>
 <message><source>--calibration replaces the calibration in %1.</source><translation>--calibration remplace l'étalonnage de %1.</translation></message>
+<message><source>The pose in %1 replaces the place that the file gives: E %2, N %3 m in place of E %4, N %5 m.</source><translation>La pose de %1 remplace le lieu que donne le fichier: E %2, N %3 m au lieu de E %4, N %5 m.</translation></message>
 <message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
 <message><source>local metres from the mine grid origin</source><translation>mètres locaux depuis l'origine de la grille de la mine</translation></message>
 <message><source>save the scan again, or remove "placement"</source><translation>enregistrez à nouveau le scan, ou supprimez "placement"</translation></message>

@@ -276,6 +276,7 @@ A célula mais forte da sua cadeia está marcada em todas as vistas; com zoom, a
 <message><source>the demo after the blast</source><translation>a demonstração após o desmonte</translation></message>
 <message><source>%1, scan %2</source><translation>%1, varredura %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>o primeiro: os outros são posicionados em relação a ele</translation></message>
+<message><source>OUT OF SPEC, residual %1 mm</source><translation>FORA DE TOLERÂNCIA, resíduo %1 mm</translation></message>
 <message><source>registered, residual %1 mm</source><translation>registrado, resíduo %1 mm</translation></message>
 <message><source>placed by targets, %1 mm apart</source><translation>posicionado por alvos, afastamento %1 mm</translation></message>
 <message><source>placed by pose</source><translation>posicionado pela pose</translation></message>
@@ -2764,6 +2765,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>No cell of this scan has a range that was measured: check the file, the topic and the limits of the range.</source><translation>Nenhuma célula desta varredura tem uma distância medida: verifique o arquivo, o tópico e os limites de distância.</translation></message>
 <message><source>this folder holds several scans</source><translation>esta pasta contém várias varreduras</translation></message>
 <message><source>open one of them, or use edgescan-cli batch</source><translation>abra uma delas, ou use edgescan-cli batch</translation></message>
+<message><source>The pose in %1 replaces that in %2.</source><translation>A pose de %1 substitui a de %2.</translation></message>
 <message><source>The folder holds %1 besides this recording: name one file, or use edgescan-cli batch.</source><translation>A pasta contém %1 além desta gravação: indique um arquivo, ou use edgescan-cli batch.</translation></message>
 <message><source>%n scan</source><translation>%n varredura</translation></message>
 <message><source>%n scans</source><translation>%n varreduras</translation></message>
@@ -3011,6 +3013,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>give --calibration ROBOT.json too</source><translation>indique também --calibration ROBOT.json</translation></message>
 <message><source>a calibration needs a pose, and the recording holds none that can be used</source><translation>uma calibração precisa de uma pose, e a gravação não contém nenhuma utilizável</translation></message>
 <message><source>The recording holds poses and not how the robot is built: --calibration ROBOT.json places the scan.</source><translation>A gravação contém poses mas não como o robô é construído: --calibration ROBOT.json posiciona a varredura.</translation></message>
+<message><source>The pose in %1 replaces those of the recording.</source><translation>A pose de %1 substitui as da gravação.</translation></message>
 <message><source>The recording's pose cannot be used: %1.</source><translation>A pose da gravação não pode ser usada: %1.</translation></message>
 <message><source>--unit does not apply: the telegrams of a recording say their unit themselves</source><translation>--unit não se aplica: os telegramas de uma gravação dizem eles mesmos sua unidade</translation></message>
 <message><source>one sweep</source><translation>uma varredura</translation></message>
@@ -3311,6 +3314,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>add "scan_start" and "scan_end" to the pose file</source><translation>acrescente "scan_start" e "scan_end" ao arquivo de pose</translation></message>
 <message><source>a pose needs the robot's calibration</source><translation>uma pose precisa da calibração do robô</translation></message>
 <message><source>--calibration replaces the calibration in %1.</source><translation>--calibration substitui a calibração de %1.</translation></message>
+<message><source>The pose in %1 replaces the place that the file gives: E %2, N %3 m in place of E %4, N %5 m.</source><translation>A pose de %1 substitui o lugar que o arquivo dá: E %2, N %3 m em vez de E %4, N %5 m.</translation></message>
 <message><source>mine grid</source><translation>coordenadas da mina</translation></message>
 <message><source>local metres from the mine grid origin</source><translation>metros locais desde a origem da grade da mina</translation></message>
 <message><source>save the scan again, or remove "placement"</source><translation>salve de novo a varredura, ou remova "placement"</translation></message>

@@ -153,6 +153,10 @@ Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const
         auto scan = scanOfBytes({file, bytes->bytes(), &withPose, isPipe(file), played});
         if (!scan) return scan;
         scan->path = file.string();
+        if (std::error_code none;
+            !options.pose.empty() && fs::exists(poseSidecar(file), none) && !fs::equivalent(options.pose, poseSidecar(file), none))
+            scan->warnings.push_back(withValues("The pose in %1 replaces that in %2.",
+                                                {fs::path(options.pose).filename().string(), poseSidecar(file).filename().string()}));
         if (const std::size_t others = file == path ? 0 : otherScansIn(path); others > 0)
             scan->warnings.push_back(withValues("The folder holds %1 besides this recording: name one file, or use edgescan-cli batch.",
                                                 {counted(others, "scan")}));

@@ -309,6 +309,9 @@ Result<Done> placeRecordedSweep(Scan& scan, const Recording& recording, const Re
     const double startS = times.empty() ? kUnknownTime : times.front();
     RecordedRobot robot = recordedRobot(recording, startS, times.empty() ? kUnknownTime : times.back());
     const std::vector<std::string> warnings = robot.warnings;
+    if (robot.poses && !options.pose.empty())
+        scan.warnings.push_back(
+            withValues("The pose in %1 replaces those of the recording.", {std::filesystem::path(options.pose).filename().string()}));
     const auto known = knownOf(std::move(robot), options, where);
     if (!known) return known.error();
     if (!asked) scan.warnings.insert(scan.warnings.end(), warnings.begin(), warnings.end());

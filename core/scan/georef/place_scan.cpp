@@ -252,6 +252,13 @@ Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::pa
     auto named = std::make_shared<Placement>(**placed);
     if (!calibration.empty() && poses->calibration)
         named->warnings.push_back(withValues("--calibration replaces the calibration in %1.", {pose.filename().string()}));
+    if (scan.placement) {
+        const auto place = [](const Placement& of) -> Vector3d { return of.originEnhM + of.poses.front().translationM; };
+        const Vector3d before = place(*scan.placement), now = place(*named);
+        named->warnings.push_back(withValues(
+            "The pose in %1 replaces the place that the file gives: E %2, N %3 m in place of E %4, N %5 m.",
+            {pose.filename().string(), fixedText(now.x(), 3), fixedText(now.y(), 3), fixedText(before.x(), 3), fixedText(before.y(), 3)}));
+    }
     named->source = *poseSource + (robotSource->empty() ? "" : withValues(" with %1", {*robotSource}));
     return std::shared_ptr<const Placement>(named);
 }
