@@ -282,6 +282,7 @@ private slots:
             int code;
             QString says;
         };
+        writeText(folder_ / "shot.png", "a picture with a session");
         const QString other = at("other.json"), session = at(std::string("good") + inspect::kSessionEnding);
         QVERIFY(QFile::exists(other) || QFile::copy(scan_, other));
         std::vector<Typed> all{
@@ -296,6 +297,10 @@ private slots:
             {{"--demo", "--unit", "cm"}, 2, "--unit: this is of a file, and none is named; leave it out."},
             {{"--live", silent_.address(), "--unit", "cm"}, 2, "--unit: this is of a file"},
             {{"--live", silent_.address(), "--keep-repeated"}, 2, "--keep-repeated: this is of a file"},
+            {{"--live", silent_.address(), "--topic", "/x"}, 2, "--topic: this is of a file or of a robot's bridge"},
+            {{"--live", silent_.address(), scan_}, 2, "good.json: --live shows a scan of its own and no other"},
+            {{"--session", session, "--screenshot", session}, 2, "the picture is a PNG"},
+            {{"--session", at("shot.png"), "--screenshot", at("shot.png")}, 2, "shot.png: the session is read from this file"},
             {{"--pin", "5,5"}, 2, "--pin: there is no scan to show"},
             {{"--compare", scan_}, 2, "--compare: there is no scan to show"},
             {{scan_, "--screenshot-lines", "5"}, 2, "--screenshot-lines: no screenshot is asked for"},

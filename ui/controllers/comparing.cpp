@@ -277,7 +277,9 @@ void Comparing::swap() {
     if (!earlier_ || !engine_.picture() || !fromShown())
         return notice_.showHint(tr("A and B are exchanged when both are files: keep a scan as A and open another one."));
     const inspect::SessionScan next = earlier_->scan;
-    keep();
+    const bool bySurfaces = bySurfaces_;
+    use(engine_.picture(), fromShown()); // not a step: undone, it would compare B with itself
+    bySurfaces_ = bySurfaces;
     files_.openAgain(next);
 }
 

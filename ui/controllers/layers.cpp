@@ -2,6 +2,7 @@
 #include "ui/controllers/layers.h"
 
 #include "core/base/memory.h"
+#include "core/inspect/registration/scan_alignment.h"
 #include "core/scan/grid/cartesian.h"
 #include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
@@ -58,7 +59,9 @@ QString placeWords(const inspect::LayerPlace& place) {
     if (place.toFirst == RigidTransform{})
         words = Layers::tr("the first: the others are placed against it");
     else if (place.residualM)
-        words = Layers::tr("registered, residual %1 mm").arg(millimetres(*place.residualM));
+        words = (*place.residualM > inspect::kMostResidualM ? Layers::tr("OUT OF SPEC, residual %1 mm")
+                                                            : Layers::tr("registered, residual %1 mm"))
+                    .arg(millimetres(*place.residualM));
     else if (place.pairsM)
         words = Layers::tr("placed by targets, %1 mm apart").arg(millimetres(*place.pairsM));
     else

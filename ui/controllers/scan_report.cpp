@@ -55,7 +55,10 @@ void ScanReport::ask() {
     words.logo = preferences_.text("report/logo");
     words.extension = preferences_.text("report/extension", ".html");
     words.rocks = rocks_.shown() || !rocks_.edits().empty();
-    if (engine_.picture()->source.stream == remarkStream_) words.remark = remark_; // of the same scan, as in the report before
+    if (engine_.picture()->source.stream == remarkStream_) { // of the same scan, as in the report before
+        words.remark = remark_;
+        words.rocks = words.rocks || rocksInReport_;
+    }
     ReportForm form(words, notice_.window());
     if (form.exec() != QDialog::Accepted) return;
     words = form.words();
@@ -66,6 +69,7 @@ void ScanReport::ask() {
     preferences_.keep("report/logo", words.logo);
     preferences_.keep("report/extension", words.extension);
     remark_ = words.remark;
+    rocksInReport_ = words.rocks;
     remarkStream_ = engine_.picture()->source.stream;
     SaveQuestion question;
     question.title = tr("Report");

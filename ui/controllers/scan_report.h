@@ -49,6 +49,7 @@ private:
     NoticeBar& notice_;
     Preferences& preferences_;
     int working_ = 0;
+    bool rocksInReport_ = false;
     QString remark_;                 // of the last report
     std::uint64_t remarkStream_ = 0; // and its scan
 };

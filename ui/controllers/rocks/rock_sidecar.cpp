@@ -1,4 +1,4 @@
-// Reads and writes the sidecar SCAN.rocks.json.
+// Reads and writes the sidecar SCAN.EXT.rocks.json.
 #include "ui/controllers/rocks/rock_sidecar.h"
 
 #include "core/base/merged_files.h"
