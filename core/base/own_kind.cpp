@@ -13,12 +13,13 @@ namespace edgescan {
 namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U; // of JSON that is read
+constexpr const char* kPng = "PNG";                            // a file of that name is replaced, whatever it holds
 
 } // namespace
 
 std::string ownKind(std::string_view text) {
-    constexpr std::string_view kMark = "edgescan-", kPng = "\x89PNG";
-    if (text.starts_with(kPng)) return "PNG";
+    constexpr std::string_view kMark = "edgescan-";
+    if (text.starts_with("\x89PNG")) return kPng;
     if (!text.starts_with('{')) return {};
     auto json = parseJson(text, "");
     if (!json) json = parseJson(text.substr(0, text.find('\n')), "");
@@ -30,7 +31,7 @@ std::string ownKind(std::string_view text) {
 }
 
 Result<Done> checkIsOfKind(const std::filesystem::path& path, const std::string& kind) {
-    if (isDevice(path)) return Done{};
+    if (isDevice(path) || (kind == kPng && path.extension() == ".png")) return Done{};
     const int first = std::ifstream(path).peek(); // most files are neither JSON nor PNG
     if (first == std::ifstream::traits_type::eof() || (kind.empty() && first != '{' && first != 0x89)) return Done{};
     const auto bytes = readWholeFile(path, kMostBytes);

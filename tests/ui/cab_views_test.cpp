@@ -214,8 +214,8 @@ private slots:
         QVERIFY(!why.isChecked() && pin.isChecked());
     }
 
-    // At the ends of the slider of a threshold "−" gives fewer edges and "+" more, and words say so.
-    void minusGivesFewerEdges() {
+    // At the ends of the slider of a threshold are arrows, and words say which one gives fewer edges: a plus would lower its number.
+    void wordsSayWhatGivesFewerEdges() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
@@ -223,7 +223,7 @@ private slots:
         press(on.window, "cab-tune");
         const QString key = edges::sweptParameter(on.viewer.engine.settings().method).key;
         for (const auto& [name, sign, words, fewer] :
-             {std::tuple("more-", "−", "Fewer edges", true), std::tuple("less-", "+", "More edges", false)}) {
+             {std::tuple("more-", "▶", "Fewer edges", true), std::tuple("less-", "◀", "More edges", false)}) {
             auto* button = on.viewer.panel.findChild<QToolButton*>(name + key);
             const auto* label = on.viewer.panel.findChild<QLabel*>("meaning-of-" + (name + key));
             QTRY_VERIFY(button->visibleRegion().boundingRect() == button->rect() && label->isVisible());

@@ -99,7 +99,7 @@ ParameterRow::ParameterRow(const edges::Parameter& parameter, QGridLayout& grid,
     if (slider_ != nullptr) addSlider(grid, row + 1, parent);
 }
 
-/// On its own line: a short slider cannot be set finely. Left is less; of a threshold less gives more edges, and its button has a plus.
+/// On its own line: a short slider cannot be set finely. Left is less. Less of a threshold gives more edges: its buttons have no signs.
 void ParameterRow::addSlider(QGridLayout& grid, int row, QWidget* parent) {
     slider_->setObjectName(QString("slider-") + parameter_.key);
     slider_->setToolTip(limitsText(parameter_));
@@ -113,7 +113,7 @@ void ParameterRow::addSlider(QGridLayout& grid, int row, QWidget* parent) {
     for (const int direction : {-1, +1}) {
         auto* button = new QToolButton(parent);
         button->setObjectName((direction < 0 ? "less-" : "more-") + QString(parameter_.key));
-        button->setText((direction > 0) == threshold ? QStringLiteral("−") : QStringLiteral("+"));
+        button->setText(QString(u"−+◀▶"[(threshold ? 2 : 0) + (direction > 0 ? 1 : 0)]));
         button->setAccessibleName((direction < 0 ? tr("less: %1") : tr("more: %1")).arg(label_->text()));
         button->setFocusPolicy(Qt::TabFocus);
         button->setAutoRepeat(true);
