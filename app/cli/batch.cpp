@@ -29,6 +29,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <set>
 #include <span>
 
 namespace edgescan::cli {
@@ -110,9 +111,10 @@ void warnOfOtherFiles(const fs::path& results) {
 
 /// Of results of another run in the folder, which the tables will not name, or which are made again.
 void warnOfOtherRuns(const Batch& batch, const BatchWork& work) {
+    const std::set<std::string_view> inputs(work.inputs.begin(), work.inputs.end());
     std::size_t others = 0, otherwise = 0;
     for (const auto& [input, text] : work.before) {
-        const bool isOurs = std::ranges::find(work.inputs, input) != work.inputs.end();
+        const bool isOurs = inputs.contains(input);
         others += isOurs ? 0 : 1;
         const auto row = parseOrderedJson(text, "");
         otherwise += isOurs && row && row->value("settings_sha256", "") != work.settingsSha256 ? 1 : 0;

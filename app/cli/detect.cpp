@@ -132,9 +132,8 @@ Result<Done> checkUsage(const Detect& detect) {
     for (const std::string& file : detect.files) {
         claimInput(file); // before the first scan writes results
         const std::string stem = files::scanName(file);
-        if (std::ranges::count(detect.files, file) > 1 && (file == "-" || !detect.out.folder.empty()))
-            return Error{"this scan is given twice", file, "give it once"};
-        if (detect.out.folder.empty() || stems.insert(stem).second) continue;
+        if (stems.insert(stem).second || (detect.out.folder.empty() && file != "-")) continue;
+        if (std::ranges::count(detect.files, file) > 1) return Error{"this scan is given twice", file, "give it once"};
         return Error{"two scans have the name " + stem + ", and so would their results", file, "give one folder each"};
     }
     return Done{};
